@@ -1,0 +1,28 @@
+# What Talus is built on, from Debian 12's packages (docs/dependencies.md says why each).
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+# Debian's SuiteSparse, gmsh and valijson ship no CMake package.
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+add_library(SuiteSparse::cholmod INTERFACE IMPORTED)
+target_include_directories(SuiteSparse::cholmod INTERFACE ${CHOLMOD_INCLUDE_DIR})
+target_link_libraries(SuiteSparse::cholmod INTERFACE ${CHOLMOD_LIBRARY})
+
+find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
+find_library(GMSH_LIBRARY gmsh REQUIRED)
+add_library(gmsh::gmsh INTERFACE IMPORTED)
+target_include_directories(gmsh::gmsh INTERFACE ${GMSH_INCLUDE_DIR})
+target_link_libraries(gmsh::gmsh INTERFACE ${GMSH_LIBRARY})
+
+find_path(VALIJSON_INCLUDE_DIR valijson/schema.hpp REQUIRED)
+add_library(valijson::valijson INTERFACE IMPORTED)
+target_include_directories(valijson::valijson SYSTEM INTERFACE ${VALIJSON_INCLUDE_DIR})
+
+pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
+pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)

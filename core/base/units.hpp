@@ -1,0 +1,10 @@
+#pragma once
+
+#include <numbers>
+
+namespace talus {
+
+constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+constexpr double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+}  // namespace talus

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vector.hpp"
+
+namespace talus {
+
+/// What a contact does in the current iterate: no force; sheared below its strength; sliding at its strength.
+enum class ContactMode : std::uint8_t { open, stick, slip };
+
+/// Strength and stiffness of a joint as contact law sees it, SI, angles already turned into coefficients.
+struct JointLaw {
+  double friction = 0;           ///< tan φ
+  double residual_friction = 0;  ///< tan φ once a bond is broken
+  double cohesion = 0;           ///< Pa
+  double tensile_strength = 0;   ///< Pa
+  double normal_stiffness = 0;   ///< Pa/m; 0: automatic
+  double shear_stiffness = 0;    ///< Pa/m; 0: automatic
+};
+
+/// One pair of touching points P1 (first body) and P2 (second body), eq. (29). Fixed during a step.
+/// The gap is `gap + normal·u` with the relative displacement u = Σ weight·D over the stencil (first minus second body;
+/// nodes of fixed bodies included: their D is zero). A negative gap is penetration: d_n of the paper is −gap.
+struct ContactPoint {
+  std::uint64_t key;       ///< names the pair of features; the same contact has the same key in the next step
+  int bodies[2];
+  int patches[2];          ///< flat parts of both surfaces it lies on (−1 at a crease)
+  int joint;               ///< index into the joint laws
+  Vec3 position;           ///< m, on the first body
+  Vec3 normal;             ///< unit, from the second body to the first
+  double gap;              ///< m, at the start of the step
+  double size;             ///< m, local mesh size: what lengths are measured against
+  double area;             ///< m², the share of contact area; 0 where a vertex or an edge touches
+  double normal_stiffness; ///< N/m
+  double shear_stiffness;  ///< N/m
+  double friction;         ///< tan φ that holds now (residual once broken)
+  double cohesion;         ///< N, c·A while bonded, else 0
+  double tension;          ///< N, σ_t·A while bonded, else 0
+  bool bonded;
+  Vec3 shear_start;        ///< N, shear force on the first body at the start of the step, in the contact plane
+  double slip_start;       ///< m, path slipped so far
+  int stencil_begin, stencil_end;  ///< range in ContactSet's nodes and weights
+  // Of the current iterate; begins as what it was at the end of the last step.
+  ContactMode mode;
+};
+
+/// All contact points of a step, flat.
+struct ContactSet {
+  std::vector<ContactPoint> points;
+  std::vector<int> nodes;       ///< global node numbers of all stencils
+  std::vector<double> weights;  ///< Σ = +1 over the first body's nodes, −1 over the second's
+
+  void clear() { points.clear(); nodes.clear(); weights.clear(); }
+};
+
+/// What a contact point came to at the end of an accepted step; handed back to the memory.
+struct ContactOutcome {
+  double normal_force = 0;          ///< N, compression positive
+  Vec3 shear_force = Vec3::Zero();  ///< N, on the first body
+  double gap = 0;                   ///< m, at the end
+  double slip = 0;                  ///< m, path slipped in this step
+  bool broke = false;               ///< its bond broke in this step
+};
+
+}  // namespace talus

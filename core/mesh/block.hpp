@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/tet_mesh.hpp"
+#include "model/project.hpp"
+
+namespace talus {
+
+/// One piece of rock, cut and meshed. Its nodes are its own: blocks share none.
+struct Block {
+  std::string name;
+  int solid = 0;     ///< index into Project::solids
+  int material = 0;  ///< index into Project::materials
+  BodyKind body = BodyKind::tetrahedra;
+  TetMesh mesh;
+  std::vector<SurfaceTriangle> surface;
+  double volume = 0;  ///< m³, of the shape before meshing
+};
+
+/// All blocks of a project. Node numbers of a frame run through the blocks in this order.
+struct BlockSystem {
+  std::vector<Block> blocks;
+  std::vector<std::string> joint_names;  ///< as Project::joints, for SurfaceTriangle::joint
+  double solids_volume = 0;              ///< m³, of the solids before cutting
+};
+
+}  // namespace talus

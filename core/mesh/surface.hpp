@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/tet_mesh.hpp"
+
+namespace talus {
+
+/// An edge of a closed triangulated surface and the two triangles it joins.
+struct SurfaceEdge {
+  std::array<int, 2> nodes;
+  std::array<int, 2> triangles;
+};
+
+/// A block's surface with what contact asks of it: edges, flat patches, rings, corners. Made once from the undeformed
+/// mesh; positions are given to whoever needs them. Node numbers are the block's own.
+struct Surface {
+  std::vector<SurfaceTriangle> triangles;
+  std::vector<std::array<int, 3>> triangle_edges;  ///< edge opposite to each of the triangle's nodes
+  std::vector<SurfaceEdge> edges;
+  std::vector<int> patch;                          ///< a triangle: flat patch it belongs to (edges of less than 2° are crossed)
+  int patch_count = 0;
+  std::vector<std::vector<int>> ring;              ///< a node: its neighbours along surface edges
+  std::vector<bool> corner;                        ///< a node where creases do not pass straight through
+  double size = 0;                                 ///< m, √(2 · mean triangle area)
+};
+
+/// Throws std::invalid_argument when the triangles do not form a closed, consistently oriented surface.
+Surface make_surface(std::span<const Vec3> nodes, std::vector<SurfaceTriangle> triangles);
+
+}  // namespace talus

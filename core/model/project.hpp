@@ -1,0 +1,148 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/vector.hpp"
+
+/// What the user described, as plain values in SI units. Angles are kept in degrees here, as the file has them,
+/// so that a project is written back digit for digit; the solver converts once.
+namespace talus {
+
+enum class BodyKind { fixed, rigid, affine, tetrahedra };
+
+struct Material {
+  std::string name;
+  double density = 0;  ///< kg/m³
+  double young = 0;    ///< Pa
+  double poisson = 0;
+};
+
+struct Joint {
+  std::string name;
+  double friction_angle = 0;    ///< degrees
+  double cohesion = 0;          ///< Pa
+  double tensile_strength = 0;  ///< Pa
+  std::optional<double> residual_friction_angle;  ///< degrees; friction_angle when absent
+  std::optional<double> normal_stiffness;         ///< Pa/m; automatic when absent
+  std::optional<double> shear_stiffness;          ///< Pa/m
+};
+
+struct BoxShape { Vec3 min, max; };
+/// Faces are polygons of vertex numbers, counter-clockwise seen from outside.
+struct PolyhedronShape {
+  std::vector<Vec3> vertices;
+  std::vector<std::vector<int>> faces;
+};
+/// `path` as written in the project file, relative to its folder; the ending names the format.
+struct FileShape { std::string path; double scale = 1; };
+
+struct Solid {
+  std::string name;
+  std::variant<BoxShape, PolyhedronShape, FileShape> shape;
+  std::string material;
+  BodyKind body = BodyKind::tetrahedra;
+  std::optional<double> mesh_size;  ///< m; a tenth of the solid's longest side when absent
+};
+
+/// A plane through `through`, or `count` parallel ones `spacing` apart along the upward normal.
+struct Cut {
+  std::string joint;
+  double dip = 0, dip_direction = 0;  ///< degrees
+  Vec3 through = Vec3::Zero();
+  std::optional<double> spacing;      ///< m
+  std::optional<int> count;
+  std::vector<std::string> solids;    ///< names it is limited to; all when empty
+};
+
+/// Overrides for the block that holds the point `at`.
+struct BlockOverride {
+  std::string name;
+  Vec3 at = Vec3::Zero();
+  std::optional<BodyKind> body;
+  std::optional<std::string> material;
+  std::optional<double> mesh_size;
+};
+
+struct Interface {
+  std::array<std::string, 2> between;  ///< block names
+  std::string joint;
+};
+
+struct Constraint {
+  std::string block;
+  Vec3 at = Vec3::Zero();
+  std::array<std::optional<double>, 3> displacement;  ///< m; an empty component is free
+};
+
+struct PointLoad {
+  std::string block;
+  Vec3 at = Vec3::Zero();
+  Vec3 force = Vec3::Zero();  ///< N
+};
+
+struct InitialVelocity {
+  std::string block;
+  Vec3 linear = Vec3::Zero();   ///< m/s
+  Vec3 angular = Vec3::Zero();  ///< rad/s about the block's centroid
+};
+
+enum class StageKind { static_, dynamic };
+
+struct Stage {
+  std::string name;
+  StageKind kind = StageKind::dynamic;
+  double time_step = 0;               ///< s
+  std::optional<int> steps;           ///< one of steps and duration is given
+  std::optional<double> duration;     ///< s
+};
+
+struct SolverSettings {
+  std::string strain = "incremental";
+  std::string integrator = "constant-acceleration";
+  double contact_stiffness = 10;      ///< normal penalty in units of E*/h (METHOD §3), dimensionless
+  int open_close_limit = 20;          ///< iterations before the step is cut
+};
+
+struct Monitor {
+  std::string name, block;
+  Vec3 at = Vec3::Zero();
+};
+
+/// A number the run must come to: quantity "P1.displacement.z" at `time`.
+/// The tolerance is relative to |value|, absolute where the value is zero.
+struct Expectation {
+  std::string quantity;
+  double time = 0, value = 0, tolerance = 0;
+  std::string source;
+};
+
+struct Output {
+  double every = 0.1;  ///< s of model time between frames
+};
+
+struct Project {
+  std::string name;
+  Vec3 gravity{0, 0, -9.81};
+  std::vector<Material> materials;
+  std::vector<Joint> joints;
+  std::string default_joint;
+  std::vector<Solid> solids;
+  std::vector<Cut> cuts;
+  std::vector<BlockOverride> blocks;
+  std::vector<Interface> interfaces;
+  std::vector<Constraint> constraints;
+  std::vector<PointLoad> loads;
+  std::vector<InitialVelocity> velocities;
+  std::vector<Stage> stages;
+  SolverSettings solver;
+  std::vector<Monitor> monitors;
+  std::vector<Expectation> expect;
+  Output output;
+};
+
+}  // namespace talus

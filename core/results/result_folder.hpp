@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mesh/block.hpp"
+#include "results/frame.hpp"
+#include "results/run_report.hpp"
+
+namespace talus {
+
+/// Writes a results folder as the run goes: results.h5, results.xdmf, history.csv, steps.csv, log.txt, project.talus
+/// and at the end summary.json. After every call what was written so far is readable, also after a kill.
+class ResultWriter {
+ public:
+  /// Makes the folder, or empties one that holds earlier results; refuses (InputError) a folder that holds
+  /// anything else. `project_text` is kept beside the results as project.talus.
+  ResultWriter(const std::filesystem::path& folder, const Project& project, const BlockSystem& system,
+               const std::string& project_text);
+  ~ResultWriter();
+  ResultWriter(const ResultWriter&) = delete;
+  ResultWriter& operator=(const ResultWriter&) = delete;
+
+  void add_frame(const Frame& frame);
+  void add_step(const StepReport& step);
+  void add_history(const HistoryRow& row);
+  void log(const std::string& line);
+  void finish(const RunReport& report);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Reads a results folder, also one whose run goes on or was killed.
+class ResultReader {
+ public:
+  /// Throws InputError when the folder holds no readable results.
+  explicit ResultReader(const std::filesystem::path& folder);
+  ~ResultReader();
+  ResultReader(const ResultReader&) = delete;
+  ResultReader& operator=(const ResultReader&) = delete;
+
+  const BlockSystem& system() const;
+  const std::string& project_name() const;
+  const std::vector<std::string>& stage_names() const;
+  const std::vector<std::string>& monitor_names() const;
+  const std::vector<double>& frame_times() const;  ///< s
+  Frame frame(int index) const;
+  std::vector<HistoryRow> history() const;
+  std::vector<StepReport> steps() const;
+  std::vector<Event> events() const;               ///< from summary.json; empty while the run goes on
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace talus

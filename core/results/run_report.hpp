@@ -1,0 +1,92 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "model/project.hpp"
+
+namespace talus {
+
+/// Wall time of the parts of a step, s.
+struct Phases {
+  double detect = 0, assemble = 0, factor = 0, solve = 0, update = 0, write = 0;
+};
+
+/// Energies in J. What time integration has taken is the remainder that closes the ledger.
+struct EnergyLedger {
+  double kinetic = 0, elastic = 0, potential = 0, contact = 0;
+  double friction_dissipated = 0, damping_dissipated = 0, constraint_work = 0, integration_loss = 0;
+};
+
+/// A row of steps.csv.
+struct StepReport {
+  int step = 0;
+  int stage = 0;
+  double time = 0, time_step = 0;  ///< s, at the end of the step and its length
+  int iterations = 0;              ///< open–close iterations, of all attempts
+  int cuts = 0;                    ///< how often the step was cut before it settled
+  int contacts = 0, open = 0, stick = 0, slip = 0;
+  double max_penetration = 0;           ///< m
+  double max_relative_penetration = 0;  ///< of the local mesh size
+  double max_displacement = 0;          ///< m, of a node in this step
+  double unbalanced_force = 0;          ///< N, norm of the residual at the end of the step
+  Phases phases;
+  EnergyLedger energy;
+};
+
+/// One monitor at one moment.
+struct MonitorSample { Vec3 displacement, velocity; };
+
+/// A row of history.csv.
+struct HistoryRow {
+  double time = 0;
+  int stage = 0;
+  std::vector<MonitorSample> monitors;  ///< in Project::monitors' order
+};
+
+/// Something worth a mark on the timeline: "J5 opened", "B3 lost contact".
+struct Event { double time = 0; std::string what; };
+
+enum class RunStatus { completed, stopped, not_converged };
+
+struct BlockOutcome {
+  std::string name;
+  BodyKind body = BodyKind::tetrahedra;
+  double volume = 0, relative_volume_change = 0;
+  Vec3 displacement = Vec3::Zero();  ///< m, of the centroid
+  double rotation_degrees = 0;
+  Vec3 velocity = Vec3::Zero();      ///< m/s, of the centroid
+};
+
+struct EffectOutcome {
+  std::string name;
+  bool active = false;
+  std::string reason;
+  double seconds = 0;
+};
+
+struct ExpectationOutcome {
+  Expectation expectation;
+  double computed = 0, error = 0;  ///< error in the tolerance's sense: relative, or absolute where the value is zero
+  bool reached = false;            ///< false: the run ended before `time`
+  bool passed = false;
+};
+
+/// summary.json.
+struct RunReport {
+  RunStatus status = RunStatus::completed;
+  std::string reason;  ///< why it stopped or did not converge: contact, place, joint; empty when completed
+  double time = 0, wall_seconds = 0;
+  int steps = 0, threads = 1, frames = 0;
+  std::vector<BlockOutcome> blocks;
+  StepReport last_step;
+  double max_penetration = 0, max_relative_penetration = 0;  ///< over the whole run
+  long iterations = 0, cuts = 0;
+  Phases phases;
+  std::vector<EffectOutcome> effects;
+  std::vector<Event> events;
+  std::vector<ExpectationOutcome> expect;
+};
+
+}  // namespace talus
