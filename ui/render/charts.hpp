@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/image.hpp"
+#include "render/theme.hpp"
+#include "results/run_report.hpp"
+
+namespace talus {
+
+/// One curve. Points with a value that is not finite break it.
+struct Series {
+  std::string name;
+  std::vector<double> x, y;
+};
+
+/// A moment worth a vertical line and a word.
+struct EventMark {
+  double x = 0;
+  std::string label;
+  bool reference = false;  ///< from the literature: dashed, labelled below; computed ones are solid, labelled above
+};
+
+/// Curves over a common axis, as a journal prints them.
+struct HistoryPlot {
+  std::string title;
+  std::string x_title = "Time", x_unit = "s";
+  std::string y_title, y_unit;
+  std::vector<Series> series;  ///< at most 6
+  std::vector<EventMark> marks;
+  Theme theme = Theme::light;
+};
+
+/// Throws std::invalid_argument when series are missing, too many or of unequal lengths, InputError for sizes
+/// outside 320…8192.
+Image draw_chart(const HistoryPlot& plot, int width = 1600, int height = 1000);
+
+enum class MonitorQuantity { displacement, velocity };
+
+/// The three components of a monitor's displacement or velocity over time, from history.csv's rows.
+HistoryPlot monitor_plot(const std::string& monitor, int monitor_index, std::span<const HistoryRow> history,
+                         MonitorQuantity quantity);
+
+}  // namespace talus

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/block.hpp"
+#include "results/field.hpp"
+
+namespace talus {
+
+/// Smallest and largest value, in the field's SI unit. Empty (low > high) until something is included.
+struct ValueRange {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool empty() const { return low > high; }
+  void include(double value);
+  void include(std::span<const double> values);
+  void include(const ValueRange& other);
+  bool operator==(const ValueRange&) const = default;
+};
+
+/// Range of a field in one frame over the movable blocks: fixed rock is not coloured and does not count.
+/// Unite the ranges of all frames for a legend that holds over a whole run.
+ValueRange field_range(const BlockSystem& system, const Frame& frame, const Field& field);
+
+/// Whether a field has a sign that matters: shown with vik, symmetric about zero. Others are shown with batlow from
+/// zero.
+bool is_signed(const Field& field);
+
+/// The range of a legend that shows `values`: from zero or symmetric about it, ended at a round number, never of no
+/// length.
+ValueRange legend_range(const Field& field, const ValueRange& values);
+
+}  // namespace talus
