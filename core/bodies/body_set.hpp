@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "bodies/strain.hpp"
+#include "mesh/block.hpp"
+
+namespace talus {
+
+/// All nodes of all blocks, in BlockSystem's order. A node of a fixed block has no freedom (−1).
+struct NodeSet {
+  std::vector<Vec3> reference;  ///< m, at the start of the run
+  std::vector<Vec3> position;   ///< m, at the start of the step
+  std::vector<Vec3> velocity;   ///< m/s, at the start of the step
+  std::vector<int> freedom;     ///< number among the movable nodes; its unknowns are 3·freedom … 3·freedom+2
+  int movable = 0;
+};
+
+/// A four-node tetrahedron of a movable block.
+struct Element {
+  std::array<int, 4> nodes;     ///< into NodeSet
+  std::array<int, 4> freedoms;
+  int body = 0;
+  double mass = 0;              ///< kg, constant whatever the strain does
+};
+
+/// A block as the solver moves it.
+struct Body {
+  int first_node = 0, node_count = 0;
+  int first_element = 0, element_count = 0;  ///< into BodySet::elements; none where fixed
+  int first_tetrahedron = 0;                 ///< into a frame's stress
+  bool fixed = false;
+  double density = 0;                        ///< kg/m³
+  double young = 0;                          ///< Pa
+  Elastic elastic;
+  double reference_volume = 0;               ///< m³, of the mesh
+};
+
+/// Displacement increments of a step [m]: 3 numbers a movable node.
+using Increment = Eigen::VectorXd;
+
+/// All blocks with their nodes, elements and stresses: what moves.
+struct BodySet {
+  NodeSet nodes;
+  std::vector<Body> bodies;
+  std::vector<Element> elements;
+  std::vector<ElementShape> shapes;  ///< an element, at the start of the step
+  std::vector<Voigt> stress;         ///< Pa, an element, at the start of the step
+
+  BodySet(const Project& project, const BlockSystem& system);
+
+  int unknowns() const { return 3 * nodes.movable; }
+  /// Shapes at the current positions; called at the start of every step.
+  void update_shapes();
+  Corners corner_increments(const Element& element, const Increment& d) const;
+  Vec3 node_increment(int node, const Increment& d) const {
+    const int freedom = nodes.freedom[node];
+    return freedom < 0 ? Vec3(Vec3::Zero()) : Vec3(d.segment<3>(3 * freedom));
+  }
+};
+
+}  // namespace talus
