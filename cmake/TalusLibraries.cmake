@@ -24,5 +24,6 @@ find_path(VALIJSON_INCLUDE_DIR valijson/schema.hpp REQUIRED)
 add_library(valijson::valijson INTERFACE IMPORTED)
 target_include_directories(valijson::valijson SYSTEM INTERFACE ${VALIJSON_INCLUDE_DIR})
 
-pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
+# Serial by name: plain "hdf5" is whichever variant Debian's alternatives prefer, with VTK installed the MPI one.
+pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
