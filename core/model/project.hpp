@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,11 +16,23 @@ namespace talus {
 
 enum class BodyKind { fixed, rigid, affine, tetrahedra };
 
+/// The word the project file and the results use.
+constexpr std::string_view to_string(BodyKind kind) {
+  switch (kind) {
+    case BodyKind::fixed: return "fixed";
+    case BodyKind::rigid: return "rigid";
+    case BodyKind::affine: return "affine";
+    case BodyKind::tetrahedra: break;
+  }
+  return "tetrahedra";
+}
+
 struct Material {
   std::string name;
   double density = 0;  ///< kg/m³
   double young = 0;    ///< Pa
   double poisson = 0;
+  bool operator==(const Material&) const = default;
 };
 
 struct Joint {
@@ -30,16 +43,25 @@ struct Joint {
   std::optional<double> residual_friction_angle;  ///< degrees; friction_angle when absent
   std::optional<double> normal_stiffness;         ///< Pa/m; automatic when absent
   std::optional<double> shear_stiffness;          ///< Pa/m
+  bool operator==(const Joint&) const = default;
 };
 
-struct BoxShape { Vec3 min, max; };
+struct BoxShape {
+  Vec3 min, max;
+  bool operator==(const BoxShape&) const = default;
+};
 /// Faces are polygons of vertex numbers, counter-clockwise seen from outside.
 struct PolyhedronShape {
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
+  bool operator==(const PolyhedronShape&) const = default;
 };
 /// `path` as written in the project file, relative to its folder; the ending names the format.
-struct FileShape { std::string path; double scale = 1; };
+struct FileShape {
+  std::string path;
+  double scale = 1;
+  bool operator==(const FileShape&) const = default;
+};
 
 struct Solid {
   std::string name;
@@ -47,6 +69,7 @@ struct Solid {
   std::string material;
   BodyKind body = BodyKind::tetrahedra;
   std::optional<double> mesh_size;  ///< m; a tenth of the solid's longest side when absent
+  bool operator==(const Solid&) const = default;
 };
 
 /// A plane through `through`, or `count` parallel ones `spacing` apart along the upward normal.
@@ -57,6 +80,7 @@ struct Cut {
   std::optional<double> spacing;      ///< m
   std::optional<int> count;
   std::vector<std::string> solids;    ///< names it is limited to; all when empty
+  bool operator==(const Cut&) const = default;
 };
 
 /// Overrides for the block that holds the point `at`.
@@ -66,32 +90,40 @@ struct BlockOverride {
   std::optional<BodyKind> body;
   std::optional<std::string> material;
   std::optional<double> mesh_size;
+  bool operator==(const BlockOverride&) const = default;
 };
 
 struct Interface {
   std::array<std::string, 2> between;  ///< block names
   std::string joint;
+  bool operator==(const Interface&) const = default;
 };
 
 struct Constraint {
   std::string block;
   Vec3 at = Vec3::Zero();
   std::array<std::optional<double>, 3> displacement;  ///< m; an empty component is free
+  bool operator==(const Constraint&) const = default;
 };
 
 struct PointLoad {
   std::string block;
   Vec3 at = Vec3::Zero();
   Vec3 force = Vec3::Zero();  ///< N
+  bool operator==(const PointLoad&) const = default;
 };
 
 struct InitialVelocity {
   std::string block;
   Vec3 linear = Vec3::Zero();   ///< m/s
   Vec3 angular = Vec3::Zero();  ///< rad/s about the block's centroid
+  bool operator==(const InitialVelocity&) const = default;
 };
 
 enum class StageKind { static_, dynamic };
+
+/// The word the project file and the results use.
+constexpr std::string_view to_string(StageKind kind) { return kind == StageKind::static_ ? "static" : "dynamic"; }
 
 struct Stage {
   std::string name;
@@ -99,6 +131,7 @@ struct Stage {
   double time_step = 0;               ///< s
   std::optional<int> steps;           ///< one of steps and duration is given
   std::optional<double> duration;     ///< s
+  bool operator==(const Stage&) const = default;
 };
 
 struct SolverSettings {
@@ -106,11 +139,13 @@ struct SolverSettings {
   std::string integrator = "constant-acceleration";
   double contact_stiffness = 10;      ///< normal penalty in units of E*/h (METHOD §3), dimensionless
   int open_close_limit = 20;          ///< iterations before the step is cut
+  bool operator==(const SolverSettings&) const = default;
 };
 
 struct Monitor {
   std::string name, block;
   Vec3 at = Vec3::Zero();
+  bool operator==(const Monitor&) const = default;
 };
 
 /// A number the run must come to: quantity "P1.displacement.z" at `time`.
@@ -119,10 +154,12 @@ struct Expectation {
   std::string quantity;
   double time = 0, value = 0, tolerance = 0;
   std::string source;
+  bool operator==(const Expectation&) const = default;
 };
 
 struct Output {
   double every = 0.1;  ///< s of model time between frames
+  bool operator==(const Output&) const = default;
 };
 
 struct Project {
@@ -143,6 +180,7 @@ struct Project {
   std::vector<Monitor> monitors;
   std::vector<Expectation> expect;
   Output output;
+  bool operator==(const Project&) const = default;
 };
 
 }  // namespace talus
