@@ -153,6 +153,7 @@ struct Monitor {
 struct Expectation {
   std::string quantity;
   double time = 0, value = 0, tolerance = 0;
+  std::optional<double> since;  ///< s; the value is the change since then (creep after a static stage), else since 0
   std::string source;
   bool operator==(const Expectation&) const = default;
 };
