@@ -57,7 +57,7 @@ const std::vector<Fence> fences = {
     {"gmsh", std::regex("gmsh.*\\.h(_cwrap)?"), std::regex("core/geometry/.*\\.cpp")},
     {"SuiteSparse", std::regex("(suitesparse/)?(cholmod|umfpack|SuiteSparse_config|Eigen/CholmodSupport).*"),
      std::regex("core/solve/cholesky\\.cpp")},
-    {"HDF5", std::regex("hdf5\\.h|H5\\w+\\.h"), std::regex("core/results/.*\\.cpp")},
+    {"HDF5", std::regex("hdf5\\.h|H5\\w+\\.h"), std::regex("core/results/(.*\\.cpp|hdf5\\.hpp)")},
     {"valijson", std::regex("valijson/.*"), std::regex("core/io/.*\\.cpp")},
     {"CLI11", std::regex("CLI/.*"), std::regex("app/.*")},
 };
@@ -65,6 +65,8 @@ const std::vector<Fence> fences = {
 /// Headers of core need the standard library and Eigen only.
 const std::regex core_header("core/.*\\.hpp");
 const std::regex standard_or_eigen("[a-z_0-9]+|Eigen/\\w+");
+/// … but for those that wrap a library for the .cpp files of their own folder, and are seen by nobody else.
+const std::set<std::string> inner_headers = {"core/results/hdf5.hpp"};
 
 constexpr int longest_file = 500;  // lines
 
@@ -84,6 +86,7 @@ std::vector<std::string> includes_of(const SourceFile& file, char quote) {
   return names;
 }
 
+/// The folder of core, ui or app that a path lies in.
 std::string folder_of(const std::string& path) { return path.substr(0, path.find('/', path.find('/') + 1)); }
 
 /// The folder a header "folder/file.hpp" belongs to; empty when it is none of ours.
@@ -92,6 +95,12 @@ std::string folder_of_header(const std::string& name) {
   for (const std::string part : {"core/", "ui/", "app/"})
     if (arrows.contains(part + folder)) return part + folder;
   return {};
+}
+
+/// The path of a header "folder/file.hpp" of ours; empty when it is none.
+std::string path_of_header(const std::string& name) {
+  const std::string folder = folder_of_header(name);
+  return folder.empty() ? folder : folder + name.substr(name.find('/'));
 }
 
 /// The folder itself and all it is built upon.
@@ -114,13 +123,15 @@ std::vector<std::string> faults(const SourceFile& file) {
   for (const std::string& name : own) {
     const std::string target = folder_of_header(name);
     if (known && !target.empty() && !visible_from(folder).contains(target)) add("may not include " + name);
+    if (inner_headers.contains(path_of_header(name)) && (folder != target || file.path.ends_with(".hpp")))
+      add("may not include " + name + ": it is for its own folder's .cpp files");
   }
   for (const auto* names : {&system, &own})
     for (const std::string& name : *names)
       for (const Fence& fence : fences)
         if (std::regex_match(name, fence.header) && !std::regex_match(file.path, fence.inside))
           add("may not include " + name + ": " + fence.library + " has its own place");
-  if (std::regex_match(file.path, core_header)) {
+  if (std::regex_match(file.path, core_header) && !inner_headers.contains(file.path)) {
     for (const std::string& name : system)
       if (!std::regex_match(name, standard_or_eigen)) add("is a header of core and includes <" + name + ">");
     for (const std::string& name : own)
@@ -138,8 +149,7 @@ std::vector<std::string> circle_among(const std::vector<SourceFile>& files) {
   for (const SourceFile& file : files) {
     std::vector<std::string>& targets = lower[file.path];
     for (const std::string& name : includes_of(file, '"'))
-      if (const std::string folder = folder_of_header(name); !folder.empty())
-        targets.push_back(folder + name.substr(name.find('/')));
+      if (const std::string path = path_of_header(name); !path.empty()) targets.push_back(path);
   }
   std::set<std::string> done;
   std::vector<std::string> trail;
@@ -220,6 +230,13 @@ TEST(Includes, ACoreHeaderThatNeedsMoreThanStdAndEigenIsFound) {
   EXPECT_THAT(faults({"core/io/project_file.hpp", "#include <string>\n#include <Eigen/Core>\n"}), IsEmpty());
   EXPECT_THAT(faults({"core/io/project_file.hpp", "#include <nlohmann/json.hpp>\n"}), SizeIs(1));
   EXPECT_THAT(faults({"core/io/project_file.cpp", "#include <nlohmann/json.hpp>\n"}), IsEmpty());
+}
+
+TEST(Includes, AnInnerHeaderSeenFromOutsideIsFound) {
+  EXPECT_THAT(faults({"core/results/hdf5.hpp", "#include <hdf5.h>\n"}), IsEmpty());
+  EXPECT_THAT(faults({"core/results/result_writer.cpp", "#include \"results/hdf5.hpp\"\n"}), IsEmpty());
+  EXPECT_THAT(faults({"core/results/result_folder.hpp", "#include \"results/hdf5.hpp\"\n"}), SizeIs(1));
+  EXPECT_THAT(faults({"core/solve/run.cpp", "#include \"results/hdf5.hpp\"\n"}), SizeIs(1));
 }
 
 TEST(Includes, AFileOfMoreThan500LinesIsFound) {
