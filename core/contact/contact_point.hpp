@@ -24,26 +24,26 @@ struct JointLaw {
 /// The gap is `gap + normal·u` with the relative displacement u = Σ weight·D over the stencil (first minus second body;
 /// nodes of fixed bodies included: their D is zero). A negative gap is penetration: d_n of the paper is −gap.
 struct ContactPoint {
-  std::uint64_t key;       ///< names the pair of features; the same contact has the same key in the next step
-  int bodies[2];
-  int patches[2];          ///< flat parts of both surfaces it lies on (−1 at a crease)
-  int joint;               ///< index into the joint laws
-  Vec3 position;           ///< m, on the first body
-  Vec3 normal;             ///< unit, from the second body to the first
-  double gap;              ///< m, at the start of the step
-  double size;             ///< m, local mesh size: what lengths are measured against
-  double area;             ///< m², the share of contact area; 0 where a vertex or an edge touches
-  double normal_stiffness; ///< N/m
-  double shear_stiffness;  ///< N/m
-  double friction;         ///< tan φ that holds now (residual once broken)
-  double cohesion;         ///< N, c·A while bonded, else 0
-  double tension;          ///< N, σ_t·A while bonded, else 0
-  bool bonded;
-  Vec3 shear_start;        ///< N, shear force on the first body at the start of the step, in the contact plane
-  double slip_start;       ///< m, path slipped so far
-  int stencil_begin, stencil_end;  ///< range in ContactSet's nodes and weights
+  std::uint64_t key = 0;  ///< names the pair of features; the same contact has the same key in the next step
+  int bodies[2]{};
+  int patches[2]{};              ///< flat parts of both surfaces it lies on (−1 at a crease)
+  int joint = 0;                 ///< index into the joint laws
+  Vec3 position = Vec3::Zero();  ///< m, on the first body
+  Vec3 normal = Vec3::Zero();    ///< unit, from the second body to the first
+  double gap = 0;                ///< m, at the start of the step
+  double size = 0;               ///< m, local mesh size: what lengths are measured against
+  double area = 0;               ///< m², the share of contact area; 0 where a vertex or an edge touches
+  double normal_stiffness = 0;   ///< N/m
+  double shear_stiffness = 0;    ///< N/m
+  double friction = 0;           ///< tan φ that holds now (residual once broken)
+  double cohesion = 0;           ///< N, c·A while bonded, else 0
+  double tension = 0;            ///< N, σ_t·A while bonded, else 0
+  bool bonded = false;
+  Vec3 shear_start = Vec3::Zero();  ///< N, shear force on the first body at the start of the step, in the contact plane
+  double slip_start = 0;            ///< m, path slipped so far
+  int stencil_begin = 0, stencil_end = 0;  ///< range in ContactSet's nodes and weights
   // Of the current iterate; begins as what it was at the end of the last step.
-  ContactMode mode;
+  ContactMode mode = ContactMode::open;
 };
 
 /// All contact points of a step, flat.
@@ -52,7 +52,11 @@ struct ContactSet {
   std::vector<int> nodes;       ///< global node numbers of all stencils
   std::vector<double> weights;  ///< Σ = +1 over the first body's nodes, −1 over the second's
 
-  void clear() { points.clear(); nodes.clear(); weights.clear(); }
+  void clear() {
+    points.clear();
+    nodes.clear();
+    weights.clear();
+  }
 };
 
 /// What a contact point came to at the end of an accepted step; handed back to the memory.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "effects/effect.hpp"
+
+namespace talus {
+
+/// Work of gravity, a constant body force f = ρ g, paper (27)(28):
+///   Π = −∫ uᵀ f dv  [J]
+class BodyForce final : public Effect {
+ public:
+  /// `gravity` [m/s²].
+  BodyForce(const BodySet& set, const Vec3& gravity) : set_(set), gravity_(gravity) {}
+  std::string_view name() const override { return "body force"; }
+  double energy(const Increment& d) const override;
+  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+
+ private:
+  const BodySet& set_;
+  Vec3 gravity_;
+};
+
+}  // namespace talus

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "bodies/body_set.hpp"
+#include "contact/contact_point.hpp"
+#include "effects/symmetric_blocks.hpp"
+
+/// What normal and shear contact share: how a contact point moves, and how strong it is.
+namespace talus {
+
+/// u = Σ weight·D, first minus second body [m].
+Vec3 relative_displacement(const ContactSet& contacts, const ContactPoint& point, const BodySet& set,
+                           const Increment& d);
+
+/// Normal force at a gap [N], compression positive, paper (30). A bond carries tension up to its strength and yields
+/// there; it breaks only when the step is taken, so that the law is continuous within a step.
+double normal_force(const ContactPoint& point, double gap);
+
+/// Mohr–Coulomb strength in shear [N], paper (33)(36) with the cohesion of a bond: c·A + F_n tan φ.
+double shear_strength(const ContactPoint& point, double normal_force);
+
+/// Adds a force on the first body, and its opposite on the second, to a gradient (that is, subtracts it).
+void subtract_contact_force(const ContactSet& contacts, const ContactPoint& point, const BodySet& set,
+                            const Vec3& force, Eigen::VectorXd& sum);
+
+/// Adds the stiffness of a spring [N/m] between both sides, the K_ii, K_ij, K_ji, K_jj of paper (31) and (35).
+void add_contact_spring(const ContactSet& contacts, const ContactPoint& point, const BodySet& set, const Mat3& spring,
+                        SymmetricBlocks& sum);
+
+}  // namespace talus

@@ -1,0 +1,46 @@
+#include "effects/elasticity.hpp"
+
+namespace talus {
+
+Voigt Elasticity::new_stress(std::size_t e, const Increment& d) const {
+  const Element& element = set_.elements[e];
+  return set_.bodies[element.body].elastic.stress(strain(set_.shapes[e], set_.corner_increments(element, d)));
+}
+
+void Elasticity::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
+  for (const Element& element : set_.elements)
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < a; ++b) couplings.emplace_back(element.freedoms[a], element.freedoms[b]);
+}
+
+double Elasticity::energy(const Increment& d) const {
+  double sum = 0;
+  for (std::size_t e = 0; e < set_.elements.size(); ++e)
+    sum += 0.5 * set_.shapes[e].volume *
+           strain(set_.shapes[e], set_.corner_increments(set_.elements[e], d)).dot(new_stress(e, d));
+  return sum;
+}
+
+void Elasticity::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+  for (std::size_t e = 0; e < set_.elements.size(); ++e) {
+    const Voigt stress = new_stress(e, d);
+    for (int a = 0; a < 4; ++a)
+      sum.segment<3>(3 * set_.elements[e].freedoms[a]) += corner_force(set_.shapes[e], stress, a);
+  }
+}
+
+void Elasticity::add_hessian(const Increment&, SymmetricBlocks& sum) const {
+  for (std::size_t e = 0; e < set_.elements.size(); ++e) {
+    const Element& element = set_.elements[e];
+    const Elastic& elastic = set_.bodies[element.body].elastic;
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b <= a; ++b)
+        sum.add(element.freedoms[a], element.freedoms[b], stiffness_block(set_.shapes[e], elastic, a, b));
+  }
+}
+
+void Elasticity::accept(const Increment& d) {
+  for (std::size_t e = 0; e < set_.elements.size(); ++e) set_.stress[e] += new_stress(e, d);
+}
+
+}  // namespace talus

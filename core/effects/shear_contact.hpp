@@ -1,0 +1,37 @@
+#pragma once
+
+#include "effects/contact_law.hpp"
+#include "effects/effect.hpp"
+
+namespace talus {
+
+/// Shear springs and friction, paper (32)–(40), as one potential. With the spring force τ* = τ₀ − k_s u_t, the relative
+/// displacement u_t in the contact plane, and the strength F = c·A + F_n tan φ at the normal force of the last iteration:
+///   stick, |τ*| < F:  Π = |τ*|² / 2k_s                 [J]   paper (34)
+///   slip:             Π = F|τ*| / k_s − F² / 2k_s       [J]   paper (37) but for terms of second order
+/// Both meet with the same force: sliding needs no state of its own to be told from sticking. The gradient in slip is the
+/// paper's friction force F against the direction of sliding; its Hessian keeps that direction from flipping between
+/// iterations where the paper takes it from the previous displacement.
+class ShearContact final : public Effect {
+ public:
+  ShearContact(const BodySet& set, const ContactSet& contacts) : set_(set), contacts_(contacts) {}
+  std::string_view name() const override { return "shear contact"; }
+  bool quadratic() const override { return false; }
+  double energy(const Increment& d) const override;
+  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+
+  /// Takes the strength of every point from the normal forces at D, paper (36).
+  void update_strength(const Increment& d);
+  /// Shear force on the first body at D [N].
+  Vec3 force(std::size_t point, const Increment& d) const;
+  double strength(std::size_t point) const { return strength_[point]; }
+
+ private:
+  Vec3 spring_force(const ContactPoint& point, const Increment& d) const;
+  const BodySet& set_;
+  const ContactSet& contacts_;
+  std::vector<double> strength_;  ///< N, a point
+};
+
+}  // namespace talus

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include "effects/effect.hpp"
+
+namespace talus::test {
+
+/// Holds an effect's gradient to central differences of its energy, and its Hessian to those of its gradient, at `d`.
+/// `step` [m] is the half width; `tolerance` is relative to the largest entry.
+inline void expect_derivatives(const Effect& effect, const Increment& d, double step, double tolerance) {
+  const auto n = d.size();
+  std::vector<std::pair<int, int>> couplings;
+  for (int i = 0; i < n / 3; ++i)
+    for (int j = 0; j < i; ++j) couplings.emplace_back(i, j);
+  SymmetricBlocks hessian;
+  hessian.set_pattern(static_cast<int>(n / 3), couplings);
+  effect.add_hessian(d, hessian);
+
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n), slopes(n), column;
+  effect.add_gradient(d, gradient);
+  Eigen::MatrixXd columns(n, n), differences(n, n);
+  for (int i = 0; i < n; ++i) {
+    Increment plus = d, minus = d;
+    plus[i] += step;
+    minus[i] -= step;
+    slopes[i] = (effect.energy(plus) - effect.energy(minus)) / (2 * step);
+    Eigen::VectorXd upper = Eigen::VectorXd::Zero(n), lower = Eigen::VectorXd::Zero(n);
+    effect.add_gradient(plus, upper);
+    effect.add_gradient(minus, lower);
+    differences.col(i) = (upper - lower) / (2 * step);
+    hessian.multiply(Eigen::VectorXd::Unit(n, i), column);
+    columns.col(i) = column;
+  }
+  EXPECT_GT(gradient.norm(), 0) << effect.name() << " exerts no force here: the comparison would be empty";
+  EXPECT_LT((slopes - gradient).cwiseAbs().maxCoeff(), tolerance * gradient.cwiseAbs().maxCoeff()) << effect.name();
+  const double largest = std::max(columns.cwiseAbs().maxCoeff(), gradient.cwiseAbs().maxCoeff());
+  EXPECT_LT((differences - columns).cwiseAbs().maxCoeff(), tolerance * largest) << effect.name();
+}
+
+}  // namespace talus::test
