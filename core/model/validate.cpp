@@ -1,0 +1,241 @@
+#include "model/validate.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "base/error.hpp"
+#include "model/number_text.hpp"
+#include "model/place.hpp"
+#include "model/polyhedron.hpp"
+#include "model/references.hpp"
+#include "model/require.hpp"
+#include "model/suggestion.hpp"
+
+namespace talus {
+namespace {
+
+void check(const Material& material) {
+  const Place place = Place() / "materials" / material.name;
+  require_positive(material.density, place / "density", "density", "kg/m³");
+  require_positive(material.young, place / "young", "Young's modulus", "Pa");
+  require_finite(material.poisson, place / "poisson");
+  require(material.poisson > -1 && material.poisson < 0.5, place / "poisson",
+          "Poisson's ratio must lie between -1 and 0.5, is " + number_text(material.poisson),
+          "rock has 0.1 to 0.35; use 0.49 for nearly incompressible");
+}
+
+void check_friction_angle(double angle, const Place& place) {
+  require_finite(angle, place);
+  require(angle >= 0 && angle < 90, place,
+          "the friction angle must be at least 0 and below 90, is " + number_text(angle), "give it in degrees");
+}
+
+void check(const Joint& joint) {
+  const Place place = Place() / "joints" / joint.name;
+  check_friction_angle(joint.friction_angle, place / "friction_angle");
+  require_not_negative(joint.cohesion, place / "cohesion", "cohesion", "Pa");
+  require_not_negative(joint.tensile_strength, place / "tensile_strength", "tensile strength", "Pa");
+  if (joint.residual_friction_angle) {
+    check_friction_angle(*joint.residual_friction_angle, place / "residual_friction_angle");
+    require(*joint.residual_friction_angle <= joint.friction_angle, place / "residual_friction_angle",
+            "the residual friction angle exceeds the friction angle",
+            "give at most the friction angle, or leave it out");
+  }
+  if (joint.normal_stiffness) {
+    require_positive(*joint.normal_stiffness, place / "normal_stiffness", "normal stiffness", "Pa/m");
+  }
+  if (joint.shear_stiffness) {
+    require_positive(*joint.shear_stiffness, place / "shear_stiffness", "shear stiffness", "Pa/m");
+  }
+}
+
+void check_shape(const BoxShape& box, const Place& solid) {
+  const Place place = solid / "box";
+  require_finite(box.min, place / "min");
+  require_finite(box.max, place / "max");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    require(box.min[axis] < box.max[axis], place / "max" / i,
+            "must be greater than min: " + number_text(box.max[axis]) + " against " + number_text(box.min[axis]),
+            "swap the two corners' values or give the box a thickness");
+  }
+}
+
+void check_shape(const PolyhedronShape& shape, const Place& solid) { validate_polyhedron(shape, solid / "polyhedron"); }
+
+void check_shape(const FileShape& shape, const Place& solid) {
+  const Place place = solid / "file";
+  require(!shape.path.empty(), place, "the file name is empty", "name a STEP file beside the project");
+  std::string ending = std::filesystem::path(shape.path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  require(ending == ".step" || ending == ".stp", place, "this version imports STEP files only, not '" + ending + "'",
+          "export the solid as STEP (.step or .stp)");
+  require_positive(shape.scale, solid / "scale", "scale", "metres per unit of the file");
+}
+
+void check_body(BodyKind body, const Place& place) {
+  require(body == BodyKind::fixed || body == BodyKind::tetrahedra, place,
+          "this version does not compute '" + std::string(to_string(body)) + "' bodies yet",
+          "use 'tetrahedra' (a coarse mesh_size keeps it cheap) or 'fixed'");
+}
+
+void check_mesh_size(const std::optional<double>& mesh_size, const Place& place) {
+  if (mesh_size) require_positive(*mesh_size, place, "mesh size", "m");
+}
+
+void check(const Solid& solid, const Place& place) {
+  std::visit([&](const auto& shape) { check_shape(shape, place); }, solid.shape);
+  check_body(solid.body, place / "body");
+  check_mesh_size(solid.mesh_size, place / "mesh_size");
+}
+
+void check(const Cut& cut, const Place& place) {
+  require_finite(cut.dip, place / "dip");
+  require(cut.dip >= 0 && cut.dip <= 90, place / "dip", "dip must be 0 to 90, is " + number_text(cut.dip),
+          "measure it in degrees from the horizontal, and turn dip_direction by 180 for the other side");
+  require_finite(cut.dip_direction, place / "dip_direction");
+  require(cut.dip_direction >= 0 && cut.dip_direction <= 360, place / "dip_direction",
+          "dip direction must be 0 to 360, is " + number_text(cut.dip_direction),
+          "measure it in degrees clockwise from north (+y)");
+  require_finite(cut.through, place / "through");
+  require(cut.spacing.has_value() == cut.count.has_value(), place, "spacing and count belong together",
+          cut.spacing ? "add 'count', the number of parallel planes" : "add 'spacing' in m");
+  if (cut.spacing) require_positive(*cut.spacing, place / "spacing", "spacing", "m");
+  if (cut.count) {
+    require(*cut.count >= 1, place / "count", "count must be at least 1, is " + std::to_string(*cut.count),
+            "give the number of parallel planes");
+  }
+}
+
+void check(const BlockOverride& block, const Place& place) {
+  require_finite(block.at, place / "at");
+  if (block.body) check_body(*block.body, place / "body");
+  check_mesh_size(block.mesh_size, place / "mesh_size");
+}
+
+void check(const Interface& interface, const Place& place) {
+  require(interface.between[0] != interface.between[1], place / "between", "names the same block twice",
+          "name the two blocks that touch");
+}
+
+void check(const Constraint& constraint, const Place& place) {
+  require_finite(constraint.at, place / "at");
+  bool held = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!constraint.displacement[i]) continue;
+    held = true;
+    require_finite(*constraint.displacement[i], place / "displacement" / i);
+  }
+  require(held, place / "displacement", "every component is free: this constraint holds nothing",
+          "give at least one component in m, or remove the constraint");
+}
+
+void check(const PointLoad& load, const Place& place) {
+  require_finite(load.at, place / "at");
+  require_finite(load.force, place / "force");
+}
+
+void check(const InitialVelocity& velocity, const Place& place) {
+  require_finite(velocity.linear, place / "linear");
+  require_finite(velocity.angular, place / "angular");
+}
+
+void check(const Stage& stage, const Place& place) {
+  require_positive(stage.time_step, place / "time_step", "the time step", "seconds");
+  require(stage.steps.has_value() != stage.duration.has_value(), place,
+          stage.steps ? "has both steps and duration" : "has neither steps nor duration",
+          "give one of them: the number of steps, or the duration in seconds");
+  if (stage.steps) {
+    require(*stage.steps >= 1, place / "steps", "steps must be at least 1, is " + std::to_string(*stage.steps),
+            "give the number of time steps");
+  }
+  if (!stage.duration) return;
+  require_positive(*stage.duration, place / "duration", "the duration", "seconds");
+  require(*stage.duration >= stage.time_step, place / "duration",
+          "the stage is shorter than one time step of " + number_text(stage.time_step) + " s",
+          "lengthen the duration or shorten time_step");
+}
+
+void check(const SolverSettings& solver) {
+  const Place place = Place() / "solver";
+  require(solver.strain == "incremental", place / "strain",
+          "this version does not compute '" + solver.strain + "' strain yet", "use 'incremental', the paper's own");
+  require(solver.integrator == "constant-acceleration", place / "integrator",
+          "this version does not compute the integrator '" + solver.integrator + "' yet",
+          "use 'constant-acceleration'");
+  require_positive(solver.contact_stiffness, place / "contact_stiffness", "contact stiffness",
+                   "E/h, a number without unit; 10 is usual");
+  require(solver.open_close_limit >= 1, place / "open_close_limit",
+          "at least one open–close iteration is needed, not " + std::to_string(solver.open_close_limit),
+          "give the iterations after which the step is cut; 20 is usual");
+}
+
+void check(const Monitor& monitor, const Place& place) { require_finite(monitor.at, place / "at"); }
+
+double end_time(const Project& project) {
+  double time = 0;
+  for (const auto& stage : project.stages) {
+    time += stage.steps ? *stage.steps * stage.time_step : stage.duration.value_or(0);
+  }
+  return time;
+}
+
+void check_expectation(const Expectation& expectation, const Place& place, double end) {
+  constexpr double rounding = 1e-9;  // of the end, in the sum of many time steps
+  require_not_negative(expectation.time, place / "time", "time", "seconds");
+  require(expectation.time <= end * (1 + rounding), place / "time",
+          "lies after the end of the run, " + number_text(end) + " s", "lengthen a stage or expect it earlier");
+  require_finite(expectation.value, place / "value");
+  require_positive(expectation.tolerance, place / "tolerance", "tolerance",
+                   "the value (of metres or m/s where the value is 0)");
+}
+
+template <typename Things>
+void check_each(const Things& things, const char* list) {
+  for (std::size_t i = 0; i < things.size(); ++i) check(things[i], Place() / list / i);
+}
+
+}  // namespace
+
+void validate(const Project& project) {
+  require_finite(project.gravity, Place() / "gravity");
+  validate_names(project);
+  for (const auto& material : project.materials) check(material);
+  for (const auto& joint : project.joints) check(joint);
+  require(!project.solids.empty(), Place() / "solids", "the project has no solid", "add a box, a polyhedron or a file");
+  check_each(project.solids, "solids");
+  check_each(project.cuts, "cuts");
+  check_each(project.blocks, "blocks");
+  check_each(project.interfaces, "interfaces");
+  check_each(project.constraints, "constraints");
+  check_each(project.loads, "loads");
+  check_each(project.velocities, "velocities");
+  require(!project.stages.empty(), Place() / "stages", "the project has no stage",
+          "add one with a type, a time_step, and steps or a duration");
+  check_each(project.stages, "stages");
+  check(project.solver);
+  check_each(project.monitors, "monitors");
+  for (std::size_t i = 0; i < project.expect.size(); ++i) {
+    check_expectation(project.expect[i], Place() / "expect" / i, end_time(project));
+  }
+  require_positive(project.output.every, Place() / "output" / "every", "the time between frames", "seconds");
+  validate_references(project);
+}
+
+void validate_against_blocks(const Project& project, const std::vector<std::string>& block_names) {
+  std::set<std::string> blocks;
+  for (const auto& name : block_names) {
+    require(blocks.insert(name).second, Place() / "solids", "two blocks come out with the name '" + name + "'",
+            "rename a solid, or name one of the blocks under blocks");
+  }
+  for_each_block_reference(project, [&](const Place& place, const std::string& name) {
+    if (blocks.contains(name)) return;
+    throw InputError(place.text(), "no block is called '" + name + "' once the solids are cut",
+                     suggest_name(name, block_names));
+  });
+}
+
+}  // namespace talus

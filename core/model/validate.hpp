@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/project.hpp"
+
+namespace talus {
+
+/// Checks the rules that go beyond the file's schema: ranges, names that must be unique or must exist, closed
+/// polyhedra, what this version computes. Throws InputError for the first broken rule, with a JSON pointer as place.
+void validate(const Project& project);
+
+/// Checks every reference to a block once geometry has named the blocks: interfaces, constraints, loads, velocities,
+/// monitors and expectations. Throws InputError like `validate`.
+void validate_against_blocks(const Project& project, const std::vector<std::string>& block_names);
+
+}  // namespace talus
