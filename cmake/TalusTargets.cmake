@@ -10,7 +10,8 @@ endif()
 target_compile_options(talus_options INTERFACE -ffp-contract=off)
 if(TALUS_SANITIZE)
   list(JOIN TALUS_SANITIZE "," sanitizers)
-  target_compile_options(talus_options INTERFACE -fsanitize=${sanitizers} -fno-omit-frame-pointer)
+  target_compile_options(talus_options INTERFACE -fsanitize=${sanitizers} -fno-omit-frame-pointer
+    -Wno-maybe-uninitialized)  # GCC 12 sees ghosts in std::function and std::regex once they are instrumented
   target_link_options(talus_options INTERFACE -fsanitize=${sanitizers})
 endif()
 
