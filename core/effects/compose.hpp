@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "effects/normal_contact.hpp"
+#include "effects/shear_contact.hpp"
+#include "model/project.hpp"
+
+namespace talus {
+
+/// An effect of METHOD §1, whether the scene calls for it, and why or why not.
+struct EffectStatus {
+  std::string name;
+  bool active = false;
+  std::string reason;
+};
+
+/// Which effects a scene calls for; costs no solving.
+std::vector<EffectStatus> called_effects(const Project& project, const BlockSystem& system);
+
+/// The effects of a scene, made once. What is not called for is not here.
+struct Composition {
+  std::vector<std::unique_ptr<Effect>> effects;
+  NormalContact* normal = nullptr;  ///< among effects; null where nothing can touch
+  ShearContact* shear = nullptr;    ///< among effects; null where no joint resists shear
+};
+
+/// `set` and `contacts` outlive the composition. Throws InputError for a load or a constraint outside its block.
+Composition compose(const Project& project, const BlockSystem& system, BodySet& set, const ContactSet& contacts);
+
+}  // namespace talus
