@@ -50,7 +50,7 @@ struct Fence {
 
 const std::vector<Fence> fences = {
     {"Qt", std::regex("Qt?[A-Z]\\w*(/.*)?|ui_.*\\.h"), std::regex("(ui/(document|run|widgets)|app/window)/.*")},
-    {"VTK", std::regex("vtk.*"), std::regex("ui/render/.*|ui/widgets/\\w*viewport\\w*\\.(hpp|cpp)")},
+    {"VTK", std::regex("vtk.*"), std::regex("ui/render/.*|ui/widgets/(\\w*viewport\\w*|render_surface)\\.(hpp|cpp)")},
     {"OpenGL", std::regex("(GL|EGL|GLES[23]|KHR)/.*"), std::regex("ui/render/.*\\.cpp")},
     {"FFmpeg", std::regex("lib(av|sw)\\w+/.*"), std::regex("ui/render/.*\\.cpp")},
     {"giflib", std::regex("gif_lib\\.h"), std::regex("ui/render/.*\\.cpp")},
