@@ -51,7 +51,7 @@ class ResultReader {
   Frame frame(int index) const;
   std::vector<HistoryRow> history() const;
   std::vector<StepReport> steps() const;
-  std::vector<Event> events() const;               ///< from summary.json; empty while the run goes on
+  std::vector<Event> events() const;  ///< from summary.json; empty while the run goes on
 
  private:
   struct State;

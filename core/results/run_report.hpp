@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -36,7 +37,9 @@ struct StepReport {
 };
 
 /// One monitor at one moment.
-struct MonitorSample { Vec3 displacement, velocity; };
+struct MonitorSample {
+  Vec3 displacement, velocity;
+};
 
 /// A row of history.csv.
 struct HistoryRow {
@@ -46,9 +49,25 @@ struct HistoryRow {
 };
 
 /// Something worth a mark on the timeline: "J5 opened", "B3 lost contact".
-struct Event { double time = 0; std::string what; };
+struct Event {
+  double time = 0;
+  std::string what;
+};
 
 enum class RunStatus { completed, stopped, not_converged };
+
+/// The word summary.json uses.
+constexpr std::string_view to_string(RunStatus status) {
+  switch (status) {
+    case RunStatus::completed:
+      return "completed";
+    case RunStatus::stopped:
+      return "stopped";
+    case RunStatus::not_converged:
+      break;
+  }
+  return "not-converged";
+}
 
 struct BlockOutcome {
   std::string name;
@@ -56,7 +75,7 @@ struct BlockOutcome {
   double volume = 0, relative_volume_change = 0;
   Vec3 displacement = Vec3::Zero();  ///< m, of the centroid
   double rotation_degrees = 0;
-  Vec3 velocity = Vec3::Zero();      ///< m/s, of the centroid
+  Vec3 velocity = Vec3::Zero();  ///< m/s, of the centroid
 };
 
 struct EffectOutcome {

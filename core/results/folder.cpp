@@ -1,0 +1,74 @@
+#include "results/folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace talus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::string_view, 9> our_files = {"results.h5",    "results.xdmf",  "history.csv",
+                                                       "steps.csv",     "checkpoint.h5", "log.txt",
+                                                       "project.talus", "summary.json",  "summary.json.new"};
+
+bool is_ours(const fs::path& entry) { return std::ranges::count(our_files, entry.filename().string()) > 0; }
+
+}  // namespace
+
+void prepare_results_folder(const fs::path& folder) {
+  const std::string place = folder.string();
+  std::error_code problem;
+  if (fs::exists(folder, problem) && !fs::is_directory(folder, problem))
+    throw InputError(place, "is a file, not a folder", "choose another --out");
+  fs::create_directories(folder, problem);
+  if (problem) throw InputError(place, "cannot be made: " + problem.message(), "choose another --out");
+
+  const fs::directory_iterator entries(folder, problem);
+  if (problem) throw InputError(place, "cannot be read: " + problem.message(), "choose another --out");
+  std::vector<fs::path> earlier;
+  bool only_ours = true, has_results = false;
+  for (const fs::directory_entry& entry : entries) {
+    earlier.push_back(entry.path());
+    only_ours = only_ours && is_ours(entry.path()) && entry.is_regular_file();
+    has_results = has_results || entry.path().filename() == "results.h5";
+  }
+  // A folder with nothing but a project.talus may be the user's own.
+  if (!earlier.empty() && !(only_ours && has_results))
+    throw InputError(place, "holds files that are not results", "choose another --out");
+  if (has_results) const FolderLock nobody_writes(folder);
+  for (const fs::path& file : earlier) {
+    fs::remove(file, problem);
+    if (problem) throw InputError(file.string(), "cannot be removed: " + problem.message(), "choose another --out");
+  }
+}
+
+FolderLock::FolderLock(const fs::path& folder) : descriptor_(::open(folder.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  if (descriptor_ >= 0) ::close(descriptor_);
+  throw InputError(folder.string(), "another run writes its results there", "wait for it or choose another --out");
+}
+
+FolderLock::~FolderLock() { ::close(descriptor_); }
+
+void replace_file(const fs::path& file, std::string_view text) {
+  const fs::path fresh = file.string() + ".new";
+  std::ofstream stream(fresh, std::ios::binary | std::ios::trunc);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(fresh.string() + ": cannot be written; is the disk full?");
+  fs::rename(fresh, file);
+}
+
+}  // namespace talus

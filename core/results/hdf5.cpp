@@ -1,0 +1,216 @@
+#include "results/hdf5.hpp"
+
+#include <algorithm>
+
+namespace talus::hdf5 {
+
+namespace {
+
+herr_t keep_description(unsigned depth, const H5E_error2_t* error, void* reason) {
+  if (depth == 0 && error->desc != nullptr) *static_cast<std::string*>(reason) = error->desc;
+  return 0;
+}
+
+Handle simple_space(hsize_t rows, hsize_t width, bool grows) {
+  const hsize_t size[] = {rows, width};
+  const hsize_t limit[] = {grows ? H5S_UNLIMITED : rows, width};
+  return Handle(check(H5Screate_simple(width == 0 ? 1 : 2, size, limit), "cannot describe a data set"));
+}
+
+/// The rows first … first + count of a dataset, selected.
+Handle selected_rows(hid_t dataset, const std::string& path, hsize_t first, hsize_t count) {
+  Handle space(check(H5Dget_space(dataset), "cannot read the size of " + path));
+  hsize_t size[2] = {0, 0};
+  check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path);
+  const hsize_t start[] = {first, 0};
+  const hsize_t selected[] = {count, size[1]};
+  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, selected, nullptr), "cannot select in " + path);
+  return space;
+}
+
+Handle text_type() {
+  Handle type(check(H5Tcopy(H5T_C_S1), "cannot describe a text"));
+  check(H5Tset_size(type, H5T_VARIABLE), "cannot describe a text");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "cannot describe a text");
+  return type;
+}
+
+}  // namespace
+
+std::mutex& library_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+void fail(const std::string& what) {
+  std::string reason;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_description, &reason);
+  throw Error(reason.empty() ? what : what + " (" + reason + ")");
+}
+
+Handle::~Handle() {
+  if (id_ < 0) return;
+  switch (H5Iget_type(id_)) {
+    case H5I_FILE:
+      H5Fclose(id_);
+      break;
+    case H5I_GROUP:
+      H5Gclose(id_);
+      break;
+    case H5I_DATASET:
+      H5Dclose(id_);
+      break;
+    case H5I_DATASPACE:
+      H5Sclose(id_);
+      break;
+    case H5I_DATATYPE:
+      H5Tclose(id_);
+      break;
+    case H5I_ATTR:
+      H5Aclose(id_);
+      break;
+    default:
+      H5Pclose(id_);
+      break;
+  }
+}
+
+Handle create_group(hid_t parent, const std::string& path) {
+  return Handle(check(H5Gcreate2(parent, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "cannot make " + path));
+}
+
+Handle open_dataset(hid_t parent, const std::string& path) {
+  return Handle(check(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), "cannot open " + path));
+}
+
+hsize_t row_count(hid_t dataset, const std::string& path) {
+  const Handle space(check(H5Dget_space(dataset), "cannot read the size of " + path));
+  hsize_t size[2] = {0, 0};
+  check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path);
+  return size[0];
+}
+
+void write_fixed(hid_t parent, const std::string& path, hid_t type, const void* data, hsize_t rows, hsize_t width) {
+  const Handle space = simple_space(rows, width, false);
+  const Handle set(check(H5Dcreate2(parent, path.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         "cannot make " + path));
+  if (rows > 0) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "cannot write " + path);
+}
+
+void write_strings(hid_t parent, const std::string& path, const std::vector<std::string>& strings) {
+  std::vector<const char*> texts(strings.size());
+  std::ranges::transform(strings, texts.begin(), &std::string::c_str);
+  write_fixed(parent, path, text_type(), texts.data(), texts.size(), 0);
+}
+
+template <class Number>
+void write_attribute(hid_t object, const std::string& name, const std::vector<Number>& values) {
+  const hsize_t size = values.size();
+  const Handle space(
+      check(size == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &size, nullptr), "cannot make " + name));
+  const Handle attribute(check(H5Acreate2(object, name.c_str(), type_of<Number>(), space, H5P_DEFAULT, H5P_DEFAULT),
+                               "cannot make " + name));
+  check(H5Awrite(attribute, type_of<Number>(), values.data()), "cannot write " + name);
+}
+template void write_attribute(hid_t, const std::string&, const std::vector<double>&);
+template void write_attribute(hid_t, const std::string&, const std::vector<std::int64_t>&);
+
+void write_attribute(hid_t object, const std::string& name, const std::string& value) {
+  // Of fixed length: VTK's reader understands no other for the attribute Type.
+  const Handle type(check(H5Tcopy(H5T_C_S1), "cannot describe a text"));
+  check(H5Tset_size(type, std::max<std::size_t>(value.size(), 1)), "cannot describe a text");
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "cannot describe a text");
+  const Handle space(check(H5Screate(H5S_SCALAR), "cannot make " + name));
+  const Handle attribute(
+      check(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), "cannot make " + name));
+  check(H5Awrite(attribute, type, value.c_str()), "cannot write " + name);
+}
+
+void read_rows(hid_t dataset, const std::string& path, hid_t type, void* data, hsize_t first, hsize_t count) {
+  if (count == 0) return;
+  const Handle file_space = selected_rows(dataset, path, first, count);
+  const auto selected = static_cast<hsize_t>(check(H5Sget_select_npoints(file_space), "cannot select in " + path));
+  const Handle memory_space = simple_space(selected, 0, false);
+  check(H5Dread(dataset, type, memory_space, file_space, H5P_DEFAULT, data), "cannot read " + path);
+}
+
+template <class Number>
+std::vector<Number> read_all(hid_t parent, const std::string& path) {
+  const Handle set = open_dataset(parent, path);
+  const Handle space(check(H5Dget_space(set), "cannot read the size of " + path));
+  std::vector<Number> data(check(H5Sget_simple_extent_npoints(space), "cannot read the size of " + path));
+  if (!data.empty())
+    check(H5Dread(set, type_of<Number>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), "cannot read " + path);
+  return data;
+}
+template std::vector<double> read_all(hid_t, const std::string&);
+template std::vector<std::int32_t> read_all(hid_t, const std::string&);
+template std::vector<std::int64_t> read_all(hid_t, const std::string&);
+
+std::vector<std::string> read_strings(hid_t parent, const std::string& path) {
+  const Handle set = open_dataset(parent, path);
+  const hsize_t count = row_count(set, path);
+  std::vector<char*> texts(count, nullptr);
+  if (count == 0) return {};
+  const Handle type = text_type();
+  check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()), "cannot read " + path);
+  std::vector<std::string> strings;
+  for (const char* text : texts) strings.emplace_back(text == nullptr ? "" : text);
+  H5Dvlen_reclaim(type, simple_space(count, 0, false), H5P_DEFAULT, texts.data());
+  return strings;
+}
+
+std::string read_text_attribute(hid_t object, const std::string& name) {
+  const Handle attribute(check(H5Aopen(object, name.c_str(), H5P_DEFAULT), "cannot open " + name));
+  const Handle type(check(H5Aget_type(attribute), "cannot read " + name));
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(attribute, type, text.data()), "cannot read " + name);
+  while (!text.empty() && text.back() == '\0') text.pop_back();
+  return text;
+}
+
+template <class Number>
+Number read_number_attribute(hid_t object, const std::string& name) {
+  const Handle attribute(check(H5Aopen(object, name.c_str(), H5P_DEFAULT), "cannot open " + name));
+  Number number{};
+  check(H5Aread(attribute, type_of<Number>(), &number), "cannot read " + name);
+  return number;
+}
+template double read_number_attribute(hid_t, const std::string&);
+template std::int64_t read_number_attribute(hid_t, const std::string&);
+
+void Table::create(hid_t parent, const std::string& path, hid_t type, hsize_t width, hsize_t chunk_rows) {
+  const Handle space = simple_space(0, width, true);
+  const Handle layout(check(H5Pcreate(H5P_DATASET_CREATE), "cannot lay out " + path));
+  const hsize_t chunk[] = {std::max<hsize_t>(chunk_rows, 1), width};
+  check(H5Pset_chunk(layout, width == 0 ? 1 : 2, chunk), "cannot lay out " + path);
+  const Handle set(
+      check(H5Dcreate2(parent, path.c_str(), type, space, H5P_DEFAULT, layout, H5P_DEFAULT), "cannot make " + path));
+}
+
+Table::Table(hid_t parent, const std::string& path, hid_t type)
+    : path_(path), dataset_(open_dataset(parent, path)), type_(type) {
+  // What this process has read before may be out of date where another one writes.
+  check(H5Drefresh(dataset_), "cannot open " + path);
+  const Handle space(check(H5Dget_space(dataset_), "cannot read the size of " + path));
+  hsize_t size[2] = {0, 0};
+  check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path);
+  rows_ = size[0];
+  width_ = size[1];
+}
+
+void Table::append(const void* data, hsize_t rows) {
+  if (rows == 0) return;
+  const hsize_t size[] = {rows_ + rows, width_};
+  check(H5Dset_extent(dataset_, size), "cannot extend " + path_);
+  const Handle file_space = selected_rows(dataset_, path_, rows_, rows);
+  const Handle memory_space = simple_space(rows, width_, false);
+  check(H5Dwrite(dataset_, type_, memory_space, file_space, H5P_DEFAULT, data), "cannot write " + path_);
+  rows_ += rows;
+}
+
+void Table::read(void* data, hsize_t first, hsize_t count) const {
+  read_rows(dataset_, path_, type_, data, first, count);
+}
+
+}  // namespace talus::hdf5

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/error.hpp"
+#include "results/hdf5.hpp"
+#include "results/result_file.hpp"
+#include "results/stored_contact.hpp"
+
+namespace talus {
+
+using hdf5::check;
+using hdf5::Handle;
+using hdf5::Table;
+
+namespace {
+
+Handle open_file(const std::filesystem::path& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
+  return Handle(check(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), "cannot be opened"));
+}
+
+BodyKind body_kind(const std::string& word) {
+  for (const BodyKind kind : {BodyKind::fixed, BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra})
+    if (to_string(kind) == word) return kind;
+  throw std::runtime_error("no kind of body is called " + word);
+}
+
+template <std::size_t count>
+std::array<int, count> local_nodes(const std::int64_t* global, std::int64_t first) {
+  std::array<int, count> nodes;
+  for (std::size_t i = 0; i < count; ++i) nodes[i] = static_cast<int>(global[i] - first);
+  return nodes;
+}
+
+BlockSystem read_system(hid_t file) {
+  BlockSystem system;
+  const Handle talus(check(H5Gopen2(file, "/Talus", H5P_DEFAULT), "holds no blocks"));
+  system.joint_names = hdf5::read_strings(talus, "joints");
+  system.solids_volume = hdf5::read_number_attribute<double>(talus, "solids_volume");
+  const auto names = hdf5::read_strings(talus, "blocks/name"), bodies = hdf5::read_strings(talus, "blocks/body");
+  const auto solid = hdf5::read_all<std::int32_t>(talus, "blocks/solid");
+  const auto material = hdf5::read_all<std::int32_t>(talus, "blocks/material");
+  const auto volume = hdf5::read_all<double>(talus, "blocks/volume");
+  const auto node_counts = hdf5::read_all<std::int32_t>(talus, "blocks/nodes");
+  const auto tetrahedron_counts = hdf5::read_all<std::int32_t>(talus, "blocks/tetrahedra");
+  const auto triangle_counts = hdf5::read_all<std::int32_t>(talus, "blocks/triangles");
+  const auto nodes = hdf5::read_all<double>(talus, "nodes");
+  const auto tetrahedra = hdf5::read_all<std::int64_t>(file, "/VTKHDF/Connectivity");
+  const auto triangles = hdf5::read_all<std::int64_t>(talus, "triangles");
+  const auto triangle_joint = hdf5::read_all<std::int32_t>(talus, "triangle_joint");
+
+  std::int64_t first_node = 0;
+  const std::int64_t *tetrahedron = tetrahedra.data(), *triangle = triangles.data();
+  const std::int32_t* joint = triangle_joint.data();
+  for (std::size_t b = 0; b < names.size(); ++b) {
+    Block& block = system.blocks.emplace_back();
+    block.name = names[b];
+    block.solid = solid.at(b);
+    block.material = material.at(b);
+    block.body = body_kind(bodies.at(b));
+    block.volume = volume.at(b);
+    for (int i = 0; i < node_counts.at(b); ++i)
+      block.mesh.nodes.emplace_back(Eigen::Map<const Vec3>(&nodes.at(3 * (first_node + i))));
+    for (int i = 0; i < tetrahedron_counts.at(b); ++i, tetrahedron += 4)
+      block.mesh.tetrahedra.push_back(local_nodes<4>(tetrahedron, first_node));
+    for (int i = 0; i < triangle_counts.at(b); ++i, triangle += 3)
+      block.surface.push_back({local_nodes<3>(triangle, first_node), *joint++});
+    first_node += node_counts[b];
+  }
+  return system;
+}
+
+}  // namespace
+
+struct ResultFileReader::State {
+  std::filesystem::path path;
+  hsize_t node_count = 0, tetrahedron_count = 0;
+  Handle file, contact_type;
+  Table displacement, velocity, stress, contacts, contact_ends, index, stage;
+
+  /// Opens what frames are read from; the count of frames must be known before.
+  void open_tables();
+  Frame read(int number, double time) const;
+};
+
+void ResultFileReader::State::open_tables() {
+  displacement = Table(file, "/VTKHDF/PointData/displacement", H5T_NATIVE_DOUBLE);
+  velocity = Table(file, "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE);
+  stress = Table(file, "/VTKHDF/CellData/stress", H5T_NATIVE_DOUBLE);
+  contact_type = stored_contact_type();
+  contacts = Table(file, "/Talus/contacts", contact_type);
+  contact_ends = Table(file, "/Talus/contact_end", H5T_NATIVE_INT64);
+  index = Table(file, "/Talus/frame_index", H5T_NATIVE_INT32);
+  stage = Table(file, "/Talus/frame_stage", H5T_NATIVE_INT32);
+}
+
+Frame ResultFileReader::State::read(int number, double time) const {
+  const auto row = static_cast<hsize_t>(number);
+  Frame frame;
+  frame.time = time;
+  index.read(&frame.index, row, 1);
+  stage.read(&frame.stage, row, 1);
+  frame.displacement.resize(node_count);
+  frame.velocity.resize(node_count);
+  frame.stress.resize(tetrahedron_count);
+  displacement.read(frame.displacement.data(), row * node_count, node_count);
+  velocity.read(frame.velocity.data(), row * node_count, node_count);
+  stress.read(frame.stress.data(), row * tetrahedron_count, tetrahedron_count);
+
+  std::int64_t begin = 0, end = 0;
+  contact_ends.read(&end, row, 1);
+  if (number > 0) contact_ends.read(&begin, row - 1, 1);
+  std::vector<StoredContact> rows(static_cast<std::size_t>(end - begin));
+  contacts.read(rows.data(), static_cast<hsize_t>(begin), rows.size());
+  std::ranges::transform(rows, std::back_inserter(frame.contacts), restored);
+  return frame;
+}
+
+ResultFileReader::ResultFileReader(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
+  const std::lock_guard lock(hdf5::library_mutex());
+  try {
+    state_->path = file;
+    state_->file = open_file(file);
+    system = read_system(state_->file);
+    for (const Block& block : system.blocks) {
+      state_->node_count += block.mesh.nodes.size();
+      state_->tetrahedron_count += block.mesh.tetrahedra.size();
+    }
+    project_name = hdf5::read_strings(state_->file, "/Talus/project").at(0);
+    stage_names = hdf5::read_strings(state_->file, "/Talus/stages");
+    monitor_names = hdf5::read_strings(state_->file, "/Talus/monitors");
+    const Table times(state_->file, "/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE);
+    frame_times.resize(times.rows());
+    times.read(frame_times.data(), 0, times.rows());
+    state_->open_tables();
+  } catch (const std::exception& error) {
+    state_.reset();
+    throw InputError(file.string(), error.what(), "choose a results folder written by Talus");
+  }
+}
+
+ResultFileReader::~ResultFileReader() {
+  const std::lock_guard lock(hdf5::library_mutex());
+  state_.reset();
+}
+
+Frame ResultFileReader::frame(int number) const {
+  const double time = frame_times.at(static_cast<std::size_t>(number));
+  const std::lock_guard lock(hdf5::library_mutex());
+  try {
+    return state_->read(number, time);
+  } catch (const hdf5::Error& error) {
+    throw std::runtime_error(state_->path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,270 @@
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+
+#include "results/hdf5.hpp"
+#include "results/result_file.hpp"
+#include "results/stored_contact.hpp"
+#include "results/superblock.hpp"
+
+namespace talus {
+
+using hdf5::check;
+using hdf5::Handle;
+using hdf5::Table;
+
+namespace {
+
+constexpr std::uint8_t vtk_tetra = 10;
+constexpr hsize_t number_chunk = 512;   // frames a piece of the small tables
+constexpr hsize_t contact_chunk = 256;  // contacts a piece
+
+std::vector<std::string> names_of(const auto& things) {
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+/// Nodes, tetrahedra and surface triangles of all blocks one after another, numbered through.
+struct FlatMesh {
+  std::vector<double> nodes;
+  std::vector<std::int64_t> tetrahedra;
+  std::vector<std::int32_t> block, material;  // a tetrahedron
+  std::vector<std::int64_t> triangles;
+  std::vector<std::int32_t> triangle_joint;
+};
+
+FlatMesh flatten(const BlockSystem& system) {
+  FlatMesh flat;
+  for (std::size_t b = 0; b < system.blocks.size(); ++b) {
+    const Block& block = system.blocks[b];
+    const auto first = static_cast<std::int64_t>(flat.nodes.size() / 3);
+    for (const Vec3& node : block.mesh.nodes) flat.nodes.insert(flat.nodes.end(), node.begin(), node.end());
+    for (const auto& tetrahedron : block.mesh.tetrahedra)
+      for (const int node : tetrahedron) flat.tetrahedra.push_back(first + node);
+    for (const SurfaceTriangle& triangle : block.surface) {
+      for (const int node : triangle.nodes) flat.triangles.push_back(first + node);
+      flat.triangle_joint.push_back(triangle.joint);
+    }
+    flat.block.resize(flat.tetrahedra.size() / 4, static_cast<std::int32_t>(b));
+    flat.material.resize(flat.tetrahedra.size() / 4, block.material);
+  }
+  return flat;
+}
+
+void write_blocks(hid_t talus, const BlockSystem& system) {
+  const Handle group = hdf5::create_group(talus, "blocks");
+  std::vector<std::int32_t> solid, material, nodes, tetrahedra, triangles;
+  std::vector<std::string> body;
+  std::vector<double> volume;
+  for (const Block& block : system.blocks) {
+    solid.push_back(block.solid);
+    material.push_back(block.material);
+    body.emplace_back(to_string(block.body));
+    nodes.push_back(static_cast<std::int32_t>(block.mesh.nodes.size()));
+    tetrahedra.push_back(static_cast<std::int32_t>(block.mesh.tetrahedra.size()));
+    triangles.push_back(static_cast<std::int32_t>(block.surface.size()));
+    volume.push_back(block.volume);
+  }
+  hdf5::write_strings(group, "name", names_of(system.blocks));
+  hdf5::write_fixed(group, "solid", solid);
+  hdf5::write_fixed(group, "material", material);
+  hdf5::write_strings(group, "body", body);
+  hdf5::write_fixed(group, "volume", volume);
+  hdf5::write_fixed(group, "nodes", nodes);
+  hdf5::write_fixed(group, "tetrahedra", tetrahedra);
+  hdf5::write_fixed(group, "triangles", triangles);
+}
+
+/// /Talus: names, blocks and the undeformed mesh; the contacts of the frames.
+void create_talus(hid_t file, const Project& project, const BlockSystem& system, const FlatMesh& flat) {
+  const Handle group = hdf5::create_group(file, "/Talus");
+  hdf5::write_attribute(group, "format", std::vector<std::int64_t>{1});
+  hdf5::write_attribute(group, "solids_volume", std::vector<double>{system.solids_volume});
+  hdf5::write_strings(group, "project", {project.name});
+  hdf5::write_strings(group, "joints", system.joint_names);
+  hdf5::write_strings(group, "materials", names_of(project.materials));
+  hdf5::write_strings(group, "stages", names_of(project.stages));
+  hdf5::write_strings(group, "monitors", names_of(project.monitors));
+  write_blocks(group, system);
+  hdf5::write_fixed(group, "nodes", flat.nodes, 3);
+  hdf5::write_fixed(group, "triangles", flat.triangles, 3);
+  hdf5::write_fixed(group, "triangle_joint", flat.triangle_joint);
+  Table::create(group, "frame_index", H5T_NATIVE_INT32, 0, number_chunk);
+  Table::create(group, "frame_stage", H5T_NATIVE_INT32, 0, number_chunk);
+  Table::create(group, "contact_end", H5T_NATIVE_INT64, 0, number_chunk);
+  Table::create(group, "contacts", stored_contact_type(), 0, contact_chunk);
+}
+
+/// The tables of /VTKHDF/Steps that say where a frame's rows begin, and how many rows it adds to what they point at.
+struct OffsetTable {
+  const char* name;
+  enum { nothing, nodes, tetrahedra } moves_by;
+};
+constexpr OffsetTable offset_tables[] = {{"PartOffsets", OffsetTable::nothing},
+                                         {"PointOffsets", OffsetTable::nodes},
+                                         {"CellOffsets", OffsetTable::nothing},
+                                         {"ConnectivityIdOffsets", OffsetTable::nothing},
+                                         {"PointDataOffsets/displacement", OffsetTable::nodes},
+                                         {"PointDataOffsets/velocity", OffsetTable::nodes},
+                                         {"CellDataOffsets/stress", OffsetTable::tetrahedra},
+                                         {"CellDataOffsets/block", OffsetTable::nothing},
+                                         {"CellDataOffsets/material", OffsetTable::nothing}};
+
+/// /VTKHDF/Steps: every frame reads the one part's cells anew and its own rows of points and data.
+void create_steps(hid_t vtkhdf) {
+  const Handle steps = hdf5::create_group(vtkhdf, "Steps");
+  hdf5::write_attribute(steps, "NSteps", std::vector<std::int64_t>{0});
+  hdf5::create_group(steps, "PointDataOffsets");
+  hdf5::create_group(steps, "CellDataOffsets");
+  Table::create(steps, "Values", H5T_NATIVE_DOUBLE, 0, number_chunk);
+  Table::create(steps, "NumberOfParts", H5T_NATIVE_INT64, 0, number_chunk);
+  for (const OffsetTable& table : offset_tables) Table::create(steps, table.name, H5T_NATIVE_INT64, 0, number_chunk);
+}
+
+void create_vtkhdf(hid_t file, const FlatMesh& flat) {
+  const std::size_t node_count = flat.nodes.size() / 3, tetrahedron_count = flat.tetrahedra.size() / 4;
+  const Handle group = hdf5::create_group(file, "/VTKHDF");
+  hdf5::write_attribute(group, "Version", std::vector<std::int64_t>{2, 0});
+  hdf5::write_attribute(group, "Type", "UnstructuredGrid");
+  const auto count = [&](const char* name, std::size_t number) {
+    hdf5::write_fixed(group, name, std::vector<std::int64_t>{static_cast<std::int64_t>(number)});
+  };
+  count("NumberOfPoints", node_count);
+  count("NumberOfCells", tetrahedron_count);
+  count("NumberOfConnectivityIds", flat.tetrahedra.size());
+
+  std::vector<std::int64_t> offsets(tetrahedron_count + 1);
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(4 * i);
+  hdf5::write_fixed(group, "Connectivity", flat.tetrahedra);
+  hdf5::write_fixed(group, "Offsets", offsets);
+  hdf5::write_fixed(group, "Types", std::vector<std::uint8_t>(tetrahedron_count, vtk_tetra));
+  Table::create(group, "Points", H5T_NATIVE_DOUBLE, 3, node_count);
+
+  const Handle point_data = hdf5::create_group(group, "PointData");
+  Table::create(point_data, "displacement", H5T_NATIVE_DOUBLE, 3, node_count);
+  Table::create(point_data, "velocity", H5T_NATIVE_DOUBLE, 3, node_count);
+  const Handle cell_data = hdf5::create_group(group, "CellData");
+  hdf5::write_fixed(cell_data, "block", flat.block);
+  hdf5::write_fixed(cell_data, "material", flat.material);
+  Table::create(cell_data, "stress", H5T_NATIVE_FLOAT, 6, tetrahedron_count);
+  create_steps(group);
+}
+
+Handle create_file(const std::filesystem::path& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
+  const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "cannot be made"));
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "cannot be made");
+  return Handle(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "cannot be made"));
+}
+
+}  // namespace
+
+struct ResultFileWriter::State {
+  std::filesystem::path path;
+  std::vector<double> nodes;
+  hsize_t node_count = 0, tetrahedron_count = 0;
+  std::int64_t frames = 0, contact_end = 0;
+  Handle file, contact_type, steps, step_count;
+  Table points, displacement, velocity, stress, contacts, contact_ends, index, stage, parts, times;
+  std::vector<Table> offsets;
+
+  void open_growing();
+  void append(const Frame& frame);
+  void announce(double time);
+};
+
+void ResultFileWriter::State::open_growing() {
+  points = Table(file, "/VTKHDF/Points", H5T_NATIVE_DOUBLE);
+  displacement = Table(file, "/VTKHDF/PointData/displacement", H5T_NATIVE_DOUBLE);
+  velocity = Table(file, "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE);
+  stress = Table(file, "/VTKHDF/CellData/stress", H5T_NATIVE_DOUBLE);
+  contact_type = stored_contact_type();
+  contacts = Table(file, "/Talus/contacts", contact_type);
+  contact_ends = Table(file, "/Talus/contact_end", H5T_NATIVE_INT64);
+  index = Table(file, "/Talus/frame_index", H5T_NATIVE_INT32);
+  stage = Table(file, "/Talus/frame_stage", H5T_NATIVE_INT32);
+  parts = Table(file, "/VTKHDF/Steps/NumberOfParts", H5T_NATIVE_INT64);
+  times = Table(file, "/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE);
+  for (const OffsetTable& table : offset_tables)
+    offsets.emplace_back(file, std::string("/VTKHDF/Steps/") + table.name, H5T_NATIVE_INT64);
+  steps = Handle(check(H5Gopen2(file, "/VTKHDF/Steps", H5P_DEFAULT), "cannot open Steps"));
+  step_count = Handle(check(H5Aopen(steps, "NSteps", H5P_DEFAULT), "cannot open NSteps"));
+}
+
+void ResultFileWriter::State::append(const Frame& frame) {
+  std::vector<double> moved(nodes);
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += frame.displacement[i / 3][static_cast<int>(i % 3)];
+  points.append(moved.data(), node_count);
+  displacement.append(frame.displacement.data(), node_count);
+  velocity.append(frame.velocity.data(), node_count);
+  stress.append(frame.stress.data(), tetrahedron_count);
+
+  std::vector<StoredContact> rows(frame.contacts.size());
+  std::ranges::transform(frame.contacts, rows.begin(), stored);
+  contacts.append(rows.data(), rows.size());
+  contact_end += static_cast<std::int64_t>(rows.size());
+  contact_ends.append(&contact_end, 1);
+  index.append(&frame.index, 1);
+  stage.append(&frame.stage, 1);
+
+  const std::int64_t one_part = 1;
+  parts.append(&one_part, 1);
+  const std::int64_t moves[] = {0, static_cast<std::int64_t>(node_count), static_cast<std::int64_t>(tetrahedron_count)};
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    const std::int64_t offset = frames * moves[offset_tables[i].moves_by];
+    offsets[i].append(&offset, 1);
+  }
+}
+
+/// Makes the frame known once everything of it has left this process: a reader counts the rows of Values.
+void ResultFileWriter::State::announce(double time) {
+  check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot be written");
+  times.append(&time, 1);
+  ++frames;
+  check(H5Awrite(step_count, H5T_NATIVE_INT64, &frames), "cannot write NSteps");
+  check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot be written");
+  mark_closed(path);
+}
+
+ResultFileWriter::ResultFileWriter(const std::filesystem::path& file, const Project& project, const BlockSystem& system)
+    : state_(std::make_unique<State>()) {
+  const std::lock_guard lock(hdf5::library_mutex());
+  try {
+    FlatMesh flat = flatten(system);
+    state_->path = file;
+    state_->node_count = flat.nodes.size() / 3;
+    state_->tetrahedron_count = flat.tetrahedra.size() / 4;
+    state_->file = create_file(file);
+    create_talus(state_->file, project, system, flat);
+    create_vtkhdf(state_->file, flat);
+    check(H5Fstart_swmr_write(state_->file), "cannot be written");
+    state_->open_growing();
+    mark_closed(file);
+    state_->nodes = std::move(flat.nodes);
+  } catch (const hdf5::Error& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
+  }
+}
+
+ResultFileWriter::~ResultFileWriter() {
+  const std::lock_guard lock(hdf5::library_mutex());
+  state_.reset();
+}
+
+void ResultFileWriter::add_frame(const Frame& frame) {
+  if (frame.displacement.size() != state_->node_count || frame.velocity.size() != state_->node_count ||
+      frame.stress.size() != state_->tetrahedron_count)
+    throw std::invalid_argument("a frame has not as many nodes and tetrahedra as the blocks");
+  const std::lock_guard lock(hdf5::library_mutex());
+  try {
+    state_->append(frame);
+    state_->announce(frame.time);
+  } catch (const hdf5::Error& error) {
+    throw std::runtime_error(state_->path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,134 @@
+#include "results/result_folder.hpp"
+
+#include <fstream>
+#include <stdexcept>
+
+#include "base/error.hpp"
+#include "results/folder.hpp"
+#include "results/history.hpp"
+#include "results/result_file.hpp"
+#include "results/steps.hpp"
+#include "results/summary.hpp"
+#include "results/text_table.hpp"
+#include "results/xdmf.hpp"
+
+namespace talus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path& prepared(const fs::path& folder) {
+  prepare_results_folder(folder);
+  return folder;
+}
+
+std::vector<std::string> monitor_names_of(const Project& project) {
+  std::vector<std::string> names;
+  for (const Monitor& monitor : project.monitors) names.push_back(monitor.name);
+  return names;
+}
+
+std::uint64_t node_count(const BlockSystem& system) {
+  std::uint64_t count = 0;
+  for (const Block& block : system.blocks) count += block.mesh.nodes.size();
+  return count;
+}
+
+std::uint64_t tetrahedron_count(const BlockSystem& system) {
+  std::uint64_t count = 0;
+  for (const Block& block : system.blocks) count += block.mesh.tetrahedra.size();
+  return count;
+}
+
+}  // namespace
+
+struct ResultWriter::State {
+  State(const fs::path& results_folder, const Project& project, const BlockSystem& system)
+      : folder(prepared(results_folder)),
+        lock(folder),
+        file(folder / "results.h5", project, system),
+        index(folder / "results.xdmf", project.name, node_count(system), tetrahedron_count(system)),
+        history(folder / "history.csv", history_header(monitor_names_of(project))),
+        steps(folder / "steps.csv", steps_header()),
+        log(folder / "log.txt") {}
+
+  fs::path folder;
+  FolderLock lock;
+  ResultFileWriter file;
+  XdmfIndex index;
+  TextTableWriter history, steps;
+  std::ofstream log;
+};
+
+ResultWriter::ResultWriter(const fs::path& folder, const Project& project, const BlockSystem& system,
+                           const std::string& project_text) {
+  try {
+    state_ = std::make_unique<State>(folder, project, system);
+    replace_file(folder / "project.talus", project_text);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw InputError(folder.string(), std::string("cannot be written to: ") + error.what(), "choose another --out");
+  }
+}
+
+ResultWriter::~ResultWriter() = default;
+
+void ResultWriter::add_frame(const Frame& frame) {
+  state_->file.add_frame(frame);
+  state_->index.add_frame(frame.time);
+}
+
+void ResultWriter::add_step(const StepReport& step) { state_->steps.add(to_columns(step)); }
+
+void ResultWriter::add_history(const HistoryRow& row) { state_->history.add(to_columns(row)); }
+
+void ResultWriter::log(const std::string& line) {
+  state_->log << line + '\n' << std::flush;
+  if (!state_->log) throw std::runtime_error((state_->folder / "log.txt").string() + ": cannot be written");
+}
+
+void ResultWriter::finish(const RunReport& report) {
+  replace_file(state_->folder / "summary.json", summary_json(report));
+}
+
+struct ResultReader::State {
+  explicit State(const fs::path& results_folder) : folder(results_folder), file(folder / "results.h5") {}
+
+  fs::path folder;
+  ResultFileReader file;
+};
+
+ResultReader::ResultReader(const fs::path& folder) {
+  if (!fs::is_regular_file(folder / "results.h5"))
+    throw InputError(folder.string(), "holds no results.h5", "choose a results folder written by Talus");
+  state_ = std::make_unique<State>(folder);
+}
+
+ResultReader::~ResultReader() = default;
+
+const BlockSystem& ResultReader::system() const { return state_->file.system; }
+const std::string& ResultReader::project_name() const { return state_->file.project_name; }
+const std::vector<std::string>& ResultReader::stage_names() const { return state_->file.stage_names; }
+const std::vector<std::string>& ResultReader::monitor_names() const { return state_->file.monitor_names; }
+const std::vector<double>& ResultReader::frame_times() const { return state_->file.frame_times; }
+Frame ResultReader::frame(int index) const { return state_->file.frame(index); }
+
+std::vector<HistoryRow> ResultReader::history() const {
+  std::vector<HistoryRow> rows;
+  const std::size_t columns = history_header(monitor_names()).size();
+  for (const auto& row : read_text_table(state_->folder / "history.csv", columns)) rows.push_back(history_row(row));
+  return rows;
+}
+
+std::vector<StepReport> ResultReader::steps() const {
+  std::vector<StepReport> steps;
+  for (const auto& row : read_text_table(state_->folder / "steps.csv", steps_header().size()))
+    steps.push_back(step_report(row));
+  return steps;
+}
+
+std::vector<Event> ResultReader::events() const { return read_events(state_->folder / "summary.json"); }
+
+}  // namespace talus

@@ -1,0 +1,83 @@
+#include "results/text_table.hpp"
+
+#include <charconv>
+#include <optional>
+#include <stdexcept>
+
+namespace talus {
+
+namespace {
+
+/// The numbers of a line, or nothing when it is not `columns` numbers.
+std::optional<std::vector<double>> parse(std::string_view line, std::size_t columns) {
+  std::vector<double> row;
+  const char *at = line.data(), *end = line.data() + line.size();
+  while (row.size() < columns) {
+    double value = 0;
+    const auto [next, problem] = std::from_chars(at, end, value);
+    if (problem != std::errc{}) return std::nullopt;
+    row.push_back(value);
+    at = next;
+    if (row.size() == columns) break;
+    if (at == end || *at != ',') return std::nullopt;
+    ++at;
+  }
+  if (at != end) return std::nullopt;
+  return row;
+}
+
+}  // namespace
+
+TextTableWriter::TextTableWriter(std::filesystem::path file, const std::vector<std::string>& header)
+    : path_(std::move(file)), stream_(path_, std::ios::binary | std::ios::trunc) {
+  std::string line;
+  for (const std::string& title : header) {
+    if (!line.empty()) line += ',';
+    line += csv_field(title);
+  }
+  write(line);
+}
+
+void TextTableWriter::add(const std::vector<double>& row) { write(csv_line(row)); }
+
+void TextTableWriter::write(const std::string& line) {
+  stream_ << line + '\n' << std::flush;
+  if (!stream_) throw std::runtime_error(path_.string() + ": cannot be written; is the disk full?");
+}
+
+std::vector<std::vector<double>> read_text_table(const std::filesystem::path& file, std::size_t columns) {
+  std::ifstream stream(file, std::ios::binary);
+  std::vector<std::vector<double>> rows;
+  std::string line;
+  std::getline(stream, line);
+  for (int number = 2; std::getline(stream, line); ++number) {
+    if (stream.eof()) break;  // no line break: torn
+    if (auto row = parse(line, columns)) {
+      rows.push_back(std::move(*row));
+    } else {
+      throw std::runtime_error(file.string() + ": line " + std::to_string(number) + " has not " +
+                               std::to_string(columns) + " numbers");
+    }
+  }
+  return rows;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted(1, '"');
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  quoted += '"';
+  return quoted;
+}
+
+std::string csv_line(const std::vector<double>& row) {
+  std::string line;
+  char text[32];
+  for (const double value : row) {
+    if (!line.empty()) line += ',';
+    line.append(text, std::to_chars(text, text + sizeof text, value).ptr);
+  }
+  return line;
+}
+
+}  // namespace talus

@@ -1,0 +1,80 @@
+#include "results/xdmf.hpp"
+
+#include <stdexcept>
+#include <string_view>
+
+#include "model/number_text.hpp"
+#include "results/xml_text.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr std::string_view closing_tags = "  </Grid>\n </Domain>\n</Xdmf>\n";
+constexpr const char* integer64 = "NumberType=\"Int\" Precision=\"8\"";
+constexpr const char* integer32 = "NumberType=\"Int\" Precision=\"4\"";
+constexpr const char* float64 = "NumberType=\"Float\" Precision=\"8\"";
+constexpr const char* float32 = "NumberType=\"Float\" Precision=\"4\"";
+
+/// A whole one-dimensional dataset of results.h5.
+std::string column(std::uint64_t rows, const std::string& type, const std::string& dataset) {
+  return "<DataItem Dimensions=\"" + std::to_string(rows) + "\" " + type + " Format=\"HDF\">results.h5:" + dataset +
+         "</DataItem>";
+}
+
+/// The rows of one frame in a dataset that holds `rows` × `width` numbers for each.
+std::string rows_of_frame(std::uint64_t frame, std::uint64_t rows, std::uint64_t width, const std::string& type,
+                          const std::string& dataset) {
+  const std::string columns = std::to_string(width), size = std::to_string(rows) + ' ' + columns;
+  const std::string start_stride_count = std::to_string(frame * rows) + " 0 1 1 " + size;
+  return "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" + size + "\">" +
+         "<DataItem Dimensions=\"3 2\" Format=\"XML\">" + start_stride_count + "</DataItem>" +
+         "<DataItem Dimensions=\"" + std::to_string((frame + 1) * rows) + ' ' + columns + "\" " + type +
+         " Format=\"HDF\">results.h5:" + dataset + "</DataItem></DataItem>";
+}
+
+/// Stress is a "Matrix" of six columns: XDMF's Tensor6 would have them in the order xx xy xz yy yz zz.
+std::string attribute(const char* name, const char* kind, const char* centre, const std::string& data) {
+  return std::string("    <Attribute Name=\"") + name + "\" AttributeType=\"" + kind + "\" Center=\"" + centre + "\">" +
+         data + "</Attribute>\n";
+}
+
+}  // namespace
+
+XdmfIndex::XdmfIndex(std::filesystem::path file, const std::string& name, std::uint64_t nodes, std::uint64_t tetrahedra)
+    : path_(std::move(file)),
+      stream_(path_, std::ios::binary | std::ios::trunc),
+      nodes_(nodes),
+      tetrahedra_(tetrahedra) {
+  write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n  <Grid Name=\"" +
+        xml_text(name) + "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
+}
+
+void XdmfIndex::add_frame(double time) {
+  write(grid(time));
+  ++frames_;
+}
+
+std::string XdmfIndex::grid(double time) const {
+  const auto of_nodes = [&](const char* dataset) { return rows_of_frame(frames_, nodes_, 3, float64, dataset); };
+  return "   <Grid Name=\"frame " + std::to_string(frames_) + "\" GridType=\"Uniform\">\n    <Time Value=\"" +
+         number_text(time) + "\"/>\n    <Topology TopologyType=\"Tetrahedron\" NumberOfElements=\"" +
+         std::to_string(tetrahedra_) + "\">" + column(4 * tetrahedra_, integer64, "/VTKHDF/Connectivity") +
+         "</Topology>\n    <Geometry GeometryType=\"XYZ\">" + of_nodes("/VTKHDF/Points") + "</Geometry>\n" +
+         attribute("displacement", "Vector", "Node", of_nodes("/VTKHDF/PointData/displacement")) +
+         attribute("velocity", "Vector", "Node", of_nodes("/VTKHDF/PointData/velocity")) +
+         attribute("stress", "Matrix", "Cell",
+                   rows_of_frame(frames_, tetrahedra_, 6, float32, "/VTKHDF/CellData/stress")) +
+         attribute("block", "Scalar", "Cell", column(tetrahedra_, integer32, "/VTKHDF/CellData/block")) +
+         attribute("material", "Scalar", "Cell", column(tetrahedra_, integer32, "/VTKHDF/CellData/material")) +
+         "   </Grid>\n";
+}
+
+/// Writes the text with the closing tags behind it, in one call to the system, and goes back before the tags.
+void XdmfIndex::write(const std::string& text) {
+  stream_ << text + std::string(closing_tags) << std::flush;
+  stream_.seekp(-static_cast<std::streamoff>(closing_tags.size()), std::ios::cur);
+  if (!stream_) throw std::runtime_error(path_.string() + ": cannot be written; is the disk full?");
+}
+
+}  // namespace talus

@@ -1,0 +1,256 @@
+#include "results/result_folder.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <thread>
+
+#include "base/error.hpp"
+#include "example_results.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The problem that making a writer in the folder ends with; empty when there is none.
+std::string problem_with(const fs::path& folder) {
+  try {
+    const ResultWriter writer(folder, example_project(), example_system(), "{}");
+  } catch (const InputError& error) {
+    EXPECT_NE(error.place().find(folder.string()), std::string::npos);
+    return error.problem();
+  }
+  return "";
+}
+
+StepReport example_step(int i) {
+  StepReport step;
+  step.step = i;
+  step.stage = i % 2;
+  step.time = number(i, 1);
+  step.time_step = number(i, 2) * 1e-300;
+  step.iterations = i + 3;
+  step.cuts = i + 4;
+  step.contacts = i + 5;
+  step.open = i + 6;
+  step.stick = i + 7;
+  step.slip = i + 8;
+  step.max_penetration = number(i, 3);
+  step.max_relative_penetration = number(i, 4);
+  step.max_displacement = number(i, 5);
+  step.unbalanced_force = number(i, 6) * 1e300;
+  step.phases = {number(i, 7), number(i, 8), number(i, 9), number(i, 10), number(i, 11), number(i, 12)};
+  step.energy = {number(i, 13), number(i, 14), number(i, 15), number(i, 16),
+                 number(i, 17), number(i, 18), number(i, 19), number(i, 20)};
+  return step;
+}
+
+void expect_same(const StepReport& a, const StepReport& b) {
+  EXPECT_EQ(std::tie(a.step, a.stage, a.time, a.time_step, a.iterations, a.cuts, a.contacts, a.open, a.stick, a.slip),
+            std::tie(b.step, b.stage, b.time, b.time_step, b.iterations, b.cuts, b.contacts, b.open, b.stick, b.slip));
+  EXPECT_EQ(std::tie(a.max_penetration, a.max_relative_penetration, a.max_displacement, a.unbalanced_force),
+            std::tie(b.max_penetration, b.max_relative_penetration, b.max_displacement, b.unbalanced_force));
+  const Phases &p = a.phases, &q = b.phases;
+  EXPECT_EQ(std::tie(p.detect, p.assemble, p.factor, p.solve, p.update, p.write),
+            std::tie(q.detect, q.assemble, q.factor, q.solve, q.update, q.write));
+  const EnergyLedger &e = a.energy, &f = b.energy;
+  EXPECT_EQ(std::tie(e.kinetic, e.elastic, e.potential, e.contact),
+            std::tie(f.kinetic, f.elastic, f.potential, f.contact));
+  EXPECT_EQ(std::tie(e.friction_dissipated, e.damping_dissipated, e.constraint_work, e.integration_loss),
+            std::tie(f.friction_dissipated, f.damping_dissipated, f.constraint_work, f.integration_loss));
+}
+
+TEST(ResultFolder, blocks_come_back_exactly) {
+  const TemporaryFolder temporary;
+  const BlockSystem system = example_system();
+  { const ResultWriter writer(temporary.path / "r", example_project(), system, "{}"); }
+  const ResultReader reader(temporary.path / "r");
+  EXPECT_EQ(reader.project_name(), "Two <blocks> & a slide");
+  EXPECT_THAT(reader.stage_names(), testing::ElementsAre("gravity", "slide"));
+  EXPECT_THAT(reader.monitor_names(), testing::ElementsAre("P1", "P, 2"));
+  EXPECT_TRUE(reader.frame_times().empty());
+  EXPECT_EQ(reader.system().joint_names, system.joint_names);
+  EXPECT_EQ(reader.system().solids_volume, 5.25);
+  ASSERT_EQ(reader.system().blocks.size(), 2u);
+  for (int b = 0; b < 2; ++b) {
+    const Block &read = reader.system().blocks[b], &written = system.blocks[b];
+    EXPECT_EQ(std::tie(read.name, read.solid, read.material, read.body, read.volume),
+              std::tie(written.name, written.solid, written.material, written.body, written.volume));
+    EXPECT_EQ(read.mesh.nodes, written.mesh.nodes);
+    EXPECT_EQ(read.mesh.tetrahedra, written.mesh.tetrahedra);
+    ASSERT_EQ(read.surface.size(), written.surface.size());
+    for (std::size_t i = 0; i < read.surface.size(); ++i) {
+      EXPECT_EQ(read.surface[i].nodes, written.surface[i].nodes);
+      EXPECT_EQ(read.surface[i].joint, written.surface[i].joint);
+    }
+  }
+}
+
+TEST(ResultFolder, frames_come_back_exactly_after_the_run_and_while_it_goes_on) {
+  const TemporaryFolder temporary;
+  const BlockSystem system = example_system();
+  constexpr int count = 7;
+  {
+    ResultWriter writer(temporary.path, example_project(), system, "{}");
+    for (int i = 0; i < count; ++i) {
+      writer.add_frame(example_frame(system, i));
+      const ResultReader during(temporary.path);
+      ASSERT_EQ(during.frame_times().size(), i + 1u);
+      for (int j = 0; j <= i; ++j) EXPECT_TRUE(same(during.frame(j), example_frame(system, j))) << j << " of " << i;
+    }
+  }
+  const ResultReader after(temporary.path);
+  ASSERT_EQ(after.frame_times().size(), static_cast<std::size_t>(count));
+  for (int j = count - 1; j >= 0; --j) {
+    EXPECT_EQ(after.frame_times()[j], 0.1 * j);
+    EXPECT_TRUE(same(after.frame(j), example_frame(system, j))) << j;
+  }
+  EXPECT_THROW(after.frame(count), std::out_of_range);
+  EXPECT_THROW(after.frame(-1), std::out_of_range);
+}
+
+TEST(ResultFolder, stress_is_kept_as_a_float) {
+  const TemporaryFolder temporary;
+  const BlockSystem system = example_system();
+  Frame frame = example_frame(system, 0);
+  frame.stress[0][0] = 1234567.891;
+  {
+    ResultWriter writer(temporary.path, example_project(), system, "{}");
+    writer.add_frame(frame);
+  }
+  EXPECT_EQ(ResultReader(temporary.path).frame(0).stress[0][0], static_cast<float>(1234567.891));
+}
+
+TEST(ResultFolder, a_frame_of_another_system_is_our_mistake) {
+  const TemporaryFolder temporary;
+  ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
+  EXPECT_THROW(writer.add_frame(example_frame(example_system(1, 1), 0)), std::invalid_argument);
+  EXPECT_TRUE(ResultReader(temporary.path).frame_times().empty());
+}
+
+TEST(ResultFolder, steps_and_history_come_back_exactly_and_a_torn_last_line_is_left_out) {
+  const TemporaryFolder temporary;
+  ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
+  std::vector<HistoryRow> history;
+  for (int i = 0; i < 5; ++i) {
+    writer.add_step(example_step(i));
+    const auto sample = [&](int k) {
+      return MonitorSample{Vec3(number(i, k), -0.0, 1e-320), Vec3(1e22, number(i, k, 1), 0.1)};
+    };
+    history.push_back({.time = 0.1 * i, .stage = i / 3, .monitors = {sample(1), sample(2)}});
+    writer.add_history(history.back());
+  }
+  std::ofstream(temporary.path / "steps.csv", std::ios::app) << "6,0,0.1";
+  std::ofstream(temporary.path / "history.csv", std::ios::app) << "0.5,1,1,2,3,4,5,6,7,8,9,10,11,12";  // no line break
+
+  const ResultReader reader(temporary.path);
+  const auto steps = reader.steps();
+  ASSERT_EQ(steps.size(), 5u);
+  for (int i = 0; i < 5; ++i) expect_same(steps[i], example_step(i));
+  const auto rows = reader.history();
+  ASSERT_EQ(rows.size(), 5u);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(std::tie(rows[i].time, rows[i].stage), std::tie(history[i].time, history[i].stage));
+    for (int m = 0; m < 2; ++m) {
+      EXPECT_EQ(rows[i].monitors.at(m).displacement, history[i].monitors[m].displacement);
+      EXPECT_EQ(rows[i].monitors.at(m).velocity, history[i].monitors[m].velocity);
+    }
+  }
+}
+
+TEST(ResultFolder, the_csv_headers_name_units) {
+  const TemporaryFolder temporary;
+  { const ResultWriter writer(temporary.path, example_project(), example_system(), "{}"); }
+  EXPECT_THAT(text_of(temporary.path / "history.csv"),
+              testing::StartsWith("time [s],stage,P1.displacement.x [m],P1.displacement.y [m],P1.displacement.z [m],"
+                                  "P1.velocity.x [m/s],P1.velocity.y [m/s],P1.velocity.z [m/s],"
+                                  "\"P, 2.displacement.x [m]\","));
+  EXPECT_THAT(text_of(temporary.path / "steps.csv"),
+              testing::StartsWith("step,stage,time [s],time step [s],iterations,cuts,contacts,open,stick,slip,"));
+}
+
+TEST(ResultFolder, log_and_project_are_kept) {
+  const TemporaryFolder temporary;
+  ResultWriter writer(temporary.path, example_project(), example_system(), "{ \"talus\": 1 }\n");
+  writer.log("stage gravity");
+  writer.log("step 1");
+  EXPECT_EQ(text_of(temporary.path / "log.txt"), "stage gravity\nstep 1\n");
+  EXPECT_EQ(text_of(temporary.path / "project.talus"), "{ \"talus\": 1 }\n");
+}
+
+TEST(ResultFolder, earlier_results_are_replaced) {
+  const TemporaryFolder temporary;
+  const BlockSystem system = example_system();
+  {
+    ResultWriter writer(temporary.path, example_project(), system, "{}");
+    writer.add_frame(example_frame(system, 0));
+    writer.add_step({});
+    writer.finish({});
+  }
+  EXPECT_EQ(problem_with(temporary.path), "");
+  const ResultReader reader(temporary.path);
+  EXPECT_TRUE(reader.frame_times().empty());
+  EXPECT_TRUE(reader.steps().empty());
+  EXPECT_FALSE(fs::exists(temporary.path / "summary.json"));
+}
+
+TEST(ResultFolder, a_folder_with_anything_else_is_refused_and_left_alone) {
+  const TemporaryFolder temporary;
+  { const ResultWriter writer(temporary.path, example_project(), example_system(), "{}"); }
+  std::ofstream(temporary.path / "thesis.tex") << "dear";
+  EXPECT_EQ(problem_with(temporary.path), "holds files that are not results");
+  EXPECT_TRUE(fs::exists(temporary.path / "results.h5"));
+  EXPECT_TRUE(fs::exists(temporary.path / "thesis.tex"));
+}
+
+TEST(ResultFolder, a_folder_with_the_users_own_project_is_refused) {
+  const TemporaryFolder temporary;
+  std::ofstream(temporary.path / "project.talus") << "{}";
+  EXPECT_EQ(problem_with(temporary.path), "holds files that are not results");
+  EXPECT_TRUE(fs::exists(temporary.path / "project.talus"));
+}
+
+TEST(ResultFolder, a_folder_that_is_a_file_or_cannot_be_made_is_refused) {
+  const TemporaryFolder temporary;
+  std::ofstream(temporary.path / "file") << "x";
+  EXPECT_EQ(problem_with(temporary.path / "file"), "is a file, not a folder");
+  EXPECT_THAT(problem_with(temporary.path / "file/below"), testing::StartsWith("cannot be made: "));
+}
+
+TEST(ResultFolder, a_second_run_does_not_write_where_one_writes) {
+  const TemporaryFolder temporary;
+  const ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
+  EXPECT_EQ(problem_with(temporary.path), "another run writes its results there");
+}
+
+TEST(ResultFolder, what_holds_no_results_is_an_input_error) {
+  const TemporaryFolder temporary;
+  EXPECT_THROW(ResultReader(temporary.path / "nowhere"), InputError);
+  EXPECT_THROW(ResultReader reader(temporary.path), InputError);
+  std::ofstream(temporary.path / "results.h5") << "not HDF5 at all";
+  EXPECT_THROW(ResultReader reader(temporary.path), InputError);
+}
+
+TEST(ResultFolder, a_full_disk_is_an_error_with_the_path) {
+  // /dev/full fails every write as a full disk does.
+  const TemporaryFolder temporary;
+  ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
+  fs::remove(temporary.path / "summary.json.new");
+  fs::create_symlink("/dev/full", temporary.path / "summary.json.new");
+  try {
+    writer.finish({});
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("summary.json"));
+  }
+  EXPECT_FALSE(fs::exists(temporary.path / "summary.json"));
+}
+
+}  // namespace
+}  // namespace talus
