@@ -8,6 +8,7 @@ if [[ ! -f $project ]]; then
   exit 2
 fi
 results=${project%.talus}.results
+picture=$results/picture.png film=$results/film.mp4 histories=$results/histories.png
 source "$(dirname "${BASH_SOURCE[0]}")/set_up.sh"
 
 install_packages
@@ -15,19 +16,29 @@ configure
 build talus talus-cli
 cli=$build/app/talus-cli
 
-# 1 means that the run ended without converging, or a check failed: what was computed is still worth a picture.
+# A results folder that holds anything else is not written to: what an earlier call of this script put there goes first.
+rm -f "$picture" "$film" "$histories"
+# Exit code 1 says that the run did not converge or missed an expectation: what was computed is still worth a look.
 outcome=0
-"$cli" solve "$project" --out "$results" || outcome=$?
+report=$("$cli" solve "$project" --out "$results" --threads "$(nproc)") || outcome=$?
 [[ $outcome -le 1 ]] || exit "$outcome"
-"$cli" render "$results" --out "$results/picture.png"
-"$cli" animate "$results" --out "$results/film.mp4"
-"$cli" plot "$results" --out "$results/histories.png"
+echo "$report"
+"$cli" render "$results" --out "$picture"
+"$cli" animate "$results" --out "$film"
+if head -1 "$results/history.csv" | grep --quiet displacement; then
+  published=$(dirname "$project")/paper_events.csv events=()
+  [[ -f $published ]] && events=(--events "$published")
+  "$cli" plot "$results" --out "$histories" "${events[@]}"
+else
+  histories='none: the project has no monitor'
+fi
 
+echo
+echo "Outcome    $(sed -n '1 { N; s/\n/: /p }' <<<"$report")"
 echo "Results    $results"
-echo "Picture    $results/picture.png"
-echo "Film       $results/film.mp4"
-echo "Histories  $results/histories.png"
-echo "Outcome    $(sed -n 's/.*"status": *"\([a-z-]*\)".*/\1/p' "$results/summary.json" | head -1)"
+echo "Picture    $picture"
+echo "Film       $film"
+echo "Histories  $histories"
 if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then
   "$build/app/talus" "$results"
 fi
