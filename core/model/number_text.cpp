@@ -11,7 +11,10 @@ std::string number_text(double value) {
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   std::string text(digits.data(), end);
-  if (const auto plus = text.find("e+"); plus != std::string::npos) text.erase(plus + 1, 1);
+  if (const auto exponent = text.find('e'); exponent != std::string::npos) {
+    const std::size_t sign = text[exponent + 1] == '-' ? 1 : 0;
+    text.erase(exponent + 1 + sign, text.find_first_not_of("+-0", exponent + 1) - (exponent + 1 + sign));
+  }
   return text;
 }
 
