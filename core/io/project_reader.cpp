@@ -150,6 +150,7 @@ Expectation read_item(const OrderedJson& value, Expectation expectation) {
   read(value, "time", expectation.time);
   read(value, "value", expectation.value);
   read(value, "tolerance", expectation.tolerance);
+  read(value, "since", expectation.since);
   read(value, "source", expectation.source);
   return expectation;
 }

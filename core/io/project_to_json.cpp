@@ -114,6 +114,7 @@ OrderedJson json_from(const Expectation& expectation) {
                    {"time", expectation.time},
                    {"value", expectation.value},
                    {"tolerance", expectation.tolerance}};
+  write(json, "since", expectation.since);
   if (!expectation.source.empty()) json["source"] = expectation.source;
   return json;
 }

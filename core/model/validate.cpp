@@ -188,6 +188,11 @@ void check_expectation(const Expectation& expectation, const Place& place, doubl
   require_not_negative(expectation.time, place / "time", "time", "seconds");
   require(expectation.time <= end * (1 + rounding), place / "time",
           "lies after the end of the run, " + number_text(end) + " s", "lengthen a stage or expect it earlier");
+  if (expectation.since) {
+    require_not_negative(*expectation.since, place / "since", "since", "seconds");
+    require(*expectation.since < expectation.time, place / "since", "must be earlier than time",
+            "count the change from a moment before " + number_text(expectation.time) + " s");
+  }
   require_finite(expectation.value, place / "value");
   require_positive(expectation.tolerance, place / "tolerance", "tolerance",
                    "the value (of metres or m/s where the value is 0)");

@@ -1,0 +1,44 @@
+#include "model/number_text.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace talus {
+namespace {
+
+TEST(NumberText, IsAsShortAsAPersonWouldWriteIt) {
+  EXPECT_EQ(number_text(0), "0");
+  EXPECT_EQ(number_text(2600), "2600");
+  EXPECT_EQ(number_text(-9.81), "-9.81");
+  EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(number_text(25e9), "2.5e10");
+  EXPECT_EQ(number_text(1e9), "1e9");
+  EXPECT_EQ(number_text(1e-5), "1e-5");
+  EXPECT_EQ(number_text(2e-10), "2e-10");
+  EXPECT_EQ(number_text(1e100), "1e100");
+}
+
+TEST(NumberText, KeepsTheSignOfZeroForJson) { EXPECT_EQ(number_text(-0.0), "-0.0"); }
+
+TEST(NumberText, ReadsBackToTheSameBits) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const std::uint64_t bits = random();
+    double value;
+    std::memcpy(&value, &bits, sizeof value);
+    if (!std::isfinite(value)) continue;
+    ASSERT_EQ(std::strtod(number_text(value).c_str(), nullptr), value) << number_text(value);
+  }
+  for (const double value : {std::numeric_limits<double>::max(), std::numeric_limits<double>::min(),
+                             std::numeric_limits<double>::denorm_min(), 1.0 / 3, 9007199254740993.0}) {
+    EXPECT_EQ(std::strtod(number_text(value).c_str(), nullptr), value);
+  }
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,261 @@
+#include "model/validate.hpp"
+
+#include <functional>
+#include <limits>
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+
+namespace talus {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A slope cut once, with something of every kind.
+Project slope() {
+  Project project;
+  project.materials = {{"rock", 2600, 25e9, 0.24}};
+  Joint joint;
+  joint.name = "J1";
+  joint.friction_angle = 30;
+  project.joints = {joint};
+  project.default_joint = "J1";
+  Solid solid{.name = "slope", .shape = BoxShape{{0, 0, 0}, {10, 10, 10}}, .material = "rock", .mesh_size = 2};
+  project.solids = {solid};
+  Cut cut;
+  cut.joint = "J1";
+  cut.dip = 35;
+  cut.dip_direction = 120;
+  cut.through = {5, 5, 5};
+  project.cuts = {cut};
+  BlockOverride top;
+  top.name = "top";
+  top.at = {5, 5, 9};
+  project.blocks = {top};
+  project.interfaces = {{{"top", "slope.1"}, "J1"}};
+  project.constraints = {{"slope.1", {0, 0, 0}, {0.0, std::nullopt, 0.0}}};
+  project.loads = {{"top", {5, 5, 10}, {0, 0, -1e6}}};
+  project.velocities = {{"top", {1, 0, 0}, {0, 0, 0}}};
+  Stage stage;
+  stage.name = "slide";
+  stage.time_step = 0.01;
+  stage.duration = 2;
+  project.stages = {stage};
+  project.monitors = {{"P1", "top", {5, 5, 10}}};
+  project.expect = {{"P1.displacement.z", 1, -4.9, 1e-6, std::nullopt, "known"}, {"top.velocity.magnitude", 2, 1, 0.1, 0.5, ""}};
+  return project;
+}
+
+struct BadProject {
+  std::string what;
+  std::function<void(Project&)> spoil;
+  std::string place, problem, remedy;
+};
+
+std::ostream& operator<<(std::ostream& out, const BadProject& bad) { return out << bad.what; }
+
+class Validate : public testing::TestWithParam<BadProject> {};
+
+TEST_P(Validate, SaysPlaceProblemAndRemedy) {
+  Project project = slope();
+  GetParam().spoil(project);
+  try {
+    validate(project);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), GetParam().place);
+    EXPECT_THAT(error.problem(), HasSubstr(GetParam().problem));
+    EXPECT_THAT(error.remedy(), HasSubstr(GetParam().remedy));
+  }
+}
+
+const std::vector<BadProject> bad_values{
+    {"gravity", [](Project& p) { p.gravity[1] = nan; }, "/gravity/1", "not a finite number", "finite"},
+    {"density negative", [](Project& p) { p.materials[0].density = -1; }, "/materials/rock/density",
+     "greater than 0, is -1", "kg/m³"},
+    {"density NaN", [](Project& p) { p.materials[0].density = nan; }, "/materials/rock/density", "not a finite",
+     "finite"},
+    {"young zero", [](Project& p) { p.materials[0].young = 0; }, "/materials/rock/young", "Young's modulus", "Pa"},
+    {"young infinite", [](Project& p) { p.materials[0].young = infinity; }, "/materials/rock/young", "not a finite",
+     "finite"},
+    {"poisson half", [](Project& p) { p.materials[0].poisson = 0.5; }, "/materials/rock/poisson",
+     "between -1 and 0.5, is 0.5", "0.49"},
+    {"poisson low", [](Project& p) { p.materials[0].poisson = -1; }, "/materials/rock/poisson", "is -1", "0.1"},
+    {"friction 90", [](Project& p) { p.joints[0].friction_angle = 90; }, "/joints/J1/friction_angle", "below 90",
+     "degrees"},
+    {"cohesion", [](Project& p) { p.joints[0].cohesion = -5; }, "/joints/J1/cohesion", "not be negative", "Pa"},
+    {"tension", [](Project& p) { p.joints[0].tensile_strength = -5; }, "/joints/J1/tensile_strength", "not be negative",
+     "Pa"},
+    {"residual", [](Project& p) { p.joints[0].residual_friction_angle = 31; }, "/joints/J1/residual_friction_angle",
+     "exceeds", "at most"},
+    {"normal stiffness", [](Project& p) { p.joints[0].normal_stiffness = 0; }, "/joints/J1/normal_stiffness",
+     "greater than 0", "Pa/m"},
+    {"shear stiffness", [](Project& p) { p.joints[0].shear_stiffness = -1; }, "/joints/J1/shear_stiffness",
+     "greater than 0", "Pa/m"},
+    {"no solid", [](Project& p) { p.solids.clear(); }, "/solids", "no solid", "add a box"},
+    {"flat box", [](Project& p) { std::get<BoxShape>(p.solids[0].shape).max[2] = 0; }, "/solids/0/box/max/2",
+     "greater than min: 0 against 0", "swap"},
+    {"open polyhedron",
+     [](Project& p) {
+       p.solids[0].shape = PolyhedronShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
+                                           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {1, 4, 2}}};
+     },
+     "/solids/0/polyhedron/faces/3", "in the same direction", "outside"},
+    {"stl",
+     [](Project& p) {
+       p.solids[0].shape = FileShape{"hill.stl", 1};
+     },
+     "/solids/0/file", "'.stl'", "STEP"},
+    {"scale",
+     [](Project& p) {
+       p.solids[0].shape = FileShape{"hill.STP", 0};
+     },
+     "/solids/0/scale", "greater than 0", "metres per unit"},
+    {"rigid", [](Project& p) { p.solids[0].body = BodyKind::rigid; }, "/solids/0/body", "'rigid' bodies yet",
+     "tetrahedra"},
+    {"affine override", [](Project& p) { p.blocks[0].body = BodyKind::affine; }, "/blocks/0/body", "'affine' bodies",
+     "tetrahedra"},
+    {"mesh size", [](Project& p) { p.solids[0].mesh_size = 0; }, "/solids/0/mesh_size", "greater than 0", " m"},
+    {"dip", [](Project& p) { p.cuts[0].dip = 91; }, "/cuts/0/dip", "0 to 90, is 91", "horizontal"},
+    {"dip direction", [](Project& p) { p.cuts[0].dip_direction = -1; }, "/cuts/0/dip_direction", "0 to 360, is -1",
+     "north"},
+    {"spacing alone", [](Project& p) { p.cuts[0].spacing = 2; }, "/cuts/0", "belong together", "'count'"},
+    {"count alone", [](Project& p) { p.cuts[0].count = 2; }, "/cuts/0", "belong together", "'spacing'"},
+    {"spacing zero", [](Project& p) { p.cuts[0].spacing = 0, p.cuts[0].count = 2; }, "/cuts/0/spacing",
+     "greater than 0", "m"},
+    {"count zero", [](Project& p) { p.cuts[0].spacing = 1, p.cuts[0].count = 0; }, "/cuts/0/count", "at least 1",
+     "planes"},
+    {"interface with itself", [](Project& p) { p.interfaces[0].between[0] = "slope.1"; }, "/interfaces/0/between",
+     "same block", "two blocks"},
+    {"constraint holds nothing", [](Project& p) { p.constraints[0].displacement = {}; }, "/constraints/0/displacement",
+     "holds nothing", "remove"},
+    {"constraint NaN", [](Project& p) { p.constraints[0].displacement[2] = nan; }, "/constraints/0/displacement/2",
+     "not a finite", "finite"},
+    {"force", [](Project& p) { p.loads[0].force[0] = infinity; }, "/loads/0/force/0", "not a finite", "finite"},
+    {"velocity", [](Project& p) { p.velocities[0].angular[2] = nan; }, "/velocities/0/angular/2", "not a finite",
+     "finite"},
+    {"no stage", [](Project& p) { p.stages.clear(); }, "/stages", "no stage", "time_step"},
+    {"time step 0", [](Project& p) { p.stages[0].time_step = 0; }, "/stages/0/time_step",
+     "the time step must be greater than 0, is 0", "seconds"},
+    {"steps and duration", [](Project& p) { p.stages[0].steps = 10; }, "/stages/0", "both steps and duration",
+     "one of them"},
+    {"neither", [](Project& p) { p.stages[0].duration.reset(); }, "/stages/0", "neither steps nor duration",
+     "one of them"},
+    {"no steps", [](Project& p) { p.stages[0].duration.reset(), p.stages[0].steps = 0; }, "/stages/0/steps",
+     "at least 1, is 0", "number of time steps"},
+    {"short stage", [](Project& p) { p.stages[0].duration = 0.001; }, "/stages/0/duration",
+     "shorter than one time step", "lengthen"},
+    {"corotational", [](Project& p) { p.solver.strain = "corotational"; }, "/solver/strain",
+     "does not compute 'corotational' strain yet", "'incremental'"},
+    {"integrator", [](Project& p) { p.solver.integrator = "generalized-alpha"; }, "/solver/integrator",
+     "'generalized-alpha' yet", "'constant-acceleration'"},
+    {"contact stiffness", [](Project& p) { p.solver.contact_stiffness = 0; }, "/solver/contact_stiffness",
+     "greater than 0", "10 is usual"},
+    {"open-close limit", [](Project& p) { p.solver.open_close_limit = 0; }, "/solver/open_close_limit", "at least one",
+     "20 is usual"},
+    {"late", [](Project& p) { p.expect[0].time = 2.5; }, "/expect/0/time", "after the end of the run, 2 s",
+     "lengthen a stage"},
+    {"since", [](Project& p) { p.expect[0].since = 1; }, "/expect/0/since", "earlier than time", "before 1 s"},
+    {"tolerance", [](Project& p) { p.expect[0].tolerance = 0; }, "/expect/0/tolerance", "greater than 0", "value"},
+    {"frames", [](Project& p) { p.output.every = 0; }, "/output/every", "greater than 0", "seconds"},
+};
+INSTANTIATE_TEST_SUITE_P(Values, Validate, testing::ValuesIn(bad_values));
+
+const std::vector<BadProject> bad_names{
+    {"material twice", [](Project& p) { p.materials.push_back(p.materials[0]); }, "/materials/rock",
+     "'rock' is taken by /materials/rock", "own name"},
+    {"solid and override", [](Project& p) { p.blocks[0].name = "slope"; }, "/blocks/0/name", "taken by /solids/0/name",
+     "own name"},
+    {"empty name", [](Project& p) { p.monitors[0].name = ""; }, "/monitors/0/name", "empty", "give a name"},
+    {"control character", [](Project& p) { p.stages[0].name = "a\nb"; }, "/stages/0/name", "control character",
+     "letters"},
+    {"material unknown", [](Project& p) { p.solids[0].material = "rocks"; }, "/solids/0/material",
+     "material 'rocks' is not defined", "did you mean 'rock'?"},
+    {"override's material", [](Project& p) { p.blocks[0].material = "clay"; }, "/blocks/0/material", "'clay'",
+     "use one of rock"},
+    {"joint unknown", [](Project& p) { p.cuts[0].joint = "X7"; }, "/cuts/0/joint",
+     "joint 'X7' is used here but not defined", "define it under joints, or use one of J1"},
+    {"interface's joint", [](Project& p) { p.interfaces[0].joint = "X7"; }, "/interfaces/0/joint", "not defined",
+     "define it"},
+    {"default joint unknown", [](Project& p) { p.default_joint = "X7"; }, "/default_joint", "not defined", "define it"},
+    {"default joint missing", [](Project& p) { p.default_joint = ""; }, "/default_joint", "no joint is named",
+     "name of one"},
+    {"two solids, no joint",
+     [](Project& p) {
+       p.joints.clear(), p.cuts.clear(), p.interfaces.clear(), p.default_joint.clear();
+       p.solids.push_back(p.solids[0]);
+       p.solids[1].name = "other";
+     },
+     "/default_joint", "several solids", "define a joint"},
+    {"cut's solid", [](Project& p) { p.cuts[0].solids = {"slop"}; }, "/cuts/0/solids/0", "no solid 'slop'",
+     "did you mean 'slope'?"},
+    {"load's block", [](Project& p) { p.loads[0].block = "tip"; }, "/loads/0/block", "nothing is called 'tip'",
+     "'top'"},
+    {"piece of an unknown solid", [](Project& p) { p.monitors[0].block = "hill.1"; }, "/monitors/0/block", "'hill.1'",
+     "use one of top, slope"},
+    {"expected monitor", [](Project& p) { p.expect[0].quantity = "P2.displacement.z"; }, "/expect/0/quantity", "'P2'",
+     "use one of P1, top, slope"},
+    {"quantity's grammar", [](Project& p) { p.expect[0].quantity = "P1.stress.z"; }, "/expect/0/quantity",
+     "cannot read the quantity 'P1.stress.z'", "NAME.displacement.z"},
+};
+INSTANTIATE_TEST_SUITE_P(Names, Validate, testing::ValuesIn(bad_names));
+
+TEST(ValidateProject, AcceptsAGoodOne) { EXPECT_NO_THROW(validate(slope())); }
+
+TEST(ValidateProject, ABlockByItselfNeedsNoJoint) {
+  Project project = slope();
+  project.cuts.clear();
+  project.joints.clear();
+  project.interfaces.clear();
+  project.default_joint.clear();
+  EXPECT_NO_THROW(validate(project));
+}
+
+TEST(ValidateProject, PlacesEscapeSlashes) {
+  Project project = slope();
+  project.materials[0].name = "rock/a~b";
+  project.materials[0].density = 0;
+  try {
+    validate(project);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), "/materials/rock~1a~0b/density");
+  }
+}
+
+TEST(ValidateAgainstBlocks, KnowsTheNamesGeometryGave) {
+  EXPECT_NO_THROW(validate_against_blocks(slope(), {"slope.1", "top"}));
+}
+
+TEST(ValidateAgainstBlocks, NamesTheReferenceThatIsMissing) {
+  try {
+    validate_against_blocks(slope(), {"slope.2", "top"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), "/interfaces/0/between/1");
+    EXPECT_THAT(error.problem(), HasSubstr("no block is called 'slope.1'"));
+    EXPECT_THAT(error.remedy(), HasSubstr("did you mean 'slope.2'?"));
+  }
+}
+
+TEST(ValidateAgainstBlocks, AnExpectationMayNameAMonitor) {
+  Project project = slope();
+  project.expect = {{"P1.displacement.z", 1, 0, 1, std::nullopt, ""}, {"slope.9.displacement.z", 1, 0, 1, std::nullopt, ""}};
+  try {
+    validate_against_blocks(project, {"slope.1", "top"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), "/expect/1/quantity");
+  }
+}
+
+TEST(ValidateAgainstBlocks, RefusesTwoBlocksOfOneName) {
+  EXPECT_THROW(validate_against_blocks(slope(), {"slope.1", "top", "top"}), InputError);
+}
+
+}  // namespace
+}  // namespace talus
