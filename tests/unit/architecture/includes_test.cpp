@@ -54,6 +54,7 @@ const std::vector<Fence> fences = {
     {"OpenGL", std::regex("(GL|EGL|GLES[23]|KHR)/.*"), std::regex("ui/render/.*\\.cpp")},
     {"FFmpeg", std::regex("lib(av|sw)\\w+/.*"), std::regex("ui/render/.*\\.cpp")},
     {"giflib", std::regex("gif_lib\\.h"), std::regex("ui/render/.*\\.cpp")},
+    {"libpng", std::regex("png\\.h"), std::regex("ui/render/.*\\.cpp")},
     {"gmsh", std::regex("gmsh.*\\.h(_cwrap)?"), std::regex("core/geometry/.*\\.cpp")},
     {"SuiteSparse", std::regex("(suitesparse/)?(cholmod|umfpack|SuiteSparse_config|Eigen/CholmodSupport).*"),
      std::regex("core/solve/cholesky\\.cpp")},
