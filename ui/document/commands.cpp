@@ -1,0 +1,31 @@
+#include "document/commands.hpp"
+
+namespace talus {
+
+ChangeMaterial::ChangeMaterial(Document& document, int index, Material changed)
+    : document_(document),
+      index_(index),
+      before_(document.project().materials.at(static_cast<size_t>(index))),
+      after_(std::move(changed)) {
+  setText(QObject::tr("change material %1").arg(QString::fromStdString(before_.name)));
+}
+
+void ChangeMaterial::apply(const Material& value) {
+  document_.project_.materials[static_cast<size_t>(index_)] = value;
+  emit document_.projectChanged();
+}
+
+ChangeJoint::ChangeJoint(Document& document, int index, Joint changed)
+    : document_(document),
+      index_(index),
+      before_(document.project().joints.at(static_cast<size_t>(index))),
+      after_(std::move(changed)) {
+  setText(QObject::tr("change joint %1").arg(QString::fromStdString(before_.name)));
+}
+
+void ChangeJoint::apply(const Joint& value) {
+  document_.project_.joints[static_cast<size_t>(index_)] = value;
+  emit document_.projectChanged();
+}
+
+}  // namespace talus

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QUndoCommand>
+
+#include "document/document.hpp"
+
+namespace talus {
+
+/// Commands hold places and values, never references: the project may be rebuilt around them.
+class ChangeMaterial : public QUndoCommand {
+ public:
+  ChangeMaterial(Document& document, int index, Material changed);
+  void redo() override { apply(after_); }
+  void undo() override { apply(before_); }
+
+ private:
+  void apply(const Material& value);
+  Document& document_;
+  int index_;
+  Material before_, after_;
+};
+
+class ChangeJoint : public QUndoCommand {
+ public:
+  ChangeJoint(Document& document, int index, Joint changed);
+  void redo() override { apply(after_); }
+  void undo() override { apply(before_); }
+
+ private:
+  void apply(const Joint& value);
+  Document& document_;
+  int index_;
+  Joint before_, after_;
+};
+
+}  // namespace talus

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <vector>
+
+namespace talus {
+
+/// A thing that the window can point at: its kind and its place in the project's (or the block system's) list.
+struct Item {
+  enum class Kind { none, solid, cut, joint, block, material, load, constraint, velocity, stage, monitor };
+  Kind kind = Kind::none;
+  int index = -1;
+  bool operator==(const Item&) const = default;
+};
+
+/// What is selected and what the pointer is over: shared by tree, tables and view. Widgets ask for a change here and
+/// repaint when told; none keeps a selection of its own.
+class Selection : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+
+  /// The last one that was selected: whose properties are shown.
+  const Item& current() const { return current_; }
+  /// Blocks that are selected, ascending; more than one after Ctrl and a click.
+  const std::vector<int>& blocks() const { return blocks_; }
+  std::optional<int> hoveredBlock() const { return hovered_; }
+
+  void select(const Item& item);
+  /// Adds a block or takes it out.
+  void toggleBlock(int block);
+  void clear() { select({}); }
+  void hoverBlock(std::optional<int> block);
+
+ signals:
+  void changed();
+  void hoverChanged();
+
+ private:
+  Item current_;
+  std::vector<int> blocks_;
+  std::optional<int> hovered_;
+};
+
+}  // namespace talus

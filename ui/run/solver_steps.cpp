@@ -1,0 +1,7 @@
+#include "run/solver_steps.hpp"
+
+namespace talus {
+
+SolverSteps solverSteps() { return {build_blocks, run}; }
+
+}  // namespace talus
