@@ -1,0 +1,143 @@
+#include "geometry/block_builder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+#include "geometry/mesher_process.hpp"
+#include "model/validate.hpp"
+
+namespace talus {
+namespace {
+
+/// The name exists: the project has been validated.
+template <class Named>
+int index_of(const std::vector<Named>& things, const std::string& name) {
+  const auto found = std::find_if(things.begin(), things.end(), [&](const Named& thing) { return thing.name == name; });
+  return static_cast<int>(found - things.begin());
+}
+
+PolyhedronShape box_polyhedron(const BoxShape& box) {
+  PolyhedronShape shape;
+  for (int corner = 0; corner < 8; ++corner) {
+    shape.vertices.emplace_back(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
+                                corner & 4 ? box.max.z() : box.min.z());
+  }
+  shape.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  return shape;
+}
+
+MesherSolid job_solid(const Solid& solid, const std::filesystem::path& folder) {
+  MesherSolid job;
+  job.name = solid.name;
+  job.mesh_size = solid.mesh_size;
+  if (const auto* box = std::get_if<BoxShape>(&solid.shape)) job.polyhedron = box_polyhedron(*box);
+  if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape)) job.polyhedron = *polyhedron;
+  if (const auto* file = std::get_if<FileShape>(&solid.shape)) {
+    job.file = std::filesystem::absolute(folder / file->path).string();
+    job.file_as_written = file->path;
+    job.scale = file->scale;
+    if (!std::filesystem::is_regular_file(job.file)) {
+      throw InputError(file->path, "there is no such file", "correct the path of solid " + solid.name);
+    }
+  }
+  return job;
+}
+
+MesherCut job_cut(const Project& project, std::size_t index) {
+  const Cut& cut = project.cuts[index];
+  MesherCut job;
+  job.title = "cut " + std::to_string(index + 1) + " (" + cut.joint + ")";
+  job.joint = index_of(project.joints, cut.joint);
+  job.dip = cut.dip;
+  job.dip_direction = cut.dip_direction;
+  job.through = cut.through;
+  job.spacing = cut.spacing.value_or(0);
+  job.count = cut.count.value_or(1);
+  for (const std::string& name : cut.solids) job.solids.push_back(index_of(project.solids, name));
+  return job;
+}
+
+MesherJob make_job(const Project& project, const std::filesystem::path& folder) {
+  MesherJob job;
+  for (const Solid& solid : project.solids) job.solids.push_back(job_solid(solid, folder));
+  for (std::size_t i = 0; i < project.cuts.size(); ++i) job.cuts.push_back(job_cut(project, i));
+  for (const BlockOverride& wanted : project.blocks) {
+    job.overrides.push_back({wanted.name, wanted.at, wanted.mesh_size});
+  }
+  return job;
+}
+
+Block make_block(const Project& project, MesherBlock meshed) {
+  const Solid& solid = project.solids[static_cast<std::size_t>(meshed.solid)];
+  Block block;
+  block.name = std::move(meshed.name);
+  block.solid = meshed.solid;
+  block.body = solid.body;
+  std::string material = solid.material;
+  if (meshed.block_override >= 0) {
+    const BlockOverride& wanted = project.blocks[static_cast<std::size_t>(meshed.block_override)];
+    block.body = wanted.body.value_or(block.body);
+    material = wanted.material.value_or(material);
+  }
+  block.material = index_of(project.materials, material);
+  block.mesh = {std::move(meshed.nodes), std::move(meshed.tetrahedra)};
+  for (std::size_t i = 0; i < meshed.triangles.size(); ++i) {
+    block.surface.push_back({meshed.triangles[i], meshed.triangle_joints[i]});
+  }
+  block.volume = meshed.volume;
+  return block;
+}
+
+/// The mesher has gone without a word: what it did last tells where.
+InputError crashed(const std::string& last_words) {
+  return InputError("geometry", "the mesher crashed while " + last_words,
+                    "try a larger mesh_size, or move the cuts there");
+}
+
+}  // namespace
+
+BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress) {
+  validate(project);
+  const MesherJob job = make_job(project, folder);
+  if (progress.cancelled()) throw Cancelled{};
+  BlockSystem system;
+  for (const Joint& joint : project.joints) system.joint_names.push_back(joint.name);
+  MesherProcess mesher;
+  mesher.send(MessageKind::job, to_bytes(job));
+  std::string last_words = "starting";
+  for (;;) {
+    constexpr int patience = 50;  // ms, how long a cancelled wait may last
+    const bool come = mesher.wait(patience);
+    if (progress.cancelled()) throw Cancelled{};
+    if (!come) continue;
+    const auto message = mesher.receive();
+    if (!message) throw crashed(last_words);
+    switch (message->kind) {
+      case MessageKind::progress: {
+        const auto told = from_bytes<MesherProgress>(message->bytes);
+        last_words = told.what;
+        progress.report(told.fraction, told.what);
+        break;
+      }
+      case MessageKind::block:
+        system.blocks.push_back(make_block(project, from_bytes<MesherBlock>(message->bytes)));
+        break;
+      case MessageKind::end:
+        system.solids_volume = from_bytes<MesherEnd>(message->bytes).solids_volume;
+        progress.report(1, "meshed");
+        return system;
+      case MessageKind::error: {
+        const auto error = from_bytes<MesherError>(message->bytes);
+        throw InputError(error.place, error.problem, error.remedy);
+      }
+      case MessageKind::fault:
+        throw std::runtime_error("the mesher failed while " + last_words + ": " +
+                                 from_bytes<MesherFault>(message->bytes).what);
+      case MessageKind::job:
+        throw std::runtime_error("the mesher answered with a job");
+    }
+  }
+}
+
+}  // namespace talus

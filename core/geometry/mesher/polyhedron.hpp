@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "geometry/mesher/plane.hpp"
+#include "model/project.hpp"
+
+namespace talus {
+
+/// The polyhedron (validated, model/polyhedron.hpp) with exactly flat faces: coordinates rounded to five digits of the
+/// longest side are put right, vertices move onto common planes by no more than that; a flat polyhedron comes back
+/// unchanged. Throws InputError at `place` when it falls into separate bodies or its faces cannot all be flat.
+PolyhedronShape flattened(PolyhedronShape shape, const std::string& place);
+
+}  // namespace talus
