@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/contact_point.hpp"
@@ -14,22 +16,22 @@ struct ContactBody {
   const Surface* surface = nullptr;  ///< outlives the detector; its node numbers are local
   int first_node = 0;                ///< local node i is global node first_node + i
   bool fixed = false;
-  double young = 0;                  ///< Pa
+  double young = 0;  ///< Pa
 };
 
 struct ContactSettings {
-  double stiffness = 10;            ///< κ: k_n = κ E*/h [Pa/m], 1/E* = 1/E1 + 1/E2
-  double shear_ratio = 0.4;         ///< k_s / k_n
-  double facing_angle = 3;          ///< degrees within which two facets face each other
-  double depth = 0.3;               ///< of h: deeper than this is not a contact of this facet
+  double stiffness = 10;     ///< κ: k_n = κ E*/h [Pa/m], 1/E* = 1/E1 + 1/E2
+  double shear_ratio = 0.4;  ///< k_s / k_n
+  double facing_angle = 3;   ///< degrees within which two facets face each other
+  double depth = 0.3;        ///< of h: deeper than this is not a contact of this facet
 };
 
 /// Finds the contact points of all bodies (METHOD §3) and remembers them from step to step.
 class ContactDetector {
  public:
   /// `laws`: one a joint. `pair_joint(a, b)`: the joint of two bodies' facets that lie on no common joint plane.
-  ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws,
-                  std::vector<std::vector<int>> pair_joint, ContactSettings settings);
+  ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws, std::vector<std::vector<int>> pair_joint,
+                  ContactSettings settings);
   ~ContactDetector();
 
   /// Contact points at the positions x [m] (all bodies' nodes), for gaps up to `reach` [m]. The order is that of the
@@ -40,6 +42,9 @@ class ContactDetector {
   /// Pairs of nodes (i < j, of movable bodies) that contacts between now and the next change of candidates may couple:
   /// the sparse pattern is planned for them.
   const std::vector<std::pair<int, int>>& coupled_nodes() const;
+
+  /// Counts the changes of coupled_nodes(): while it stays the same, so does the pattern.
+  std::uint64_t coupling_generation() const;
 
   /// Takes the outcomes of an accepted step, one for each point of `contacts`.
   void accept(const ContactSet& contacts, std::span<const ContactOutcome> outcomes);

@@ -1,0 +1,107 @@
+#include "contact/common_plane.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace talus {
+namespace {
+
+constexpr int most_iterations = 12;     // two are usual
+constexpr double no_direction = 1e-20;  // of the squared lengths: a direction is lost in rounding below it
+
+class Search {
+ public:
+  Search(const Triangle& a, const Triangle& b, double enough) : enough_(enough) {
+    for (int k = 0; k < 3; ++k) {  // differences first: positions may be far from the origin
+      a_[k] = a[k] - a[0];
+      b_[k] = b[k] - a[0];
+    }
+    for (int k = 0; k < 3; ++k) {
+      edges_a_[k] = a_[(k + 2) % 3] - a_[(k + 1) % 3];
+      edges_b_[k] = b_[(k + 2) % 3] - b_[(k + 1) % 3];
+      scale_ = std::max({scale_, edges_a_[k].squaredNorm(), edges_b_[k].squaredNorm()});
+    }
+  }
+
+  CommonPlane run(const Vec3& origin) {
+    try_normal(a_[0] + a_[1] + a_[2] - b_[0] - b_[1] - b_[2], scale_);
+    try_normal(edges_a_[0].cross(edges_a_[1]), scale_ * scale_);
+    try_normal(edges_b_[0].cross(edges_b_[1]), scale_ * scale_);
+    int iterations = 0;
+    auto [p, q] = closest_vertices();
+    while (gap_ <= enough_ && iterations < most_iterations) {
+      ++iterations;
+      const double before = gap_;
+      try_candidates(p, q);
+      if (!(gap_ > before)) break;
+      std::tie(p, q) = closest_vertices();
+    }
+    if (gap_ <= 0) {  // crossing facets: the closest vertices say little, so every direction is tried
+      for (const Vec3& e : edges_a_) {
+        for (const Vec3& f : edges_b_) try_normal(e.cross(f), scale_ * scale_);
+      }
+    }
+    return {normal_, origin + 0.5 * (a_[p] + b_[q]), gap_, iterations};
+  }
+
+ private:
+  /// Both senses of a direction.
+  void try_normal(const Vec3& direction, double scale) {
+    const double squared = direction.squaredNorm();
+    if (!(squared > no_direction * scale)) return;
+    const Vec3 n = direction / std::sqrt(squared);
+    const auto range = [&](const Triangle& t) {
+      const double x = n.dot(t[0]), y = n.dot(t[1]), z = n.dot(t[2]);
+      return std::pair(std::min({x, y, z}), std::max({x, y, z}));
+    };
+    const auto [low_a, high_a] = range(a_);
+    const auto [low_b, high_b] = range(b_);
+    if (low_a - high_b > gap_) gap_ = low_a - high_b, normal_ = n;
+    if (low_b - high_a > gap_) gap_ = low_b - high_a, normal_ = -n;
+  }
+
+  void try_candidates(int p, int q) {
+    const Vec3 d = a_[p] - b_[q];
+    try_normal(d, scale_);
+    for (int i = 1; i < 3; ++i) {
+      for (const Vec3& e : {edges_a_[(p + i) % 3], edges_b_[(q + i) % 3]}) {
+        const double squared = e.squaredNorm();
+        if (squared > no_direction * scale_) try_normal(d - e * (e.dot(d) / squared), scale_);
+      }
+      for (int j = 1; j < 3; ++j) try_normal(edges_a_[(p + i) % 3].cross(edges_b_[(q + j) % 3]), scale_ * scale_);
+    }
+  }
+
+  /// The pair nearest to each other of those that touch the plane from both sides.
+  std::pair<int, int> closest_vertices() const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (int k = 0; k < 3; ++k) {
+      low = std::min(low, normal_.dot(a_[k]));
+      high = std::max(high, normal_.dot(b_[k]));
+    }
+    const double tie = 1e-9 * std::sqrt(scale_);
+    std::pair<int, int> best{0, 0};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int p = 0; p < 3; ++p) {
+      if (normal_.dot(a_[p]) > low + tie) continue;
+      for (int q = 0; q < 3; ++q) {
+        if (normal_.dot(b_[q]) < high - tie) continue;
+        const double squared = (a_[p] - b_[q]).squaredNorm();
+        if (squared < nearest) nearest = squared, best = {p, q};
+      }
+    }
+    return best;
+  }
+
+  Triangle a_, b_;
+  std::array<Vec3, 3> edges_a_, edges_b_;  // opposite to each vertex
+  double scale_ = 0, enough_;
+  double gap_ = -std::numeric_limits<double>::infinity();
+  Vec3 normal_ = Vec3::UnitZ();
+};
+
+}  // namespace
+
+CommonPlane common_plane(const Triangle& a, const Triangle& b, double enough) { return Search(a, b, enough).run(a[0]); }
+
+}  // namespace talus

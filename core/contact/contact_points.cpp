@@ -1,0 +1,97 @@
+#include "contact/contact_points.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double least_weight = 1e-6;  // a stencil's share below it is rounding, and would couple nodes for nothing
+constexpr double rim_least = 1e-4, rim_most = 1e-2, rim_per_penetration = 3;  // of the size; of the size; –
+
+}  // namespace
+
+void FoundPoints::clear() {
+  points.clear();
+  nodes.clear();
+  weights.clear();
+  covered.clear();
+}
+
+void FoundPoints::close_stencil(FoundPoint& point, const ContactFeatures& features, std::span<const Vec3> x,
+                                int nodes_of_first) {
+  const int begin = point.stencil_begin, end = static_cast<int>(nodes.size());
+  const int middle = begin + nodes_of_first;
+  int kept = begin;
+  double sum[2] = {0, 0};
+  const auto keep = [&](int from, int to, double& total) {
+    for (int i = from; i < to; ++i) {
+      if (!(std::abs(weights[i]) > least_weight)) continue;
+      total += std::abs(weights[i]);
+      nodes[kept] = nodes[i];
+      weights[kept++] = weights[i];
+    }
+  };
+  keep(begin, middle, sum[0]);
+  const int second = kept;
+  keep(middle, end, sum[1]);
+  nodes.resize(kept);
+  weights.resize(kept);
+
+  const Vec3 origin = x[features.facets[point.facets[0]].nodes[0]];
+  Vec3 difference = Vec3::Zero();
+  point.position = origin;
+  for (int i = begin; i < kept; ++i) {
+    weights[i] /= sum[i >= second];
+    const Vec3 part = weights[i] * (x[nodes[i]] - origin);
+    difference += part;
+    if (i < second) point.position += part;
+  }
+  point.gap = point.normal.dot(difference);
+  point.stencil_end = kept;
+}
+
+double StepGeometry::rim(int body_a, int body_b) const {
+  const double size = broad.scale(body_a, body_b).size;
+  const double deepest = std::max(penetration[body_a], penetration[body_b]);
+  return std::clamp(rim_per_penetration * deepest, rim_least * size, rim_most * size);
+}
+
+int StepGeometry::common_joint(int facet_a, int facet_b) const {
+  const int joint = features.facets[facet_a].joint;
+  return joint == features.facets[facet_b].joint ? joint : -1;
+}
+
+Vec3 StepGeometry::fresh_normal(int facet) const {
+  const auto& n = features.facets[facet].nodes;
+  return (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]).stableNormalized();
+}
+
+double cone_tolerance(const ContactSettings& settings) { return std::sin(radians(settings.facing_angle)); }
+
+// Two bits for the kind, then 31 for each of two numbers; a crossing of facing facets also tells on which side of its
+// edge.
+std::uint64_t vertex_key(int node, int patch) {
+  return std::uint64_t{1} << 62 | static_cast<std::uint64_t>(node) << 31 | static_cast<std::uint64_t>(patch);
+}
+
+std::uint64_t crossing_key(const ContactFeatures& features, int edge_a, int patch_a, int edge_b, int patch_b) {
+  const auto side = [&](int edge, int patch) {
+    const ContactEdge& e = features.edges[edge];
+    const bool second = features.facets[e.facets[0]].patch != patch;
+    return static_cast<std::uint64_t>(edge) << 1 | static_cast<std::uint64_t>(second);
+  };
+  return std::uint64_t{2} << 62 | side(edge_a, patch_a) << 31 | side(edge_b, patch_b);
+}
+
+std::uint64_t edge_key(int edge_a, int edge_b) {
+  return std::uint64_t{3} << 62 | static_cast<std::uint64_t>(edge_a) << 31 | static_cast<std::uint64_t>(edge_b);
+}
+
+std::uint64_t patch_family(int patch_a, int patch_b) { return vertex_key(patch_a, patch_b); }
+std::uint64_t crease_family(int crease_a, int crease_b) { return edge_key(crease_a, crease_b); }
+
+}  // namespace talus

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/broad_phase.hpp"
+
+namespace talus {
+
+enum class PointKind : std::uint8_t { facing, vertex, edge };
+
+/// A contact point as geometry gives it: no law, no history.
+struct FoundPoint {
+  std::uint64_t key;
+  std::uint64_t family;  ///< points that lie on the same two patches, or on the same two creases
+  PointKind kind;
+  std::array<int, 2> facets;  ///< of the first body and of the second
+  std::array<int, 2> patches;
+  int node;               ///< whose contact it is; −1: two edges'
+  int joint;              ///< −1: the pair's
+  Vec3 normal, position;  ///< from the second body to the first; on the first
+  double gap, area;       ///< m; m², 0 without an area
+  int stencil_begin, stencil_end;
+  bool dropped;
+};
+
+/// Points and their stencils. `covered` are the keys of vertices whose contact another vertex at the same place stands
+/// for.
+struct FoundPoints {
+  struct Covered {
+    std::uint64_t key;
+    int node, facet;  ///< the vertex, the facet it is on
+    Vec3 normal;      ///< from the facet to the vertex's body
+  };
+  std::vector<FoundPoint> points;
+  std::vector<int> nodes;
+  std::vector<double> weights;
+  std::vector<Covered> covered;
+
+  void clear();
+  /// Ends the stencil that began at `point.stencil_begin`: drops what rounding left, makes the weights add up to +1
+  /// over the first body's nodes and −1 over the second's, and measures gap and position.
+  void close_stencil(FoundPoint& point, const ContactFeatures& features, std::span<const Vec3> x, int nodes_of_first);
+};
+
+/// What the searches look at: the surfaces as they are at the start of the step.
+struct StepGeometry {
+  const ContactFeatures& features;
+  const BroadPhase& broad;
+  std::span<const Vec3> x;
+  std::span<const Vec3> normals;        ///< a facet
+  std::span<const double> penetration;  ///< m, a body: the deepest of the last step
+  const ContactSettings& settings;
+  double reach;
+
+  /// How near the rim of a convex crease a contact is left to the facet beyond. [m]
+  double rim(int body_a, int body_b) const;
+  /// Joint that both facets carry, or −1.
+  int common_joint(int facet_a, int facet_b) const;
+  Vec3 fresh_normal(int facet) const;
+};
+
+/// Sine of the angle by which normals may leave a feature's cone.
+double cone_tolerance(const ContactSettings& settings);
+
+/// Keys are made of feature numbers alone: the same features have the same key in every step, and no two share one.
+std::uint64_t vertex_key(int node, int patch);
+std::uint64_t crossing_key(const ContactFeatures& features, int edge_a, int patch_a, int edge_b, int patch_b);
+std::uint64_t edge_key(int edge_a, int edge_b);
+std::uint64_t patch_family(int patch_a, int patch_b);
+std::uint64_t crease_family(int crease_a, int crease_b);
+
+/// Facets that face each other: the corners of their overlaps, merged where the mesh alone divides them.
+class FacingSearch {
+ public:
+  void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+
+ private:
+  struct Corner {
+    std::uint64_t key;
+    int order;
+    FacetPair facets;
+    double weight;  // m²
+    std::array<double, 6> shares;
+    Vec3 normal;
+  };
+  void overlap(const StepGeometry& step, const FacetPair& pair, FoundPoints& found);
+  void merge(const StepGeometry& step, FoundPoints& found);
+  std::vector<Corner> corners_;
+};
+
+/// Vertices on facets, each once for every patch. Points of facing facets must be there already.
+class VertexSearch {
+ public:
+  void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+
+ private:
+  struct Touch {
+    std::uint64_t key;
+    int node, facet;
+    bool node_is_first;
+    std::array<double, 3> shares;
+    double inside;  // the smallest share: of a patch's facets the one with the largest is the one below
+  };
+  struct Held {
+    int node;
+    int point;    // −1: covered
+    int body;     // that holds it
+    Vec3 normal;  // towards the node's body
+  };
+  void touch(const StepGeometry& step, int node, int facet, bool node_is_first);
+  void add(const StepGeometry& step, const Touch& touch, FoundPoints& found);
+  void drop_false(const StepGeometry& step, FoundPoints& found);
+  bool beyond_rim(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
+                  const FoundPoints& found) const;
+  bool deeper(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
+              const FoundPoints& found) const;
+
+  std::vector<Touch> touches_;
+  std::vector<std::uint64_t> taken_;
+  std::vector<Held> held_;
+};
+
+/// Crossing convex edges. Points of facing facets and vertices must be there already.
+class EdgeSearch {
+ public:
+  void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+
+ private:
+  void cross(const StepGeometry& step, int edge_a, int edge_b, FoundPoints& found);
+  bool found_before(const FoundPoint& p, double from_end, double near, const StepGeometry& step,
+                    const FoundPoints& found) const;
+};
+
+}  // namespace talus

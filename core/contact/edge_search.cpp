@@ -1,0 +1,119 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "contact/contact_points.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double parallel = 1e-3;    // |a×b|² of |a|²|b|²: below it two edges have no normal of their own
+constexpr double past_end = 1e-9;    // of an edge, so that nothing falls between two
+constexpr double same_place = 1e-3;  // of the size: two contacts there with one normal are one
+
+/// Both facets of an edge: unit vectors in each, square to the edge, away from it.
+std::array<Vec3, 2> into_facets(const StepGeometry& step, const ContactEdge& e) {
+  const Vec3 origin = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - origin).stableNormalized();
+  std::array<Vec3, 2> into;
+  for (int k = 0; k < 2; ++k) {
+    const Vec3 r = step.x[e.opposite[k]] - origin;
+    into[k] = (r - along * along.dot(r)).stableNormalized();
+  }
+  return into;
+}
+
+bool convex(const StepGeometry& step, const ContactEdge& e) {
+  const Vec3 r = step.x[e.opposite[1]] - step.x[e.nodes[0]];
+  return step.normals[e.facets[0]].dot(r) < 0;
+}
+
+}  // namespace
+
+void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+  for (const FacetPair& pair : pairs) {
+    const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
+    for (int i = 0; i < 3; ++i) {
+      if (!a.owns_edge[i]) continue;
+      for (int j = 0; j < 3; ++j) {
+        if (b.owns_edge[j]) cross(step, a.edges[i], b.edges[j], found);
+      }
+    }
+  }
+}
+
+void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, FoundPoints& found) {
+  const ContactEdge &a = step.features.edges[edge_a], &b = step.features.edges[edge_b];
+  const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
+  const Vec3 u = step.x[a.nodes[1]] - a0, w = step.x[b.nodes[1]] - b0, c = u.cross(w), r = b0 - a0;
+  const double squared = c.squaredNorm();
+  if (!(squared > parallel * u.squaredNorm() * w.squaredNorm())) return;
+  const double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
+  if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return;
+  if (!convex(step, a) || !convex(step, b)) return;
+
+  const ContactFacet &fa = step.features.facets[a.facets[0]], &fb = step.features.facets[b.facets[0]];
+  const double size = step.broad.scale(fa.body, fb.body).size, rim = step.rim(fa.body, fb.body);
+  const double la = u.norm(), lb = w.norm();
+  const auto at_corner = [&](int node, double away) { return away < rim && step.features.corner[node]; };
+  if (at_corner(a.nodes[0], s * la) || at_corner(a.nodes[1], (1 - s) * la)) return;  // a vertex's contact
+  if (at_corner(b.nodes[0], t * lb) || at_corner(b.nodes[1], (1 - t) * lb)) return;
+
+  Vec3 n = c / std::sqrt(squared);
+  const auto into_a = into_facets(step, a), into_b = into_facets(step, b);
+  const double tolerance = cone_tolerance(step.settings);
+  // Flat to within the tolerance: an edge of the mesh.
+  if (into_a[1].dot(step.normals[a.facets[0]]) > -tolerance || into_b[1].dot(step.normals[b.facets[0]]) > -tolerance)
+    return;
+  const auto in_both_cones = [&](const Vec3& m) {
+    return m.dot(into_a[0]) >= -tolerance && m.dot(into_a[1]) >= -tolerance && m.dot(into_b[0]) <= tolerance &&
+           m.dot(into_b[1]) <= tolerance;
+  };
+  if (!in_both_cones(n)) {
+    n = -n;
+    if (!in_both_cones(n)) return;
+  }
+  const double gap = -n.dot(r);
+  if (!(gap <= step.reach) || gap < -step.settings.depth * size) return;
+  const double facing = std::cos(radians(step.settings.facing_angle));
+  const bool a_faces = std::max(-n.dot(step.normals[a.facets[0]]), -n.dot(step.normals[a.facets[1]])) > facing;
+  const bool b_faces = std::max(n.dot(step.normals[b.facets[0]]), n.dot(step.normals[b.facets[1]])) > facing;
+  if (a_faces && b_faces) return;  // the facing facets have it
+
+  FoundPoint p{};
+  p.key = edge_key(edge_a, edge_b);
+  p.kind = PointKind::edge;
+  p.family = crease_family(a.crease, b.crease);
+  p.facets = {a.facets[0], b.facets[0]};
+  p.patches = {-1, -1};
+  p.node = -1;
+  p.joint = -1;
+  for (int f : a.facets) {
+    for (int g : b.facets) p.joint = std::max(p.joint, step.common_joint(f, g));
+  }
+  p.normal = n;
+  p.position = a0 + s * u;
+  if (found_before(p, std::min({s * la, (1 - s) * la, t * lb, (1 - t) * lb}), same_place * size, step, found)) return;
+  p.stencil_begin = static_cast<int>(found.nodes.size());
+  const std::array<int, 4> nodes = {a.nodes[0], a.nodes[1], b.nodes[0], b.nodes[1]};
+  const std::array<double, 4> weights = {1 - s, s, -(1 - t), -t};
+  found.nodes.insert(found.nodes.end(), nodes.begin(), nodes.end());
+  found.weights.insert(found.weights.end(), weights.begin(), weights.end());
+  found.close_stencil(p, step.features, step.x, 2);
+  found.points.push_back(p);
+}
+
+/// At the end of an edge the next edge, or a vertex, may have found the same contact.
+bool EdgeSearch::found_before(const FoundPoint& p, double from_end, double near, const StepGeometry& step,
+                              const FoundPoints& found) const {
+  if (from_end > near) return false;
+  const auto body = [&](const FoundPoint& q, int k) { return step.features.facets[q.facets[k]].body; };
+  const double same_normal = std::cos(radians(step.settings.facing_angle));
+  for (const FoundPoint& q : found.points) {
+    if (q.dropped || q.kind == PointKind::facing || body(p, 0) != body(q, 0) || body(p, 1) != body(q, 1)) continue;
+    if ((q.position - p.position).norm() < near && q.normal.dot(p.normal) > same_normal) return true;
+  }
+  return false;
+}
+
+}  // namespace talus

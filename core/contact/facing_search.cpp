@@ -1,0 +1,193 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.hpp"
+#include "contact/contact_points.hpp"
+#include "contact/overlap.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double least_area = 1e-14;   // of the size squared: no overlap
+constexpr double vertex_snap = 1e-3;   // a corner with this share of a vertex missing is still that vertex's
+constexpr double least_facet = 1e-12;  // of the longest side squared: a needle has no projection
+
+/// A facet in the common plane, counter-clockwise there.
+struct Projected {
+  Triangle2 points;
+  std::array<int, 3> local;  // which node of the facet each point is
+  double twice_area = 0;
+
+  Projected(const StepGeometry& step, int facet, const Vec3& origin, const Vec3& e1, const Vec3& e2,
+            bool seen_from_behind) {
+    const auto& nodes = step.features.facets[facet].nodes;
+    local = seen_from_behind ? std::array{2, 1, 0} : std::array{0, 1, 2};
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 r = step.x[nodes[local[k]]] - origin;
+      points[k] = {r.dot(e1), r.dot(e2)};
+    }
+    twice_area = cross(points[1] - points[0], points[2] - points[0]);
+  }
+  double side(int k) const { return (points[(k + 2) % 3] - points[(k + 1) % 3]).norm(); }
+  bool flat() const { return twice_area > least_facet * std::pow(std::max({side(0), side(1), side(2)}), 2); }
+  double share(const Vec2& p, int k) const {
+    return cross(points[(k + 1) % 3] - p, points[(k + 2) % 3] - p) / twice_area;
+  }
+};
+
+int other_facet(const ContactEdge& e, int facet) { return e.facets[0] == facet ? e.facets[1] : e.facets[0]; }
+
+bool convex_crease(const StepGeometry& step, int facet, int k) {
+  const ContactFacet& f = step.features.facets[facet];
+  const ContactEdge& e = step.features.edges[f.edges[k]];
+  const int beyond = other_facet(e, facet);
+  if (step.features.facets[beyond].patch == f.patch) return false;
+  const Vec3 across = step.x[f.nodes[k]] - step.x[e.nodes[0]];
+  return step.fresh_normal(beyond).dot(across) < 0;
+}
+
+/// Whether the overlap is only a strip between a rim of one body and a rim of the other that has just passed it: two
+/// bodies that lie flush, or a step of a settlement's height. It would hold a block that has nothing to hold it.
+bool between_rims(const StepGeometry& step, const FacetPair& pair, const Projected& a, const Projected& b,
+                  const OverlapPolygon& p, double rim) {
+  const auto lies_along = [&](const Projected& t, int k) {
+    const double height = t.twice_area / t.side(k);
+    for (int i = 0; i < p.count; ++i) {
+      if (t.share(p.corners[i], k) * height > rim) return false;
+    }
+    return true;
+  };
+  const auto inward = [](const Projected& t, int k) {
+    const Vec2 along = t.points[(k + 2) % 3] - t.points[(k + 1) % 3];
+    return Vec2(-along.y(), along.x());
+  };
+  for (int i = 0; i < 3; ++i) {
+    if (!lies_along(a, i) || !convex_crease(step, pair.a, a.local[i])) continue;
+    for (int j = 0; j < 3; ++j) {
+      if (inward(a, i).dot(inward(b, j)) < 0 && lies_along(b, j) && convex_crease(step, pair.b, b.local[j]))
+        return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void FacingSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+  corners_.clear();
+  const double facing = -std::cos(radians(step.settings.facing_angle));
+  for (const FacetPair& pair : pairs) {
+    if (step.normals[pair.a].dot(step.normals[pair.b]) < facing) overlap(step, pair, found);
+  }
+  std::sort(corners_.begin(), corners_.end(),
+            [](const Corner& p, const Corner& q) { return p.key != q.key ? p.key < q.key : p.order < q.order; });
+  merge(step, found);
+}
+
+void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, FoundPoints& found) {
+  // Both facets are nearly parallel to the common plane: of its four types the two parallel to a facet remain, and the
+  // plane halfway between them treats both bodies alike.
+  const Vec3 n = (step.normals[pair.b] - step.normals[pair.a]).normalized();
+  const Vec3 e1 = n.unitOrthogonal(), e2 = n.cross(e1);
+  const ContactFacet &fa = step.features.facets[pair.a], &fb = step.features.facets[pair.b];
+  const Vec3& origin = step.x[fa.nodes[0]];
+  const Projected a(step, pair.a, origin, e1, e2, true), b(step, pair.b, origin, e1, e2, false);
+  if (!a.flat() || !b.flat()) return;
+  const OverlapPolygon polygon = talus::overlap(a.points, b.points);
+  const double size = step.broad.scale(fa.body, fb.body).size;
+  if (polygon.count == 0 || !(polygon.area > least_area * size * size)) return;
+
+  const std::size_t first = corners_.size(), first_covered = found.covered.size();
+  double least_gap = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < polygon.count; ++i) {
+    if (!(polygon.weights[i] > 0)) continue;  // one of three corners in one place
+    Corner c{0, static_cast<int>(corners_.size()), pair, polygon.weights[i], {}, n};
+    Vec3 apart = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      c.shares[a.local[k]] = a.share(polygon.corners[i], k);
+      c.shares[3 + b.local[k]] = b.share(polygon.corners[i], k);
+    }
+    for (int k = 0; k < 3; ++k) {
+      apart += c.shares[k] * (step.x[fa.nodes[k]] - origin) - c.shares[3 + k] * (step.x[fb.nodes[k]] - origin);
+    }
+    least_gap = std::min(least_gap, n.dot(apart));
+
+    const auto extreme = [&](int from, auto find_extreme) {
+      return static_cast<int>(find_extreme(c.shares.begin() + from, c.shares.begin() + from + 3) - c.shares.begin()) -
+             from;
+    };
+    const auto largest = [](auto begin, auto end) { return std::max_element(begin, end); };
+    const auto smallest = [](auto begin, auto end) { return std::min_element(begin, end); };
+    const int va = extreme(0, largest), vb = extreme(3, largest);
+    const bool at_a = c.shares[va] > 1 - vertex_snap, at_b = c.shares[3 + vb] > 1 - vertex_snap;
+    if (at_a) {
+      c.key = vertex_key(fa.nodes[va], fb.patch);
+      if (at_b) found.covered.push_back({vertex_key(fb.nodes[vb], fa.patch), fb.nodes[vb], pair.a, -n});
+    } else if (at_b) {
+      c.key = vertex_key(fb.nodes[vb], fa.patch);
+    } else {
+      c.key = crossing_key(step.features, fa.edges[extreme(0, smallest)], fa.patch, fb.edges[extreme(3, smallest)],
+                           fb.patch);
+    }
+    corners_.push_back(c);
+  }
+  const bool apart = least_gap > step.reach || least_gap < -step.settings.depth * size;
+  if (apart || between_rims(step, pair, a, b, polygon, step.rim(fa.body, fb.body))) {
+    corners_.resize(first);
+    found.covered.resize(first_covered);
+  }
+}
+
+void FacingSearch::merge(const StepGeometry& step, FoundPoints& found) {
+  const auto& facets = step.features.facets;
+  for (std::size_t i = 0; i < corners_.size();) {
+    const Corner& head = corners_[i];
+    FoundPoint p{};
+    p.key = head.key;
+    p.kind = PointKind::facing;
+    p.stencil_begin = static_cast<int>(found.nodes.size());
+    p.normal = Vec3::Zero();
+    std::size_t end = i;
+    double heaviest = 0;
+    for (; end < corners_.size() && corners_[end].key == head.key; ++end) {
+      const Corner& c = corners_[end];
+      p.area += c.weight;
+      p.normal += c.weight * c.normal;
+      if (c.weight > heaviest || end == i) {
+        heaviest = c.weight;
+        p.facets = {c.facets.a, c.facets.b};
+      }
+    }
+    int of_first = 0;
+    for (int side = 0; side < 2; ++side) {
+      const int begin = static_cast<int>(found.nodes.size());
+      for (std::size_t j = i; j < end; ++j) {
+        const Corner& c = corners_[j];
+        const auto& nodes = facets[side ? c.facets.b : c.facets.a].nodes;
+        for (int k = 0; k < 3; ++k) {
+          const double weight = (side ? -c.weight : c.weight) * c.shares[3 * side + k] / p.area;
+          const auto at = std::find(found.nodes.begin() + begin, found.nodes.end(), nodes[k]);
+          if (at != found.nodes.end()) {
+            found.weights[at - found.nodes.begin()] += weight;
+          } else {
+            found.nodes.push_back(nodes[k]);
+            found.weights.push_back(weight);
+          }
+        }
+      }
+      if (side == 0) of_first = static_cast<int>(found.nodes.size()) - begin;
+    }
+    p.normal.normalize();
+    p.patches = {facets[p.facets[0]].patch, facets[p.facets[1]].patch};
+    p.family = patch_family(p.patches[0], p.patches[1]);
+    p.node = head.key >> 62 == 1 ? static_cast<int>(head.key >> 31 & 0x7fffffff) : -1;
+    p.joint = step.common_joint(p.facets[0], p.facets[1]);
+    found.close_stencil(p, step.features, step.x, of_first);
+    found.points.push_back(p);
+    i = end;
+  }
+}
+
+}  // namespace talus

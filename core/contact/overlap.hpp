@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace talus {
+
+using Vec2 = Eigen::Vector2d;
+using Triangle2 = std::array<Vec2, 3>;
+
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// A convex polygon, counter-clockwise, and the share of its area that each corner carries.
+struct OverlapPolygon {
+  std::array<Vec2, 9> corners;
+  std::array<double, 9> weights;
+  int count = 0;
+  double area = 0;
+};
+
+/// Overlap of two counter-clockwise triangles.
+OverlapPolygon overlap(const Triangle2& a, const Triangle2& b);
+
+/// Gives the corners their shares of the area: Σ wᵢ f(Pᵢ) is the integral of f for every linear f. A fan about the
+/// centroid of the perimeter, so that shares stay continuous when corners merge, part or slip along an edge. A polygon
+/// without an area is left empty.
+void share_area(OverlapPolygon& polygon);
+
+}  // namespace talus

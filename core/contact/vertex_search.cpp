@@ -1,0 +1,211 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "contact/contact_points.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double outside = 1e-6;  // share by which a projection may miss a facet, so that none falls between two
+constexpr double flush_angle =
+    10.0;  // degrees within which a surface that holds a vertex goes on as the one beyond a rim
+
+/// The least rise of the edges at a node against `normal` (sine). Not below 0: the normal lies in the node's normal
+/// cone.
+double rise(const StepGeometry& step, int node, const Vec3& normal) {
+  double least = 1;
+  for (int q : step.features.ring(node)) {
+    const Vec3 along = step.x[q] - step.x[node];
+    const double length = along.norm();
+    if (length > 0) least = std::min(least, along.dot(normal) / length);
+  }
+  return least;
+}
+
+/// Of a point with a vertex: the facet of the other body.
+int facet_below(const StepGeometry& step, const FoundPoint& p) {
+  const int own = step.features.facets[step.features.facets_at(p.node)[0]].body;
+  return p.facets[step.features.facets[p.facets[0]].body == own ? 1 : 0];
+}
+
+Vec3 centre(const StepGeometry& step, int facet) {
+  const auto& n = step.features.facets[facet].nodes;
+  return (step.x[n[0]] + step.x[n[1]] + step.x[n[2]]) / 3;
+}
+
+/// Calls `visit` with the normals of the facets across convex creases that the point `p` on `facet` is within `rim` of.
+template <class Visit>
+void beyond_rims(const StepGeometry& step, int facet, const Vec3& p, double rim, const Visit& visit) {
+  const ContactFacet& f = step.features.facets[facet];
+  const auto visit_if_convex = [&](int beyond, const Vec3& on_crease) {
+    if (step.features.facets[beyond].patch == f.patch) return;
+    const Vec3 n = step.fresh_normal(beyond), across = centre(step, facet) - on_crease;
+    if (n.dot(across) < -cone_tolerance(step.settings) * across.norm()) visit(n);
+  };
+  for (int k = 0; k < 3; ++k) {
+    const ContactEdge& e = step.features.edges[f.edges[k]];
+    const Vec3 from = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - from).stableNormalized(), r = p - from;
+    if ((r - along * along.dot(r)).norm() < rim) visit_if_convex(e.facets[0] + e.facets[1] - facet, from);
+    const Vec3& node = step.x[f.nodes[k]];
+    if ((p - node).norm() > rim) continue;
+    for (int other : step.features.facets_at(f.nodes[k])) visit_if_convex(other, node);
+  }
+}
+
+/// The facet at a node that looks most against `normal`, or the one there with the facet's joint.
+struct OwnSide {
+  int facet;
+  int joint;
+};
+OwnSide own_side(const StepGeometry& step, int node, int facet, const Vec3& normal) {
+  OwnSide side{-1, -1};
+  double most = 2;
+  for (int f : step.features.facets_at(node)) {
+    const double along = step.normals[f].dot(normal);
+    if (along < most) most = along, side.facet = f;
+    if (side.joint < 0) side.joint = step.common_joint(f, facet);
+  }
+  return side;
+}
+
+}  // namespace
+
+void VertexSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+  taken_.clear();
+  held_.clear();
+  for (std::size_t i = 0; i < found.points.size(); ++i) {
+    const FoundPoint& p = found.points[i];
+    taken_.push_back(p.key);
+    if (p.node < 0) continue;
+    const int below = facet_below(step, p);
+    const bool first = below == p.facets[1];
+    held_.push_back(
+        {p.node, static_cast<int>(i), step.features.facets[below].body, first ? p.normal : Vec3(-p.normal)});
+  }
+  for (const FoundPoints::Covered& c : found.covered) {
+    taken_.push_back(c.key);
+    held_.push_back({c.node, -1, step.features.facets[c.facet].body, c.normal});
+  }
+  std::sort(taken_.begin(), taken_.end());
+
+  touches_.clear();
+  for (const FacetPair& pair : pairs) {
+    const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
+    for (int k = 0; k < 3; ++k) {
+      if (a.owns_node[k]) touch(step, a.nodes[k], pair.b, true);
+      if (b.owns_node[k]) touch(step, b.nodes[k], pair.a, false);
+    }
+  }
+  std::sort(touches_.begin(), touches_.end(), [](const Touch& p, const Touch& q) {
+    if (p.key != q.key) return p.key < q.key;
+    return p.inside != q.inside ? p.inside > q.inside : p.facet < q.facet;
+  });
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    if (i == 0 || touches_[i].key != touches_[i - 1].key) add(step, touches_[i], found);
+  }
+  drop_false(step, found);
+}
+
+void VertexSearch::touch(const StepGeometry& step, int node, int facet, bool node_is_first) {
+  const ContactFacet& f = step.features.facets[facet];
+  const Vec3 &n = step.normals[facet], &origin = step.x[f.nodes[0]];
+  const Vec3 r = step.x[node] - origin;
+  const double gap = n.dot(r);
+  if (!(gap <= step.reach)) return;
+  const int other = step.features.facets[step.features.facets_at(node)[0]].body;
+  if (gap < -step.settings.depth * step.broad.scale(f.body, other).size) return;
+
+  const Vec3 e1 = step.x[f.nodes[1]] - origin, e2 = step.x[f.nodes[2]] - origin, twice = e1.cross(e2);
+  const double squared = twice.squaredNorm();
+  if (!(squared > 0)) return;
+  const double s1 = r.cross(e2).dot(twice) / squared, s2 = e1.cross(r).dot(twice) / squared, s0 = 1 - s1 - s2;
+  const double inside = std::min({s0, s1, s2});
+  if (!(inside >= -outside)) return;
+
+  const std::uint64_t key = vertex_key(node, f.patch);
+  if (std::binary_search(taken_.begin(), taken_.end(), key)) return;
+  if (rise(step, node, n) < -cone_tolerance(step.settings)) return;
+  touches_.push_back({key, node, facet, node_is_first, {s0, s1, s2}, inside});
+}
+
+void VertexSearch::add(const StepGeometry& step, const Touch& t, FoundPoints& found) {
+  const ContactFacet& f = step.features.facets[t.facet];
+  const Vec3& n = step.normals[t.facet];
+  const OwnSide own = own_side(step, t.node, t.facet, n);
+  const int own_patch = step.features.facets[own.facet].patch;
+
+  FoundPoint p{};
+  p.key = t.key;
+  p.kind = PointKind::vertex;
+  p.facets = t.node_is_first ? std::array{own.facet, t.facet} : std::array{t.facet, own.facet};
+  p.patches = t.node_is_first ? std::array{own_patch, f.patch} : std::array{f.patch, own_patch};
+  p.family = patch_family(p.patches[0], p.patches[1]);
+  p.node = t.node;
+  p.joint = own.joint;
+  p.normal = t.node_is_first ? n : Vec3(-n);
+  p.stencil_begin = static_cast<int>(found.nodes.size());
+  const auto put = [&](int node, double weight) {
+    found.nodes.push_back(node);
+    found.weights.push_back(weight);
+  };
+  if (t.node_is_first) put(t.node, 1);
+  for (int k = 0; k < 3; ++k) put(f.nodes[k], t.node_is_first ? -t.shares[k] : t.shares[k]);
+  if (!t.node_is_first) put(t.node, -1);
+  found.close_stencil(p, step.features, step.x, t.node_is_first ? 1 : 3);
+  held_.push_back({t.node, static_cast<int>(found.points.size()), f.body, n});
+  found.points.push_back(p);
+}
+
+void VertexSearch::drop_false(const StepGeometry& step, FoundPoints& found) {
+  std::sort(held_.begin(), held_.end(),
+            [](const Held& p, const Held& q) { return p.node != q.node ? p.node < q.node : p.point < q.point; });
+  for (std::size_t begin = 0, end = 0; begin < held_.size(); begin = end) {
+    while (end < held_.size() && held_[end].node == held_[begin].node) ++end;
+    const std::span<const Held> group(held_.data() + begin, end - begin);
+    for (const Held& h : group) {
+      if (h.point < 0 || found.points[h.point].kind != PointKind::vertex) continue;
+      FoundPoint& p = found.points[h.point];
+      p.dropped = beyond_rim(step, p, h, group, found) || deeper(step, p, h, group, found);
+    }
+  }
+}
+
+/// Within the rim of a convex crease a contact is the neighbour facet's, unless the vertex points at this facet and
+/// nothing flush with the neighbour holds it. Else a corner that rests on one slab would catch on the side of the next.
+bool VertexSearch::beyond_rim(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
+                              const FoundPoints& found) const {
+  const double rim = step.rim(step.features.facets[p.facets[0]].body, step.features.facets[p.facets[1]].body);
+  const Vec3 projection = step.x[p.node] - p.gap * h.normal;
+  const bool points_at_it = rise(step, p.node, h.normal) > cone_tolerance(step.settings);
+  bool drop = false;
+  beyond_rims(step, facet_below(step, p), projection, rim, [&](const Vec3& beyond) {
+    if (!points_at_it) drop = true;
+    for (const Held& other : group) {
+      const bool holds = other.body != h.body && (other.point < 0 || found.points[other.point].gap <= step.reach);
+      if (holds && other.normal.dot(beyond) > std::cos(radians(flush_angle))) drop = true;
+    }
+  });
+  return drop;
+}
+
+/// Of two facets of one body that meet convexly, a vertex that is inside both has come through the nearer one.
+bool VertexSearch::deeper(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
+                          const FoundPoints& found) const {
+  if (!(p.gap < 0)) return false;
+  const int facet = facet_below(step, p);
+  for (const Held& other : group) {
+    if (other.point < 0 || other.point == h.point || other.body != h.body) continue;
+    const FoundPoint& q = found.points[other.point];
+    if (!(q.gap < 0)) continue;
+    const int neighbour = facet_below(step, q);
+    const Vec3 across = centre(step, facet) - centre(step, neighbour);
+    const bool convex = other.normal.dot(across) < 0 && h.normal.dot(across) > 0;
+    const bool tie = p.gap == q.gap && p.key > q.key && q.kind == PointKind::vertex;
+    if (convex && (p.gap < q.gap || tie)) return true;
+  }
+  return false;
+}
+
+}  // namespace talus
