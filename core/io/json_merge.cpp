@@ -19,6 +19,12 @@ std::vector<std::optional<std::size_t>> match_elements(const OrderedJson& before
     match[i] = j;
     used[j] = true;
   };
+  const auto is_object = [](const OrderedJson& item) { return item.is_object(); };
+  const bool things = std::any_of(after.begin(), after.end(), is_object);
+  if (!things && before.size() == after.size()) {  // a vector, a list of vertices: places matter, not values
+    for (std::size_t i = 0; i < after.size(); ++i) pair(i, i);
+    return match;
+  }
   // What is equal from both ends: one insertion or removal leaves all others in place.
   const std::size_t shorter = std::min(before.size(), after.size());
   std::size_t front = 0, back = 0;

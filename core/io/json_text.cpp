@@ -18,15 +18,22 @@ std::string line_and_column(const std::string& text, std::size_t offset) {
   return line_text(text, offset) + ", column " + std::to_string(column);
 }
 
-/// The letters, digits, signs and points around `offset`: what the writer took for one word.
-std::string word_at(const std::string& text, std::size_t offset) {
-  const auto part_of_word = [&](std::size_t i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    return std::isalnum(c) || c == '+' || c == '-' || c == '.' || c == '_';
-  };
-  std::size_t begin = offset, end = offset;
-  while (begin > 0 && part_of_word(begin - 1)) --begin;
-  while (end < text.size() && part_of_word(end)) ++end;
+bool part_of_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.' || c == '_';
+}
+
+/// How many letters, digits, signs and points stand just before `offset` when it is itself one of them.
+std::size_t letters_before(const std::string& text, std::size_t offset) {
+  if (offset >= text.size() || !part_of_word(text[offset])) return 0;
+  std::size_t begin = offset;
+  while (begin > 0 && part_of_word(text[begin - 1])) --begin;
+  return offset - begin;
+}
+
+/// What the writer took for one word.
+std::string word_at(const std::string& text, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < text.size() && part_of_word(text[end])) ++end;
   return text.substr(begin, std::min<std::size_t>(end - begin, 40));
 }
 
@@ -66,7 +73,7 @@ class FaultFinder {
   bool end_array() { return --depth_, true; }
 
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) {
-    const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
+    const std::size_t offset = start_of(token, std::min(position == 0 ? 0 : position - 1, text_.size()));
     const std::string place = line_and_column(text_, offset);
     const std::string word = word_at(text_, offset);
     if (means_not_finite(word)) throw InputError(place, "'" + word + "' is not a number", "give a finite number");
@@ -83,6 +90,14 @@ class FaultFinder {
   }
 
  private:
+  /// The library tells where it stopped and what it read since it last began a word; a person looks for the start.
+  std::size_t start_of(const std::string& token, std::size_t last) const {
+    const bool is_text = token.starts_with('"') && token.find('"', 1) >= token.size() - 1;
+    if (!is_text || last + 1 < token.size()) return last - letters_before(text_, last);
+    const std::size_t first = last + 1 - token.size();
+    return text_.compare(first, token.size(), token) == 0 ? first : last;
+  }
+
   bool deeper() {
     if (++depth_ <= deepest_nesting) return true;
     throw InputError("the text", "is nested deeper than " + std::to_string(deepest_nesting) + " levels",

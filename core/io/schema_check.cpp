@@ -112,13 +112,15 @@ std::optional<Fault> unknown_key(const Json& value, const Json& rule, const Plac
 
 std::optional<Fault> missing_key(const Json& value, const Json& rule, const Place& place) {
   if (!value.is_object()) return std::nullopt;
-  for (const auto& key : rule.value("required", Json::array())) {
+  const Json required = rule.value("required", Json::array());
+  for (const auto& key : required) {
     const auto name = key.get<std::string>();
     if (value.contains(name)) continue;
     return Fault{Weight::other, place, "'" + name + "' is missing",
                  "add it, " + remedy_from(rule.at("properties").at(name))};
   }
-  for (const auto& [key, partners] : rule.value("dependencies", Json::object()).items()) {
+  const Json dependencies = rule.value("dependencies", Json::object());
+  for (const auto& [key, partners] : dependencies.items()) {
     for (const auto& partner : partners) {
       const auto name = partner.get<std::string>();
       if (!value.contains(key) || value.contains(name)) continue;

@@ -79,9 +79,10 @@ std::string read_whole_file(const std::filesystem::path& file) {
 
 void replace_whole_file(const std::filesystem::path& file, const std::string& bytes) {
   std::error_code error;
-  const auto target = std::filesystem::is_symlink(file, error) ? std::filesystem::canonical(file, error) : file;
-  if (error || target.empty()) {
-    throw InputError("cannot be written", "it is a link that leads nowhere", "remove the link or save elsewhere");
+  auto target = file;
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, error))) {
+    target = std::filesystem::canonical(file, error);
+    if (error) throw InputError("cannot be written", "it is a link that leads nowhere", "remove it or save elsewhere");
   }
   ReplacementFile replacement(target);
   replacement.write(bytes);

@@ -1,0 +1,171 @@
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "io/project_file.hpp"
+#include "unit/io/sample_project.hpp"
+
+namespace talus {
+namespace {
+
+using test::small_project;
+using testing::HasSubstr;
+
+/// `what` in the small project becomes `with`.
+struct BadText {
+  std::string what, with;
+  std::string place, problem, remedy;
+};
+
+std::ostream& operator<<(std::ostream& out, const BadText& bad) { return out << bad.what << " -> " << bad.with; }
+
+void expect_refused(const std::string& text, const BadText& bad) {
+  try {
+    parse_project(text);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), bad.place);
+    EXPECT_THAT(error.problem(), HasSubstr(bad.problem));
+    EXPECT_THAT(error.remedy(), HasSubstr(bad.remedy));
+    EXPECT_THAT(std::string(error.what()), testing::Not(HasSubstr("\n")));
+  }
+}
+
+class BadProject : public testing::TestWithParam<BadText> {};
+
+TEST_P(BadProject, SaysLineProblemAndRemedy) {
+  expect_refused(test::replaced(small_project, GetParam().what, GetParam().with), GetParam());
+}
+
+const std::vector<BadText> not_json{
+    {"\"talus\": 1,", "\"talus\": 1", "line 3, column 3", "not JSON", "missing comma"},
+    {"0.24}", "0.24,}", "line 4, column 62", "comma stands before the closing '}'", "remove the comma"},
+    {"[5, 5, 5]", "[5, 5, 5", "line 15, column 73", "not JSON: unexpected '}'", "bracket"},
+    {"\"rock\":", "rock:", "line 4, column 5", "not JSON", "quote"},
+    {"2600", "NaN", "line 4, column 25", "'NaN' is not a number", "finite number"},
+    {"2600", "-Infinity", "line 4, column 25", "'-Infinity' is not a number", "finite number"},
+    {"2600", "1e999", "line 4, column 25", "1e999 is too large", "1.8e308"},
+    {"2600", "-1e999", "line 4, column 25", "-1e999 is too large", "1.8e308"},
+    {"\"young\"", "\"density\"", "line 4, column 31", "'density' is given twice", "one of the two"},
+    {"\"J2\": {", "\"J1\": {", "line 8, column 5", "'J1' is given twice", "one of the two"},
+    {"  ]\n}\n", "  ]\n", "line 20, column 1", "ends before the project does", "close"},
+    {"\"slide\"", "\"sl\xFFide\"", "line 18, column 14", "not JSON", ""},
+};
+INSTANTIATE_TEST_SUITE_P(NotJson, BadProject, testing::ValuesIn(not_json));
+
+const std::vector<BadText> against_schema{
+    {"\"talus\": 1,", "\"talus\": 2,", "line 2, /talus", "version is 2, and this program understands version 1", "1"},
+    {"\"talus\": 1,", "\"talus\": \"1\",", "line 2, /talus", "version is \"1\"", "\"talus\": 1"},
+    {"\"talus\": 1,", "", "line 1, /", "no \"talus\" key", "begin the file"},
+    {"\"density\"", "\"densty\"", "line 4, /materials/rock/densty", "'densty' is not known here",
+     "did you mean 'density'?"},
+    {"\"stages\"", "\"steges\"", "line 17, /steges", "'steges' is not known", "did you mean 'stages'?"},
+    {"\"friction_angle\": 8", "\"mu\": 0.1, \"friction_angle\": 8", "line 8, /joints/J2/mu", "'mu' is not known",
+     "use one of"},
+    {"\"density\": 2600, ", "", "line 4, /materials/rock", "'density' is missing", "kg/m³"},
+    {"\"density\": 2600", "\"density\": -2600", "line 4, /materials/rock/density", "must be greater than 0, is -2600",
+     "kg/m³"},
+    {"0.24", "0.5", "line 4, /materials/rock/poisson", "must be below 0.5, is 0.5", "0.1 to 0.35"},
+    {"0.24", "-1", "line 4, /materials/rock/poisson", "must be greater than -1, is -1", "Poisson"},
+    {"25e9", "\"25e9\"", "line 4, /materials/rock/young", "must be a number, is \"25e9\"", "Pa"},
+    {"25e9", "null", "line 4, /materials/rock/young", "must be a number, is null", "Pa"},
+    {"\"friction_angle\": 8", "\"friction_angle\": 90", "line 8, /joints/J2/friction_angle", "must be below 90, is 90",
+     "degrees"},
+    {"\"time_step\": 0.01", "\"time_step\": 0", "line 18, /stages/0/time_step", "must be greater than 0, is 0",
+     "time step, s"},
+    {"\"steps\": 100", "\"steps\": 1.5", "line 18, /stages/0/steps", "must be a whole number, is 1.5",
+     "number of time steps"},
+    {"\"steps\": 100", "\"steps\": 99999999999999999999", "line 18, /stages/0/steps", "must be a whole number",
+     "steps"},
+    {"\"steps\": 100", "\"steps\": 3000000000", "line 18, /stages/0/steps", "must be at most 2147483647", "steps"},
+    {"\"steps\": 100", "\"steps\": 100, \"duration\": 1", "line 18, /stages/0",
+     "'steps' and 'duration' are given together", "exactly one"},
+    {", \"steps\": 100", "", "line 18, /stages/0", "none of 'steps', 'duration' is given", "exactly one"},
+    {"\"dynamic\"", "\"dynamik\"", "line 18, /stages/0/type", "\"dynamik\" is not known here",
+     "did you mean 'dynamic'?"},
+    {"[5, 5, 5]", "[5, 5]", "line 15, /cuts/0/through", "must have 3 entries, has 2", "[x, y, z]"},
+    {"[5, 5, 5]", "[5, \"5\", 5]", "line 15, /cuts/0/through/1", "must be a number, is \"5\"", "coordinate"},
+    {"\"dip\": 35", "\"dip\": 95", "line 15, /cuts/0/dip", "must be at most 90, is 95", "horizontal"},
+    {"\"dip\": 35", "\"dip\": 35, \"spacing\": 2", "line 15, /cuts/0", "'spacing' is given without 'count'", "add it"},
+    {"\"box\": {", "\"bax\": {", "line 12, /solids/0/bax", "'bax' is not known", "did you mean 'box'?"},
+    {"\"box\": {", "\"file\": \"a.step\", \"box\": {", "line 12, /solids/0", "'box' and 'file' are given together",
+     "exactly one"},
+    {"\"material\": \"rock\"", "\"material\": \"rock\", \"scale\": 2", "line 12, /solids/0",
+     "'scale' is given without 'file'", "STEP"},
+    {"\"name\": \"slope\"", "\"name\": \"\"", "line 12, /solids/0/name", "is empty", "a name"},
+    {"\"stages\": [\n    {\"name\": \"slide\", \"type\": \"dynamic\", \"time_step\": 0.01, \"steps\": 100}\n  ]",
+     "\"stages\": []", "line 17, /stages", "must have at least 1 entries, has 0", "what is run"},
+    {"\"default_joint\": \"J1\"", "\"default_joint\": \"J1\", \"cuts \": []", "line 10, /cuts ", "'cuts ' is not known",
+     "did you mean 'cuts'?"},
+};
+INSTANTIATE_TEST_SUITE_P(AgainstSchema, BadProject, testing::ValuesIn(against_schema));
+
+const std::vector<BadText> not_computed{
+    {"\"box\": {\"min\": [0, 0, 0], \"max\": [10, 10, 10]}", "\"terrain\": {\"file\": \"dem.asc\", \"base\": 100}",
+     "line 12, /solids/0/terrain", "does not compute this yet: a digital terrain model", "STEP file"},
+    {"\"through\": [5, 5, 5]", "\"disc\": {\"centre\": [5, 5, 5], \"radius\": 4}", "line 15, /cuts/0/disc",
+     "does not compute this yet: a joint of finite size", "plane 'through' a point"},
+    {"\"material\": \"rock\"", "\"material\": \"rock\", \"body\": \"rigid\"", "line 12, /solids/0/body",
+     "does not compute 'rigid' bodies yet", "'tetrahedra'"},
+    {"\"material\": \"rock\"", "\"material\": \"rock\", \"body\": \"affine\"", "line 12, /solids/0/body",
+     "does not compute 'affine' bodies yet", "'tetrahedra'"},
+    {"\"steps\": 100", "\"until_equilibrium\": true", "line 18, /stages/0/until_equilibrium",
+     "does not compute this yet", "'steps'"},
+    {"\"steps\": 100", "\"steps\": 100, \"joints\": {}", "line 18, /stages/0/joints", "does not compute this yet",
+     "one set"},
+    {"\"default_joint\"", "\"solver\": {\"strain\": \"corotational\"}, \"default_joint\"", "line 10, /solver/strain",
+     "does not compute 'corotational' strain yet", "'incremental'"},
+    {"\"default_joint\"", "\"solver\": {\"integrator\": \"generalized-alpha\"}, \"default_joint\"",
+     "line 10, /solver/integrator", "'generalized-alpha' yet", "'constant-acceleration'"},
+    {"\"default_joint\"", "\"solver\": {\"time_step_control\": \"adaptive\"}, \"default_joint\"",
+     "line 10, /solver/time_step_control", "does not compute this yet", "leave it out"},
+    {"\"default_joint\"",
+     "\"loads\": [{\"block\": \"slope.1\", \"at\": [0, 0, 0], \"table\": [[0, 1]]}], \"default_joint\"",
+     "line 10, /loads/0/table", "does not compute this yet", "'force'"},
+    {"\"default_joint\"",
+     "\"constraints\": [{\"block\": \"slope.1\", \"at\": [0, 0, 0], \"table\": [[0, 1]]}], \"default_joint\"",
+     "line 10, /constraints/0/table", "does not compute this yet", "'displacement'"},
+};
+INSTANTIATE_TEST_SUITE_P(NotComputed, BadProject, testing::ValuesIn(not_computed));
+
+const std::vector<BadText> against_rules{
+    {"\"joint\": \"J2\"", "\"joint\": \"X7\"", "line 15, /cuts/0/joint", "joint 'X7' is used here but not defined",
+     "define it under joints, or use one of J1, J2"},
+    {"\"material\": \"rock\"", "\"material\": \"rok\"", "line 12, /solids/0/material", "material 'rok' is not defined",
+     "did you mean 'rock'?"},
+    {"\"max\": [10, 10, 10]", "\"max\": [10, 0, 10]", "line 12, /solids/0/box/max/1", "greater than min", "swap"},
+    {"\"default_joint\": \"J1\",", "", "line 1, /default_joint", "no joint is named", "one of the joints"},
+    {"\"box\": {\"min\": [0, 0, 0], \"max\": [10, 10, 10]}",
+     "\"polyhedron\": {\"vertices\": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\n \"faces\": "
+     "[[0,1,2],[0,3,1],[1,3,2],[0,2,3]]}",
+     "line 12, /solids/0/polyhedron", "inside out", "reverse"},
+    {"\"box\": {\"min\": [0, 0, 0], \"max\": [10, 10, 10]}",
+     "\"polyhedron\": {\"vertices\": [[0,0,0],[1,0,0],[0,1,0],[0,0,1],[2,2,2]],\n"
+     " \"faces\": [[0,2,1],[0,1,3],\n[1,2,4],[0,3,2]]}",
+     "line 13, /solids/0/polyhedron/faces/1", "open: no other face joins edge 1–3", "missing face"},
+    {"\"box\": {\"min\": [0, 0, 0], \"max\": [10, 10, 10]}", "\"file\": \"../hill.step\"", "line 12, /solids/0/file",
+     "'../hill.step' lies outside the project's folder", "--allow-outside"},
+    {"\"box\": {\"min\": [0, 0, 0], \"max\": [10, 10, 10]}", "\"file\": \"/etc/hill.step\"", "line 12, /solids/0/file",
+     "outside", "--allow-outside"},
+    {"\"box\": {\"min\": [0, 0, 0], \"max\": [10, 10, 10]}", "\"file\": \"a/../../hill.step\"",
+     "line 12, /solids/0/file", "outside", "--allow-outside"},
+};
+INSTANTIATE_TEST_SUITE_P(AgainstRules, BadProject, testing::ValuesIn(against_rules));
+
+TEST(BadText, OtherKindsOfText) {
+  expect_refused("", {"", "", "line 1", "empty", "begins with"});
+  expect_refused("  // nothing\n", {"", "", "line 1", "empty", "begins with"});
+  expect_refused("[]", {"", "", "line 1, /", "not a Talus project", "begin the file"});
+  expect_refused("1", {"", "", "line 1, /", "not a Talus project", "begin the file"});
+  expect_refused(small_project + "x", {"", "", "line 21, column 1", "not JSON", ""});
+  expect_refused(std::string("{\"talus\": 1}\0", 13), {"", "", "line 1, column 13", "zero byte", "UTF-8"});
+  expect_refused(std::string(100000, '['), {"", "", "the text", "nested deeper than 64", "brackets"});
+}
+
+TEST(BadText, PathsMayLeaveTheFolderWhenAllowed) {
+  const std::string text = test::replaced(small_project, "\"box\": {\"min\": [0, 0, 0], \"max\": [10, 10, 10]}",
+                                          "\"file\": \"../hill.step\"");
+  EXPECT_EQ(std::get<FileShape>(parse_project(text, {.allow_outside = true}).solids[0].shape).path, "../hill.step");
+}
+
+}  // namespace
+}  // namespace talus

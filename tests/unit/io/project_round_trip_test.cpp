@@ -1,0 +1,202 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "io/project_file.hpp"
+#include "unit/io/sample_project.hpp"
+
+namespace talus {
+namespace {
+
+using test::full_project;
+using test::replaced;
+using test::small_project;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(ProjectRoundTrip, EveryKeyIsRead) {
+  const Project p = parse_project(full_project);
+  EXPECT_EQ(p.name, "Full \"slope\" – Südhang");
+  EXPECT_EQ(p.gravity, Vec3(0, 0, -9.80665));
+  EXPECT_TRUE(std::signbit(p.gravity[1]));
+  ASSERT_EQ(p.materials.size(), 2u);
+  EXPECT_EQ(p.materials[0], (Material{"soft rock", 2100, 1e9, 0.3}));
+  EXPECT_EQ(p.materials[1], (Material{"hard/rock", 2600, 25e9, -0.1}));
+  ASSERT_EQ(p.joints.size(), 2u);
+  EXPECT_EQ(p.joints[0], (Joint{"J2", 8, 0, 0, {}, {}, {}}));
+  EXPECT_EQ(p.joints[1], (Joint{"J1", 30, 2e5, 1e4, 25, 1e10, 4e9}));
+  EXPECT_EQ(p.default_joint, "J1");
+  ASSERT_EQ(p.solids.size(), 3u);
+  EXPECT_EQ(p.solids[0],
+            (Solid{"slope", BoxShape{{0, 0, 0}, {10, 10, 10}}, "soft rock", BodyKind::tetrahedra, 1.0 / 3}));
+  const PolyhedronShape wedge{{{20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {20, 0, std::nextafter(1.0, 2.0)}},
+                              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  EXPECT_EQ(p.solids[1], (Solid{"wedge", wedge, "hard/rock", BodyKind::tetrahedra, {}}));
+  EXPECT_EQ(p.solids[2], (Solid{"hill", FileShape{"shapes/hill.step", 0.001}, "soft rock", BodyKind::fixed, {}}));
+  ASSERT_EQ(p.cuts.size(), 2u);
+  EXPECT_EQ(p.cuts[0], (Cut{"J1", 35, 120, {5, 5, 5}, {}, {}, {"slope", "hill"}}));
+  EXPECT_EQ(p.cuts[1], (Cut{"J2", 90, 360, {1e-3, 5, 5}, 2.0, 3, {}}));
+  ASSERT_EQ(p.blocks.size(), 2u);
+  EXPECT_EQ(p.blocks[0], (BlockOverride{"top", {5, 5, 9}, BodyKind::tetrahedra, "hard/rock", 0.5}));
+  EXPECT_EQ(p.blocks[1], (BlockOverride{"foot", {5, 5, 1}, BodyKind::fixed, {}, {}}));
+  EXPECT_EQ(p.interfaces.at(0), (Interface{{"top", "wedge"}, "J2"}));
+  EXPECT_EQ(p.constraints.at(0), (Constraint{"foot", {0, 0, 0}, {0.0, std::nullopt, -0.001}}));
+  EXPECT_EQ(p.loads.at(0), (PointLoad{"top", {5, 5, 10}, {0, 0, -1e6}}));
+  ASSERT_EQ(p.velocities.size(), 2u);
+  EXPECT_EQ(p.velocities[0], (InitialVelocity{"wedge", {1, 0, 0}, {0, 0, 0.1}}));
+  EXPECT_EQ(p.velocities[1], (InitialVelocity{"top", {0, 0, 0}, {0, 0, 0}}));
+  ASSERT_EQ(p.stages.size(), 2u);
+  EXPECT_EQ(p.stages[0], (Stage{"gravity", StageKind::static_, 0.01, 4000, {}}));
+  EXPECT_EQ(p.stages[1], (Stage{"slide", StageKind::dynamic, 0.005, {}, 60.0}));
+  EXPECT_EQ(p.solver, (SolverSettings{"incremental", "constant-acceleration", 12.5, 8}));
+  EXPECT_EQ(p.monitors.at(0), (Monitor{"P1", "top", {5, 5, 10}}));
+  ASSERT_EQ(p.expect.size(), 2u);
+  EXPECT_EQ(p.expect[0], (Expectation{"P1.displacement.z", 41, -4.905, 1e-6, 40.0, "½gt²"}));
+  EXPECT_EQ(p.expect[1], (Expectation{"slope.2.velocity.magnitude", 100, 0, 1e-9, {}, ""}));
+  EXPECT_EQ(p.output, (Output{0.25}));
+}
+
+TEST(ProjectRoundTrip, WhatIsLeftOutHasItsDefault) {
+  const Project p = parse_project(small_project);
+  EXPECT_EQ(p.gravity, Vec3(0, 0, -9.81));
+  EXPECT_EQ(p.solids[0].body, BodyKind::tetrahedra);
+  EXPECT_FALSE(p.solids[0].mesh_size);
+  EXPECT_EQ(p.solver, SolverSettings{});
+  EXPECT_EQ(p.output, Output{});
+}
+
+TEST(ProjectRoundTrip, WritingLosesNothing) {
+  for (const auto& text : {full_project, small_project}) {
+    const Project project = parse_project(text);
+    const std::string written = write_project(project);
+    EXPECT_EQ(parse_project(written), project);
+    EXPECT_EQ(write_project(parse_project(written)), written);
+  }
+  EXPECT_TRUE(std::signbit(parse_project(write_project(parse_project(full_project))).gravity[1]));
+}
+
+TEST(ProjectRoundTrip, OddNumbersComeBackDigitForDigit) {
+  Project project = parse_project(small_project);
+  for (const double value : {1.0 / 3, 5e-324, 1.7976931348623157e308, 9007199254740993.0, 1e22, 1e23, 0.1 + 0.2}) {
+    project.materials[0].density = value;
+    EXPECT_EQ(parse_project(write_project(project)).materials[0].density, value);
+  }
+}
+
+TEST(ProjectRoundTrip, NumbersThatAreNotFiniteAreNotWritten) {
+  Project project = parse_project(small_project);
+  project.gravity[2] = std::nan("");
+  EXPECT_THROW(write_project(project), InputError);
+  EXPECT_THROW(write_project(project, small_project), InputError);
+}
+
+TEST(ProjectMerge, AnUnchangedProjectIsTheSameTextByteForByte) {
+  for (const auto& text : {full_project, small_project}) EXPECT_EQ(write_project(parse_project(text), text), text);
+  std::string windows;
+  for (const char c : full_project) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(write_project(parse_project(windows), windows), windows);
+  const std::string marked = "\xEF\xBB\xBF" + small_project;
+  EXPECT_EQ(write_project(parse_project(marked), marked), marked);
+}
+
+TEST(ProjectMerge, AChangedNumberIsTheOnlyChange) {
+  Project project = parse_project(full_project);
+  project.materials[0].young = 2.5e9;
+  EXPECT_EQ(write_project(project, full_project), replaced(full_project, "\"young\": 1e9", "\"young\": 2.5e9"));
+}
+
+TEST(ProjectMerge, AChangedDefaultIsAdded) {
+  Project project = parse_project(small_project);
+  project.gravity = {0, 0, -1.62};
+  EXPECT_EQ(write_project(project, small_project),
+            replaced(small_project, "  \"materials\"", "  \"gravity\": [0, 0, -1.62],\n  \"materials\""));
+}
+
+TEST(ProjectMerge, AThingAddedInTheMiddleLeavesTheOthersAlone) {
+  Project project = parse_project(full_project);
+  Cut cut = project.cuts[0];
+  cut.dip = 60;
+  cut.solids.clear();
+  project.cuts.insert(project.cuts.begin() + 1, cut);
+  EXPECT_EQ(write_project(project, full_project),
+            replaced(full_project, "    {\"joint\": \"J2\", \"dip\": 90",
+                     "    {\"joint\": \"J1\", \"dip\": 60, \"dip_direction\": 120, \"through\": [5, 5, 5]},\n"
+                     "    {\"joint\": \"J2\", \"dip\": 90"));
+}
+
+TEST(ProjectMerge, AThingAddedAtTheEndComesBehindTheLastOnesComment) {
+  Project project = parse_project(full_project);
+  Cut cut = project.cuts[0];
+  cut.solids.clear();
+  project.cuts.push_back(cut);
+  EXPECT_EQ(write_project(project, full_project),
+            replaced(full_project, "\"count\": 3} // last\n",
+                     "\"count\": 3}, // last\n"
+                     "    {\"joint\": \"J1\", \"dip\": 35, \"dip_direction\": 120, \"through\": [5, 5, 5]}\n"));
+}
+
+TEST(ProjectMerge, AThingRemovedTakesItsCommentsWithIt) {
+  Project project = parse_project(full_project);
+  project.solids.erase(project.solids.begin() + 1);
+  project.interfaces.clear();
+  project.velocities.erase(project.velocities.begin());
+  const std::string text = write_project(project, full_project);
+  EXPECT_EQ(parse_project(text), project);
+  EXPECT_THAT(text, Not(HasSubstr("the wedge that falls")));
+  EXPECT_THAT(text, Not(HasSubstr("interfaces")));
+  EXPECT_THAT(text, HasSubstr("\"velocities\": [{\"block\": \"top\"}],"));
+  for (const char* comment : {"// A slope above a road.", "// the format", "laboratory */", "// bedding", "// last",
+                              "// nothing else", "// the end", "// broken by the driving block"}) {
+    EXPECT_THAT(text, HasSubstr(comment));
+  }
+}
+
+TEST(ProjectMerge, ARenamedMaterialKeepsItsNeighboursComments) {
+  Project project = parse_project(full_project);
+  project.materials[1].name = "granite";
+  project.solids[1].material = "granite";
+  project.blocks[0].material = "granite";
+  const std::string text = write_project(project, full_project);
+  EXPECT_EQ(parse_project(text), project);
+  EXPECT_THAT(text, HasSubstr("// first, though later in the alphabet\n    \"granite\": {"));
+}
+
+TEST(ProjectMerge, MaterialsMayChangePlaces) {
+  Project project = parse_project(full_project);
+  std::swap(project.materials[0], project.materials[1]);
+  const std::string text = write_project(project, full_project);
+  EXPECT_EQ(parse_project(text), project);
+  EXPECT_LT(text.find("\"hard/rock\": {"), text.find("\"soft rock\": {"));
+}
+
+TEST(ProjectMerge, AShapeMayBecomeAnother) {
+  Project project = parse_project(full_project);
+  project.solids[1].shape = BoxShape{{20, 0, 0}, {21, 1, 1}};
+  const std::string text = write_project(project, full_project);
+  EXPECT_EQ(parse_project(text), project);
+  EXPECT_THAT(text, HasSubstr("// the wedge that falls"));
+  EXPECT_THAT(text, HasSubstr("\"box\": {\"min\": [20, 0, 0], \"max\": [21, 1, 1]}"));
+}
+
+TEST(ProjectMerge, ALineCommentNeverSwallowsWhatFollowsIt) {
+  const std::string text = replaced(small_project, "\"through\": [5, 5, 5]", "\"through\": [5, // x\n5, 5 // z\n]");
+  Project project = parse_project(text);
+  project.cuts[0].through = {1, 5, 2};
+  EXPECT_EQ(write_project(project, text), replaced(text, "[5, // x\n5, 5 // z\n]", "[1, // x\n5, 2 // z\n]"));
+
+  const std::string inline_lists = replaced(small_project, "\"dip\": 35, ", "\"dip\": 35, // steep\n");
+  project = parse_project(inline_lists);
+  project.cuts.push_back(project.cuts[0]);
+  project.cuts[0].spacing = 1;
+  project.cuts[0].count = 2;
+  EXPECT_EQ(parse_project(write_project(project, inline_lists)), project);
+}
+
+TEST(ProjectMerge, WhatIsNoProjectIsReplaced) {
+  const Project project = parse_project(small_project);
+  EXPECT_EQ(write_project(project, "not JSON"), write_project(project));
+}
+
+}  // namespace
+}  // namespace talus
