@@ -18,10 +18,10 @@ struct NodeSet {
 
 /// A four-node tetrahedron of a movable block.
 struct Element {
-  std::array<int, 4> nodes;     ///< into NodeSet
+  std::array<int, 4> nodes;  ///< into NodeSet
   std::array<int, 4> freedoms;
   int body = 0;
-  double mass = 0;              ///< kg, constant whatever the strain does
+  double mass = 0;  ///< kg, constant whatever the strain does
 };
 
 /// A block as the solver moves it.
@@ -30,10 +30,10 @@ struct Body {
   int first_element = 0, element_count = 0;  ///< into BodySet::elements; none where fixed
   int first_tetrahedron = 0;                 ///< into a frame's stress
   bool fixed = false;
-  double density = 0;                        ///< kg/m³
-  double young = 0;                          ///< Pa
+  double density = 0;  ///< kg/m³
+  double young = 0;    ///< Pa
   Elastic elastic;
-  double reference_volume = 0;               ///< m³, of the mesh
+  double reference_volume = 0;  ///< m³, of the mesh
 };
 
 /// Displacement increments of a step [m]: 3 numbers a movable node.

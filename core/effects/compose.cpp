@@ -25,7 +25,8 @@ std::string count(std::size_t n, const std::string& one, const std::string& many
 double block_size(const Block& block) { return std::cbrt(block.volume); }
 
 const Block& block_named(const BlockSystem& system, const std::string& name) {
-  const auto found = std::find_if(system.blocks.begin(), system.blocks.end(), [&](const Block& b) { return b.name == name; });
+  const auto found =
+      std::find_if(system.blocks.begin(), system.blocks.end(), [&](const Block& b) { return b.name == name; });
   return found == system.blocks.end() ? system.blocks.front() : *found;
 }
 
@@ -34,7 +35,8 @@ std::vector<LoadedPoint> loaded_points(const Project& project, const BlockSystem
   for (std::size_t i = 0; i < project.loads.size(); ++i) {
     const PointLoad& load = project.loads[i];
     const double tolerance = point_tolerance * block_size(block_named(system, load.block));
-    loads.push_back({material_point(system, load.block, load.at, tolerance, "/loads/" + std::to_string(i)), load.force});
+    loads.push_back(
+        {material_point(system, load.block, load.at, tolerance, "/loads/" + std::to_string(i)), load.force});
   }
   return loads;
 }
@@ -47,8 +49,8 @@ std::vector<HeldPoint> held_points(const Project& project, const BlockSystem& sy
     const double size = block_size(block);
     const MaterialPoint point = material_point(system, constraint.block, constraint.at, point_tolerance * size,
                                                "/constraints/" + std::to_string(i));
-    points.push_back({point, constraint.displacement,
-                      constraint_stiffness * project.materials[block.material].young * size});
+    points.push_back(
+        {point, constraint.displacement, constraint_stiffness * project.materials[block.material].young * size});
   }
   return points;
 }
@@ -66,8 +68,10 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
   const auto movable = static_cast<std::size_t>(std::count_if(
       system.blocks.begin(), system.blocks.end(), [](const Block& b) { return b.body != BodyKind::fixed; }));
   const bool touching = movable > 0 && system.blocks.size() > 1;
-  const std::string shear = joints_where(project, [](const Joint& j) { return j.friction_angle > 0 || j.cohesion > 0; });
-  const std::string bonds = joints_where(project, [](const Joint& j) { return j.cohesion > 0 || j.tensile_strength > 0; });
+  const std::string shear =
+      joints_where(project, [](const Joint& j) { return j.friction_angle > 0 || j.cohesion > 0; });
+  const std::string bonds =
+      joints_where(project, [](const Joint& j) { return j.cohesion > 0 || j.tensile_strength > 0; });
   const bool any_static = std::any_of(project.stages.begin(), project.stages.end(),
                                       [](const Stage& s) { return s.kind == StageKind::static_; });
   const auto choose = [](bool active, const std::string& on, const std::string& off) { return active ? on : off; };
@@ -86,7 +90,8 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
   add("body force", movable > 0 && project.gravity.norm() > 0, "gravity", "no gravity");
   add("normal contact", touching, count(system.blocks.size(), "block", "blocks") + " can touch", "nothing can touch");
   add("shear contact", touching && !shear.empty(), "friction or cohesion on " + shear, "no joint resists shear");
-  add("cohesion and tension", touching && !bonds.empty(), "bonds on " + bonds, "no joint has cohesion or tensile strength");
+  add("cohesion and tension", touching && !bonds.empty(), "bonds on " + bonds,
+      "no joint has cohesion or tensile strength");
   add("damping", false, "", "no stage or material asks for it");
   return list;
 }
@@ -101,7 +106,8 @@ Composition compose(const Project& project, const BlockSystem& system, BodySet& 
     if (status.name == "inertia") effects.push_back(std::make_unique<Inertia>(set));
     if (status.name == "displacement constraint")
       effects.push_back(std::make_unique<DisplacementConstraints>(set, held_points(project, system)));
-    if (status.name == "point load") effects.push_back(std::make_unique<PointLoads>(set, loaded_points(project, system)));
+    if (status.name == "point load")
+      effects.push_back(std::make_unique<PointLoads>(set, loaded_points(project, system)));
     if (status.name == "body force") effects.push_back(std::make_unique<BodyForce>(set, project.gravity));
     if (status.name == "normal contact") {
       auto normal = std::make_unique<NormalContact>(set, contacts);

@@ -7,7 +7,8 @@ namespace talus {
 /// Inertia with constant acceleration over the step, paper (12)–(21):
 ///   Π = 1/Δ² (D − Δ V₀)ᵀ M (D − Δ V₀)  [J],  M = ∫ ρ NᵀN dv
 /// whose gradient M(2/Δ² D − 2/Δ V₀) is the paper's (18). V₀ is the velocity at the start of the step times the stage's
-/// dynamic factor. This is Newmark's method with β = ½, γ = 1. `accept` moves the velocity by (21); in a static stage to zero.
+/// dynamic factor. This is Newmark's method with β = ½, γ = 1. `accept` moves the velocity by (21); in a static stage
+/// to zero.
 class Inertia final : public Effect {
  public:
   explicit Inertia(BodySet& set) : set_(set) {}

@@ -5,8 +5,8 @@ namespace talus {
 double InitialStress::energy(const Increment& d) const {
   double sum = 0;
   for (std::size_t e = 0; e < set_.elements.size(); ++e)
-    sum += set_.shapes[e].volume *
-           strain(set_.shapes[e], set_.corner_increments(set_.elements[e], d)).dot(set_.stress[e]);
+    sum +=
+        set_.shapes[e].volume * strain(set_.shapes[e], set_.corner_increments(set_.elements[e], d)).dot(set_.stress[e]);
   return sum;
 }
 

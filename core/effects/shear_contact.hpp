@@ -6,12 +6,13 @@
 namespace talus {
 
 /// Shear springs and friction, paper (32)–(40), as one potential. With the spring force τ* = τ₀ − k_s u_t, the relative
-/// displacement u_t in the contact plane, and the strength F = c·A + F_n tan φ at the normal force of the last iteration:
+/// displacement u_t in the contact plane, and the strength F = c·A + F_n tan φ at the normal force of the last
+/// iteration:
 ///   stick, |τ*| < F:  Π = |τ*|² / 2k_s                 [J]   paper (34)
 ///   slip:             Π = F|τ*| / k_s − F² / 2k_s       [J]   paper (37) but for terms of second order
-/// Both meet with the same force: sliding needs no state of its own to be told from sticking. The gradient in slip is the
-/// paper's friction force F against the direction of sliding; its Hessian keeps that direction from flipping between
-/// iterations where the paper takes it from the previous displacement.
+/// Both meet with the same force: sliding needs no state of its own to be told from sticking. The gradient in slip is
+/// the paper's friction force F against the direction of sliding; its Hessian keeps that direction from flipping
+/// between iterations where the paper takes it from the previous displacement.
 class ShearContact final : public Effect {
  public:
   ShearContact(const BodySet& set, const ContactSet& contacts) : set_(set), contacts_(contacts) {}

@@ -28,8 +28,10 @@ void SymmetricBlocks::add(int i, int j, const Mat3& block) {
   const auto found = std::lower_bound(begin, end, row);
   assert(found != end && *found == row && "an effect couples nodes that it did not announce");
   Mat3& value = values_[found - rows_.begin()];
-  if (i >= j) value += block;
-  else value += block.transpose();
+  if (i >= j)
+    value += block;
+  else
+    value += block.transpose();
 }
 
 void SymmetricBlocks::set_zero() { std::fill(values_.begin(), values_.end(), Mat3::Zero()); }

@@ -24,8 +24,8 @@ class RunObserver {
 };
 
 struct RunOptions {
-  std::filesystem::path out;   ///< results folder
-  std::string project_text;    ///< kept beside the results
+  std::filesystem::path out;  ///< results folder
+  std::string project_text;   ///< kept beside the results
   int threads = 1;
 };
 

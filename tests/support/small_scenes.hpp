@@ -7,7 +7,8 @@
 namespace talus::test {
 
 /// The six tetrahedra of a box (Kuhn's split), outward surface triangles, no joint.
-inline Block box_block(const std::string& name, const Vec3& min, const Vec3& max, BodyKind body = BodyKind::tetrahedra) {
+inline Block box_block(const std::string& name, const Vec3& min, const Vec3& max,
+                       BodyKind body = BodyKind::tetrahedra) {
   Block block;
   block.name = name;
   block.body = body;

@@ -22,7 +22,8 @@ TEST(ElementShape, volume_is_that_of_the_tetrahedron_and_gradients_reproduce_lin
   EXPECT_NEAR(shape.volume, (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) / 6,
               1e-15);
   Vec3 gradient = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) gradient += (3 * corners[i].x() - 2 * corners[i].y() + corners[i].z()) * shape.gradient[i];
+  for (int i = 0; i < 4; ++i)
+    gradient += (3 * corners[i].x() - 2 * corners[i].y() + corners[i].z()) * shape.gradient[i];
   EXPECT_LT((gradient - Vec3(3, -2, 1)).norm(), 1e-13);
 }
 

@@ -19,7 +19,8 @@ class Derivatives : public testing::Test {
  protected:
   Derivatives() : set_(project(), system()), d_(set_.unknowns()) {
     for (int i = 0; i < d_.size(); ++i) d_[i] = 1e-3 * std::sin(7.0 * i + 1);  // no symmetry, reproducible
-    for (std::size_t i = 0; i < set_.nodes.velocity.size(); ++i) set_.nodes.velocity[i] = Vec3(0.1 * double(i), 0.2, -0.3);
+    for (std::size_t i = 0; i < set_.nodes.velocity.size(); ++i)
+      set_.nodes.velocity[i] = Vec3(0.1 * double(i), 0.2, -0.3);
     for (std::size_t e = 0; e < set_.stress.size(); ++e) set_.stress[e] << 1e5, -2e5, 3e5, 4e4, 5e4 * double(e), -6e4;
   }
   static Project project() {

@@ -1,0 +1,100 @@
+#include "solve/cholesky.hpp"
+
+#include <cblas.h>
+#include <cholmod.h>
+
+#include <algorithm>
+
+namespace talus {
+
+struct Cholesky::State {
+  cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+  cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;
+  std::vector<int> column_begin, rows;  ///< scalar lower triangle, column by column
+  std::vector<double> values;
+
+  State() {
+    cholmod_start(&common);
+    common.print = 0;
+    common.error_handler = nullptr;
+    common.final_ll = 1;  // LDLᵀ, the default for small matrices, would go on through an indefinite one
+    // BLAS threads cost more than they bring on fronts of this size, and would change bits with their number.
+    openblas_set_num_threads(1);
+  }
+  ~State() {
+    cholmod_free_factor(&factor, &common);
+    cholmod_free_dense(&solution, &common);
+    cholmod_free_dense(&work_y, &common);
+    cholmod_free_dense(&work_e, &common);
+    cholmod_finish(&common);
+  }
+
+  cholmod_sparse sparse() {
+    cholmod_sparse matrix{};
+    matrix.nrow = matrix.ncol = column_begin.size() - 1;
+    matrix.nzmax = rows.size();
+    matrix.p = column_begin.data();
+    matrix.i = rows.data();
+    matrix.x = values.data();
+    matrix.stype = -1;
+    matrix.itype = CHOLMOD_INT;
+    matrix.xtype = CHOLMOD_REAL;
+    matrix.dtype = CHOLMOD_DOUBLE;
+    matrix.sorted = matrix.packed = 1;
+    return matrix;
+  }
+
+  void set_pattern(const SymmetricBlocks& matrix) {
+    column_begin.assign(1, 0);
+    rows.clear();
+    for (int column = 0; column < matrix.nodes(); ++column)
+      for (int c = 0; c < 3; ++c) {
+        for (int slot = matrix.column_begin()[column]; slot < matrix.column_begin()[column + 1]; ++slot)
+          for (int r = matrix.rows()[slot] == column ? c : 0; r < 3; ++r) rows.push_back(3 * matrix.rows()[slot] + r);
+        column_begin.push_back(static_cast<int>(rows.size()));
+      }
+    values.resize(rows.size());
+  }
+
+  void set_values(const SymmetricBlocks& matrix) {
+    std::size_t k = 0;
+    for (int column = 0; column < matrix.nodes(); ++column)
+      for (int c = 0; c < 3; ++c)
+        for (int slot = matrix.column_begin()[column]; slot < matrix.column_begin()[column + 1]; ++slot)
+          for (int r = matrix.rows()[slot] == column ? c : 0; r < 3; ++r) values[k++] = matrix.value(slot)(r, c);
+  }
+};
+
+Cholesky::Cholesky() : state_(std::make_unique<State>()) {}
+Cholesky::~Cholesky() = default;
+
+void Cholesky::analyse(const SymmetricBlocks& matrix) {
+  cholmod_free_factor(&state_->factor, &state_->common);
+  state_->set_pattern(matrix);
+  cholmod_sparse sparse = state_->sparse();
+  state_->factor = cholmod_analyze(&sparse, &state_->common);
+}
+
+void Cholesky::factor(const SymmetricBlocks& matrix) {
+  state_->set_values(matrix);
+  cholmod_sparse sparse = state_->sparse();
+  cholmod_factorize(&sparse, state_->factor, &state_->common);
+  if (state_->common.status != CHOLMOD_OK || state_->factor->minor < state_->factor->n)
+    throw NotPositiveDefinite("the stiffness matrix is not positive definite at node " +
+                              std::to_string(state_->factor->minor / 3));
+}
+
+void Cholesky::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
+  cholmod_dense right{};
+  right.nrow = right.nzmax = right.d = static_cast<std::size_t>(b.size());
+  right.ncol = 1;
+  right.x = const_cast<double*>(b.data());  // CHOLMOD reads it only
+  right.xtype = CHOLMOD_REAL;
+  right.dtype = CHOLMOD_DOUBLE;
+  cholmod_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->solution, nullptr, &state_->work_y,
+                 &state_->work_e, &state_->common);
+  x = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(state_->solution->x), b.size());
+}
+
+}  // namespace talus

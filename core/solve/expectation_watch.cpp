@@ -1,0 +1,92 @@
+#include "solve/expectation_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "bodies/block_motion.hpp"
+#include "solve/simulation.hpp"
+
+namespace talus {
+
+namespace {
+
+template <class Named>
+int index_of(const std::vector<Named>& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const Named& item) { return item.name == name; });
+  return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+}
+
+[[noreturn]] void reject(const Expectation& expectation) {
+  throw InputError("expectation '" + expectation.quantity + "'", "is no quantity of this run",
+                   "write MONITOR or BLOCK, then .displacement or .velocity, then .x, .y, .z or .magnitude");
+}
+
+}  // namespace
+
+ExpectationWatch::ExpectationWatch(const Project& project, const BlockSystem& system) {
+  for (const Expectation& expectation : project.expect) {
+    const std::string& q = expectation.quantity;
+    const auto last = q.rfind('.'), middle = last == std::string::npos ? last : q.rfind('.', last - 1);
+    if (middle == std::string::npos) reject(expectation);
+    Watched watched;
+    watched.expectation = expectation;
+    const std::string name = q.substr(0, middle), what = q.substr(middle + 1, last - middle - 1),
+                      axis = q.substr(last + 1);
+    watched.monitor = index_of(project.monitors, name);
+    watched.block = index_of(system.blocks, name);
+    watched.velocity = what == "velocity";
+    watched.component = axis == "x" ? 0 : axis == "y" ? 1 : axis == "z" ? 2 : 3;
+    const bool known = (watched.velocity || what == "displacement") && (watched.component < 3 || axis == "magnitude");
+    if (!known || (watched.monitor < 0 && watched.block < 0)) reject(expectation);
+    watched_.push_back(watched);
+  }
+}
+
+void ExpectationWatch::follow(Watched& watched, const Vec3& value, double time) {
+  const auto at = [&](double wanted) {
+    const double share = time > last_time_ ? (wanted - last_time_) / (time - last_time_) : 1;
+    return Vec3(watched.last + share * (value - watched.last));
+  };
+  const double slack = 1e-12 * std::max(1.0, time);
+  if (!watched.start && watched.expectation.since && *watched.expectation.since <= time + slack)
+    watched.start = at(std::min(*watched.expectation.since, time));
+  if (!watched.end && watched.expectation.time <= time + slack)
+    watched.end = at(std::min(watched.expectation.time, time));
+  watched.last = value;
+}
+
+void ExpectationWatch::look(const Simulation& simulation) {
+  const double time = simulation.time();
+  const HistoryRow row = simulation.history();
+  for (Watched& watched : watched_) {
+    Vec3 value;
+    if (watched.monitor >= 0) {
+      const MonitorSample& sample = row.monitors[watched.monitor];
+      value = watched.velocity ? sample.velocity : sample.displacement;
+    } else {
+      const BlockMotion motion = block_motion(simulation.bodies(), watched.block);
+      value = watched.velocity ? motion.velocity : motion.displacement;
+    }
+    follow(watched, value, time);
+  }
+  last_time_ = time;
+}
+
+std::vector<ExpectationOutcome> ExpectationWatch::outcomes() const {
+  std::vector<ExpectationOutcome> outcomes;
+  for (const Watched& watched : watched_) {
+    const Expectation& e = watched.expectation;
+    ExpectationOutcome outcome{e, 0, 0, watched.end.has_value(), false};
+    if (outcome.reached) {
+      const Vec3 change = *watched.end - watched.start.value_or(Vec3::Zero());
+      outcome.computed = watched.component < 3 ? change[watched.component] : change.norm();
+      outcome.error = std::abs(outcome.computed - e.value) / (e.value == 0 ? 1 : std::abs(e.value));
+      outcome.passed = outcome.error <= e.tolerance;
+    }
+    outcomes.push_back(outcome);
+  }
+  return outcomes;
+}
+
+}  // namespace talus

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesh/block.hpp"
+#include "results/run_report.hpp"
+
+namespace talus {
+
+class Simulation;
+
+/// Follows the quantities that a project expects and compares them at their times, by linear interpolation between
+/// steps.
+class ExpectationWatch {
+ public:
+  ExpectationWatch(const Project& project, const BlockSystem& system);
+
+  /// At the start of the run and after every step.
+  void look(const Simulation& simulation);
+  std::vector<ExpectationOutcome> outcomes() const;
+
+ private:
+  struct Watched {
+    Expectation expectation;
+    int monitor = -1, block = -1;  ///< one of them is given
+    bool velocity = false;
+    int component = 3;  ///< 3: magnitude
+    Vec3 last = Vec3::Zero();
+    std::optional<Vec3> start, end;
+  };
+  void follow(Watched& watched, const Vec3& value, double time);
+
+  std::vector<Watched> watched_;
+  double last_time_ = 0;
+};
+
+}  // namespace talus

@@ -1,0 +1,47 @@
+#include "solve/joint_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+
+namespace talus {
+
+namespace {
+
+int joint_index(const Project& project, const std::string& name) {
+  const auto found =
+      std::find_if(project.joints.begin(), project.joints.end(), [&](const Joint& j) { return j.name == name; });
+  return found == project.joints.end() ? 0 : static_cast<int>(found - project.joints.begin());
+}
+
+}  // namespace
+
+std::vector<JointLaw> joint_laws(const Project& project) {
+  std::vector<JointLaw> laws;
+  for (const Joint& joint : project.joints) {
+    JointLaw law;
+    law.friction = std::tan(radians(joint.friction_angle));
+    law.residual_friction = std::tan(radians(joint.residual_friction_angle.value_or(joint.friction_angle)));
+    law.cohesion = joint.cohesion;
+    law.tensile_strength = joint.tensile_strength;
+    law.normal_stiffness = joint.normal_stiffness.value_or(0);
+    law.shear_stiffness = joint.shear_stiffness.value_or(0);
+    laws.push_back(law);
+  }
+  if (laws.empty()) laws.emplace_back();
+  return laws;
+}
+
+std::vector<std::vector<int>> pair_joints(const Project& project, const BlockSystem& system) {
+  const std::size_t n = system.blocks.size();
+  std::vector<std::vector<int>> pairs(n, std::vector<int>(n, joint_index(project, project.default_joint)));
+  for (const Interface& interface : project.interfaces)
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b)
+        if (system.blocks[a].name == interface.between[0] && system.blocks[b].name == interface.between[1])
+          pairs[a][b] = pairs[b][a] = joint_index(project, interface.joint);
+  return pairs;
+}
+
+}  // namespace talus

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "bodies/block_motion.hpp"
+#include "mesh/block.hpp"
+#include "results/frame.hpp"
+#include "results/run_report.hpp"
+
+namespace talus {
+
+/// A scene in motion. One call of `step` takes one step of the stage; nothing is written.
+class Simulation {
+ public:
+  /// `project` and `system` outlive the simulation. Throws InputError for points outside their blocks.
+  Simulation(const Project& project, const BlockSystem& system);
+  ~Simulation();
+
+  bool finished() const;     ///< all stages are done, or the last step did not converge
+  bool stage_ended() const;  ///< the last step was the last of its stage
+  bool converged() const { return failure_.empty(); }
+  const std::string& failure() const { return failure_; }  ///< contact, place and joint where the last step failed
+  double time() const;                                     ///< s
+  double end_time() const;                                 ///< s
+  long total_steps() const;
+
+  /// One step of the stage, cut into shorter ones where the open–close iteration does not settle.
+  StepReport step();
+
+  Frame frame(int index) const;
+  HistoryRow history() const;
+  std::vector<ContactSample> contacts() const;  ///< of the last step
+  const BodySet& bodies() const;
+  std::vector<EffectOutcome> effects() const;
+
+ private:
+  struct State;
+  bool try_step(double length, StepReport& report);
+  bool settle(StepReport& report);
+  void detect(double length);
+  void first_guess(double length);
+  bool inverts_an_element() const;
+  void accept(double length, StepReport& report);
+  void give_initial_velocities();
+  void summarise(StepReport& report) const;
+  std::unique_ptr<State> state_;
+  std::string failure_;
+};
+
+}  // namespace talus
