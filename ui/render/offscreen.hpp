@@ -20,6 +20,8 @@ class OffscreenView {
   OffscreenView& operator=(const OffscreenView&) = delete;
 
   Image draw();
+  /// Fits now, unless a pose was set, and lets the camera stand still in every later picture.
+  void hold_camera();
 
  private:
   struct State;

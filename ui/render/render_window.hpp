@@ -11,7 +11,9 @@ namespace talus {
 class RenderWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static RenderWindow* New();
+  // clang-format off
   vtkTypeMacro(RenderWindow, vtkGenericOpenGLRenderWindow)
+      // clang-format on
 
       /// Makes `context` current and sets the window up for it. `context` must outlive the window or
       /// `release_context()`.

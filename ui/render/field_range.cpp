@@ -1,0 +1,53 @@
+#include "render/field_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/numbers.hpp"
+
+namespace talus {
+
+void ValueRange::include(double value) {
+  if (!std::isfinite(value)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+void ValueRange::include(std::span<const double> values) {
+  for (const double value : values) include(value);
+}
+
+void ValueRange::include(const ValueRange& other) {
+  low = std::min(low, other.low);
+  high = std::max(high, other.high);
+}
+
+ValueRange field_range(const BlockSystem& system, const Frame& frame, const Field& field) {
+  const std::vector<double> all = values(frame, field);
+  const std::span<const double> span(all);
+  const bool at_nodes = field.place() == FieldPlace::node;
+  ValueRange range;
+  std::size_t begin = 0;
+  for (const Block& block : system.blocks) {
+    const std::size_t count = at_nodes ? block.mesh.nodes.size() : block.mesh.tetrahedra.size();
+    if (block.body != BodyKind::fixed) range.include(span.subspan(begin, count));
+    begin += count;
+  }
+  return range;
+}
+
+bool is_signed(const Field& field) {
+  using enum Field::Measure;
+  return field.measure == component || field.measure == mean || field.measure == max_principal ||
+         field.measure == min_principal;
+}
+
+ValueRange legend_range(const Field& field, const ValueRange& values) {
+  ValueRange range;
+  const double largest = values.empty() ? 0 : std::max(std::abs(values.low), std::abs(values.high));
+  range.high = largest > 0 ? round_up(largest) : 1;
+  range.low = is_signed(field) ? -range.high : 0;
+  return range;
+}
+
+}  // namespace talus
