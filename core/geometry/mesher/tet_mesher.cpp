@@ -111,28 +111,47 @@ InputError not_meshed(const std::string& place, const std::string& why) {
                     "try another mesh_size, or move a cut that makes it thin");
 }
 
+/// A block whose edges are all shorter than the size aimed at needs no nodes but its corners; gmsh's default would
+/// still put one into the middle of each face.
+bool corners_suffice(const CutBlock& block, double size) {
+  for (const auto& [tag, origin] : block.facets) {
+    if (origin.plane < 0) return false;
+    gmsh::vectorpair curves;
+    gmsh::model::getBoundary({{2, tag}}, curves, false, false, false);
+    for (const auto& [dimension, curve] : curves) {
+      double length = 0;
+      gmsh::model::occ::getMass(1, curve, length);
+      constexpr double rounding = 1e-9;
+      if (length > size * (1 + rounding)) return false;
+    }
+  }
+  return true;
+}
+
 void generate(const CutBlock& block, double size, const std::string& place) {
+  constexpr double initial_mesh_only = 3, frontal_delaunay = 6;
+  gmsh::option::setNumber("Mesh.Algorithm", corners_suffice(block, size) ? initial_mesh_only : frontal_delaunay);
   gmsh::vectorpair everything;
   gmsh::model::getEntities(everything);
   gmsh::model::setVisibility(everything, 0);
   gmsh::model::setVisibility({{3, block.volume_tag}}, 1, true);
   mesh_api::clear();
   // A largest size alone would leave gmsh's own default, a tenth of the whole model, in force.
-  mesh_api::setSizeCallback([size](int, int, double, double, double) { return size; });
+  gmsh::vectorpair corners;
+  gmsh::model::getBoundary({{3, block.volume_tag}}, corners, false, false, true);
+  mesh_api::setSize(corners, size);
   gmsh::option::setNumber("Mesh.MeshSizeMax", size);
   try {
     mesh_api::generate(3);
   } catch (const std::string& why) {
     throw not_meshed(place, why);
   }
-  mesh_api::removeSizeCallback();
 }
 
 }  // namespace
 
 TetMesher::TetMesher(const PlaneTable& planes) : planes_(planes) {
-  constexpr double frontal_delaunay = 6, delaunay = 1;
-  gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
+  constexpr double delaunay = 1;
   gmsh::option::setNumber("Mesh.Algorithm3D", delaunay);
   gmsh::option::setNumber("Mesh.Optimize", 1);
   gmsh::option::setNumber("Mesh.MeshSizeMin", 0);
