@@ -1,0 +1,17 @@
+#pragma once
+
+#include "mesh/tet_mesh.hpp"
+
+namespace talus {
+
+/// How well shaped tetrahedra are: 3 × inscribed / circumscribed radius, 1 for a regular one, 0 for a flat one.
+struct MeshQuality {
+  double worst = 1, mean = 1;
+};
+
+double tetrahedron_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// Of all tetrahedra; 1 where there are none.
+MeshQuality mesh_quality(const TetMesh& mesh);
+
+}  // namespace talus
