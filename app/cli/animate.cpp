@@ -1,0 +1,78 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "options.hpp"
+#include "render/movie.hpp"
+#include "terminal.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+struct AnimateOptions {
+  std::filesystem::path results, out;
+  int fps = 25;
+  PictureSize size{1280, 720};
+  Look look;
+};
+
+/// One legend for the whole film: a colour means the same in every picture.
+ValueRange range_of_all(const ResultReader& results, int count, const Field& field) {
+  ValueRange range;
+  for (int i = 0; i < count; ++i) range.include(field_range(results.system(), results.frame(i), field));
+  return legend_range(field, range);
+}
+
+ExitCode animate(const AnimateOptions& options, bool json) {
+  catch_interrupts();
+  const ResultReader results(options.results);
+  const int count = about(options.results, [&] { return frame_index(results, {}) + 1; });
+  SceneSettings settings = scene_settings(options.look, results);
+  if (settings.field) settings.range = range_of_all(results, count, *settings.field);
+  Scene scene(results.system(), settings);
+  scene.set_stage_names(results.stage_names());
+  for (int i = 0; i < count; ++i) scene.include_in_view(results.frame(i));
+  scene.look(view_named(options.look.view));
+  const FilmOptions film{options.size.width, options.size.height, options.fps};
+  {
+    TerminalProgress progress;
+    render_film(
+        scene, count, [&](int i) { return std::make_shared<const Frame>(results.frame(i)); }, options.out, film,
+        progress);
+  }
+
+  if (json) {
+    const nlohmann::ordered_json result = {{"film", options.out.string()},
+                                           {"width", film.width},
+                                           {"height", film.height},
+                                           {"fps", film.fps},
+                                           {"frames", count}};
+    std::cout << result.dump(2) << '\n';
+  } else {
+    std::cout << options.out.string() << ": " << count << " frames, " << film.fps << " a second\n";
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_animate(CLI::App& program, Invocation& invocation) {
+  auto* command = program.add_subcommand("animate", "Film all frames as MP4 or GIF; needs no display");
+  auto options = std::make_shared<AnimateOptions>();
+  add_results(*command, options->results);
+  command->add_option("--out", options->out, "Film to write")->required()->type_name("F.mp4|F.gif");
+  command->add_option("--fps", options->fps, "Pictures a second")
+      ->check(CLI::Range(1, 120))
+      ->type_name("N")
+      ->capture_default_str();
+  add_size(*command, options->size);
+  add_look(*command, options->look);
+  command->callback([&invocation, options] {
+    invocation.run = [&invocation, options] { return animate(*options, invocation.json); };
+  });
+}
+
+}  // namespace talus::cli

@@ -1,0 +1,179 @@
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "effects/compose.hpp"
+#include "project_choice.hpp"
+#include "report_text.hpp"
+#include "results/result_folder.hpp"
+#include "table.hpp"
+#include "terminal.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Material& material) {
+  return {
+      {"name", material.name}, {"density", material.density}, {"young", material.young}, {"poisson", material.poisson}};
+}
+
+Json json_of(const Joint& joint) {
+  Json json = {{"name", joint.name},
+               {"friction_angle", joint.friction_angle},
+               {"cohesion", joint.cohesion},
+               {"tensile_strength", joint.tensile_strength}};
+  if (joint.residual_friction_angle) json["residual_friction_angle"] = *joint.residual_friction_angle;
+  return json;
+}
+
+Json json_of(const Stage& stage) {
+  const double seconds = stage.steps ? *stage.steps * stage.time_step : stage.duration.value_or(0);
+  return {{"name", stage.name}, {"type", to_string(stage.kind)}, {"time_step", stage.time_step}, {"duration", seconds}};
+}
+
+Json json_of(const EffectStatus& effect) {
+  return {{"name", effect.name}, {"active", effect.active}, {"reason", effect.reason}};
+}
+
+template <typename Things>
+Json list_of(const Things& things) {
+  Json array = Json::array();
+  for (const auto& thing : things) array.push_back(json_of(thing));
+  return array;
+}
+
+Json blocks_of(const BlockSystem& system) {
+  Json blocks = Json::array();
+  for (const Block& block : system.blocks)
+    blocks.push_back({{"name", block.name},
+                      {"body", to_string(block.body)},
+                      {"volume", block.volume},
+                      {"nodes", block.mesh.nodes.size()},
+                      {"tetrahedra", block.mesh.tetrahedra.size()}});
+  return blocks;
+}
+
+void print_blocks(const Json& blocks) {
+  Table table({"Block", "Body", "Volume [m³]", "Nodes", "Tetrahedra"}, "llrrr");
+  for (const Json& block : blocks)
+    table.add(
+        {block["name"], block["body"], number(block["volume"], 8), block["nodes"].dump(), block["tetrahedra"].dump()});
+  std::cout << table.text();
+}
+
+Json json_of_project(const Project& project, const BlockSystem& system) {
+  Json monitors = Json::array();
+  for (const Monitor& monitor : project.monitors) monitors.push_back(monitor.name);
+  return {{"project", project.name},
+          {"gravity", {project.gravity.x(), project.gravity.y(), project.gravity.z()}},
+          {"blocks", blocks_of(system)},
+          {"materials", list_of(project.materials)},
+          {"joints", list_of(project.joints)},
+          {"stages", list_of(project.stages)},
+          {"monitors", monitors},
+          {"expectations", project.expect.size()},
+          {"effects", list_of(called_effects(project, system))}};
+}
+
+void print_project(const Json& info, const std::vector<EffectStatus>& effects) {
+  std::cout << info["project"].get<std::string>() << "\n\n";
+  print_blocks(info["blocks"]);
+  Table materials({"Material", "Density [kg/m³]", "Young's modulus [Pa]", "Poisson's ratio"}, "lrrr");
+  for (const Json& m : info["materials"])
+    materials.add({m["name"], number(m["density"]), number(m["young"]), number(m["poisson"])});
+  Table joints({"Joint", "Friction angle [°]", "Cohesion [Pa]", "Tensile strength [Pa]"}, "lrrr");
+  for (const Json& j : info["joints"])
+    joints.add({j["name"], number(j["friction_angle"]), number(j["cohesion"]), number(j["tensile_strength"])});
+  Table stages({"Stage", "Type", "Time step [s]", "Duration [s]"}, "llrr");
+  for (const Json& s : info["stages"])
+    stages.add({s["name"], s["type"], number(s["time_step"]), number(s["duration"])});
+  std::cout << '\n'
+            << materials.text() << '\n'
+            << joints.text() << '\n'
+            << stages.text() << '\n'
+            << effects_text(effects) << '\n'
+            << info["monitors"].size() << " monitors, " << info["expectations"] << " expectations\n";
+}
+
+ExitCode inform_of_project(const ProjectChoice& choice, bool json) {
+  catch_interrupts();
+  const Project project = read(choice);
+  const BlockSystem system = build(project, choice);
+  const Json info = json_of_project(project, system);
+  if (json)
+    std::cout << info.dump(2) << '\n';
+  else
+    print_project(info, called_effects(project, system));
+  return done;
+}
+
+/// summary.json's words, or that there is none: the run goes on, or was killed.
+std::string status_of(const std::filesystem::path& folder) {
+  const auto summary = Json::parse(std::ifstream(folder / "summary.json"), nullptr, false);
+  return summary.is_object() ? summary.value("status", "unknown") : "unfinished";
+}
+
+Json json_of_results(const std::filesystem::path& folder, const ResultReader& results) {
+  const auto& times = results.frame_times();
+  const auto steps = results.steps();
+  Json events = Json::array();
+  for (const Event& event : results.events()) events.push_back({{"time", event.time}, {"what", event.what}});
+  return {{"project", results.project_name()},
+          {"status", status_of(folder)},
+          {"frames", times.size()},
+          {"first_time", times.empty() ? Json() : Json(times.front())},
+          {"last_time", times.empty() ? Json() : Json(times.back())},
+          {"steps", steps.size()},
+          {"stages", results.stage_names()},
+          {"monitors", results.monitor_names()},
+          {"blocks", blocks_of(results.system())},
+          {"events", events}};
+}
+
+void print_results(const Json& info) {
+  std::cout << info["project"].get<std::string>() << "\n"
+            << info["status"].get<std::string>() << ", " << info["steps"] << " steps, " << info["frames"] << " frames";
+  if (info["frames"] != 0) std::cout << " from " << info["first_time"] << " to " << info["last_time"] << " s";
+  std::cout << "\n\n";
+  print_blocks(info["blocks"]);
+  std::cout << '\n';
+  for (const char* list : {"stages", "monitors"}) {
+    std::cout << list << ':';
+    for (const Json& name : info[list]) std::cout << ' ' << name.get<std::string>();
+    std::cout << '\n';
+  }
+  for (const Json& event : info["events"])
+    std::cout << event["time"] << " s  " << event["what"].get<std::string>() << '\n';
+}
+
+ExitCode inform_of_results(const std::filesystem::path& folder, bool json) {
+  const ResultReader results(folder);
+  const Json info = json_of_results(folder, results);
+  if (json)
+    std::cout << info.dump(2) << '\n';
+  else
+    print_results(info);
+  return done;
+}
+
+}  // namespace
+
+void add_info(CLI::App& program, Invocation& invocation) {
+  auto* command = program.add_subcommand(
+      "info", "Say what is in a project, which effects it calls for and why; or what is in results");
+  auto choice = std::make_shared<ProjectChoice>();
+  add_project(*command, *choice, "PROJECT|RESULTS", "Project file (.talus) or results folder");
+  command->callback([&invocation, choice] {
+    invocation.run = [&invocation, choice] {
+      return std::filesystem::is_directory(choice->file) ? inform_of_results(choice->file, invocation.json)
+                                                         : inform_of_project(*choice, invocation.json);
+    };
+  });
+}
+
+}  // namespace talus::cli

@@ -1,0 +1,70 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+
+#include "base/progress.hpp"
+#include "command.hpp"
+
+namespace {
+
+using namespace talus;
+using namespace talus::cli;
+
+/// One line, whatever a library put into its message.
+void complain(std::string message) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << "talus-cli: " << message << '\n';
+}
+
+void describe(CLI::App& program) {
+  program.description(
+      "Jointed rock slopes by three-dimensional discontinuous deformation analysis.\n"
+      "Units are SI: m, s, kg, N, Pa. Exit codes: 0 done; 1 done, but it did not converge, was stopped "
+      "or a check failed;\n2 bad usage or bad input; 3 a fault of the program.");
+  program.set_version_flag("--version", "talus-cli " TALUS_VERSION, "Print the version and leave");
+  program.set_help_flag("-h,--help", "Print this help and leave");
+  program.require_subcommand(1);
+}
+
+int usage_error(const CLI::App& program, const CLI::ParseError& error) {
+  const auto chosen = program.get_subcommands();
+  complain("usage: " + std::string(error.what()) + "; see talus-cli " +
+           (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help");
+  return bad_input;
+}
+
+int perform(const Invocation& invocation) {
+  try {
+    return invocation.run();
+  } catch (const InputError& error) {
+    complain(error.what());
+    return bad_input;
+  } catch (const Cancelled&) {
+    complain("stopped; nothing was written");
+    return failed;
+  } catch (const std::exception& error) {
+    complain(std::string(error.what()) + "; this is a fault of the program: please report it");
+    return our_fault;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program;
+  Invocation invocation;
+  describe(program);
+  for (const auto add : {add_mesh, add_solve, add_render, add_animate, add_plot, add_verify, add_info, add_export})
+    add(program, invocation);
+  for (CLI::App* command : program.get_subcommands({}))
+    command->add_flag("--json", invocation.json, "Print one JSON object instead of text; progress goes to stderr");
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+    return usage_error(program, error);
+  }
+  return perform(invocation);
+}

@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "mesh/quality.hpp"
+#include "project_choice.hpp"
+#include "table.hpp"
+#include "terminal.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const BlockSystem& system) {
+  Json blocks = Json::array();
+  double volume = 0;
+  for (const Block& block : system.blocks) {
+    const MeshQuality quality = mesh_quality(block.mesh);
+    volume += block.volume;
+    blocks.push_back({{"name", block.name},
+                      {"volume", block.volume},
+                      {"body", to_string(block.body)},
+                      {"nodes", block.mesh.nodes.size()},
+                      {"tetrahedra", block.mesh.tetrahedra.size()},
+                      {"quality", {{"worst", quality.worst}, {"mean", quality.mean}}}});
+  }
+  return {{"blocks", blocks}, {"volume", volume}, {"solids_volume", system.solids_volume}};
+}
+
+void print(const Json& mesh) {
+  Table table({"Block", "Volume [m³]", "Body", "Nodes", "Tetrahedra", "Worst quality", "Mean quality"}, "lrlrrrr");
+  std::size_t nodes = 0, tetrahedra = 0;
+  for (const Json& block : mesh["blocks"]) {
+    nodes += block["nodes"].get<std::size_t>();
+    tetrahedra += block["tetrahedra"].get<std::size_t>();
+    table.add({block["name"], number(block["volume"], 8), block["body"], block["nodes"].dump(),
+               block["tetrahedra"].dump(), number(block["quality"]["worst"], 3), number(block["quality"]["mean"], 3)});
+  }
+  table.add({"total", number(mesh["volume"], 8), "", std::to_string(nodes), std::to_string(tetrahedra), "", ""});
+  std::cout << table.text() << "Quality: 3 × inscribed / circumscribed radius; 1 is regular, 0 flat.\n";
+}
+
+ExitCode mesh(const ProjectChoice& choice, bool json) {
+  catch_interrupts();
+  const Json result = json_of(build(read(choice), choice));
+  if (json)
+    std::cout << result.dump(2) << '\n';
+  else
+    print(result);
+  return done;
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& program, Invocation& invocation) {
+  auto* command = program.add_subcommand("mesh", "Cut and mesh a project; print a table of its blocks");
+  auto choice = std::make_shared<ProjectChoice>();
+  add_project(*command, *choice);
+  command->callback(
+      [&invocation, choice] { invocation.run = [&invocation, choice] { return mesh(*choice, invocation.json); }; });
+}
+
+}  // namespace talus::cli

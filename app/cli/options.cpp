@@ -1,0 +1,120 @@
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <thread>
+
+#include "base/error.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+PictureSize parsed_size(const std::string& text) {
+  PictureSize size{};
+  int read = 0;
+  const int fields = std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &read);
+  if (fields != 2 || static_cast<std::size_t>(read) != text.size() || size.width <= 0 || size.height <= 0)
+    throw CLI::ValidationError("--size", "write it WIDTHxHEIGHT in pixels, like 1600x1000, not '" + text + "'");
+  return size;
+}
+
+std::string field_names() {
+  std::string names;
+  for (const Field& field : all_fields()) names += (names.empty() ? "" : ", ") + std::string(field.name);
+  return names;
+}
+
+}  // namespace
+
+void add_results(CLI::App& command, std::filesystem::path& results) {
+  command.add_option("RESULTS", results, "Results folder, also of a run that goes on or was killed")->required();
+}
+
+void add_size(CLI::App& command, PictureSize& size) {
+  command
+      .add_option_function<std::string>(
+          "--size", [&size](const std::string& text) { size = parsed_size(text); }, "Width and height in pixels")
+      ->type_name("WxH")
+      ->default_str(std::to_string(size.width) + "x" + std::to_string(size.height));
+}
+
+void add_theme(CLI::App& command, Theme& theme) {
+  command
+      .add_option_function<std::string>(
+          "--theme", [&theme](const std::string& name) { theme = name == "dark" ? Theme::dark : Theme::light; },
+          "Colours of the background and the writing")
+      ->check(CLI::IsMember({"light", "dark"}))
+      ->type_name("light|dark")
+      ->default_str("light");
+}
+
+void add_threads(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "Threads; their number does not change a result")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void add_frame_choice(CLI::App& command, FrameChoice& choice, const std::string& otherwise) {
+  auto* time =
+      command.add_option("--time", choice.time, "Frame nearest to this model time in s (default: " + otherwise + ")")
+          ->type_name("T");
+  command.add_option("--frame", choice.frame, "Frame by number, from 0")->type_name("K")->excludes(time);
+}
+
+int frame_index(const ResultReader& results, const FrameChoice& choice) {
+  const auto& times = results.frame_times();
+  const int count = static_cast<int>(times.size());
+  if (count == 0) throw InputError("frames", "the results hold no frame yet", "wait for the run to write one");
+  if (choice.time) {
+    const auto nearest = std::min_element(times.begin(), times.end(), [&](double a, double b) {
+      return std::abs(a - *choice.time) < std::abs(b - *choice.time);
+    });
+    return static_cast<int>(nearest - times.begin());
+  }
+  const int frame = choice.frame.value_or(count - 1);
+  if (frame < 0 || frame >= count)
+    throw InputError("frame " + std::to_string(frame), "the results hold frames 0 to " + std::to_string(count - 1),
+                     "choose one of these, or a --time");
+  return frame;
+}
+
+void add_look(CLI::App& command, Look& look) {
+  command.add_option("--field", look.field, "Colour by a field (default: a colour a block): " + field_names())
+      ->type_name("NAME");
+  command.add_option("--view", look.view, "Where to look from: iso, front, back, left, right or top")
+      ->type_name("NAME")
+      ->capture_default_str();
+  const std::map<std::string, Edges> edges{{"none", Edges::none}, {"blocks", Edges::blocks}, {"mesh", Edges::mesh}};
+  command
+      .add_option_function<std::string>(
+          "--edges", [&look, edges](const std::string& name) { look.edges = edges.at(name); },
+          "Edges to draw: none, the blocks' or the whole mesh's")
+      ->check(CLI::IsMember(edges))
+      ->type_name("none|blocks|mesh")
+      ->default_str("blocks");
+  command.add_option("--scale", look.scale, "Draw displacements this many times too large")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--contacts", look.contacts, "Show contact points: open grey, stick blue, slip orange");
+  add_theme(command, look.theme);
+}
+
+SceneSettings scene_settings(const Look& look, const ResultReader& results) {
+  SceneSettings settings;
+  settings.theme = look.theme;
+  settings.edges = look.edges;
+  settings.contacts = look.contacts;
+  settings.deformation_scale = look.scale;
+  settings.title = results.project_name();
+  if (!look.field.empty()) settings.field = field_named(look.field);
+  return settings;
+}
+
+}  // namespace talus::cli

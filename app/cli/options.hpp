@@ -1,0 +1,47 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "render/image.hpp"
+#include "render/scene.hpp"
+#include "results/result_folder.hpp"
+
+// Options that several commands share, each with its unit and default in its help.
+namespace talus::cli {
+
+struct PictureSize {
+  int width, height;
+};
+
+void add_results(CLI::App& command, std::filesystem::path& results);
+void add_size(CLI::App& command, PictureSize& size);
+void add_theme(CLI::App& command, Theme& theme);
+void add_threads(CLI::App& command, int& threads);
+
+/// One frame of the results: the one nearest to a time, or by number, or the last.
+struct FrameChoice {
+  std::optional<double> time;
+  std::optional<int> frame;
+};
+/// `otherwise` says in the help what is taken when neither is given.
+void add_frame_choice(CLI::App& command, FrameChoice& choice, const std::string& otherwise);
+/// Throws InputError when the results hold no such frame.
+int frame_index(const ResultReader& results, const FrameChoice& choice);
+
+/// What a picture or a film shows and from where.
+struct Look {
+  std::string field, view = "iso";
+  Theme theme = Theme::light;
+  Edges edges = Edges::blocks;
+  bool contacts = false;
+  double scale = 1;
+};
+void add_look(CLI::App& command, Look& look);
+/// Throws InputError for a field or a view there is not.
+SceneSettings scene_settings(const Look& look, const ResultReader& results);
+
+}  // namespace talus::cli

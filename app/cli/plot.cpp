@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "options.hpp"
+#include "render/charts.hpp"
+#include "report_text.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct PlotOptions {
+  std::filesystem::path results, out, events;
+  std::vector<std::string> monitors;
+  PictureSize size{1600, 1000};
+  Theme theme = Theme::light;
+};
+
+struct Chart {
+  std::string name;
+  Image image;
+};
+
+/// The monitors to plot, as indices into the results' own; all where none is named.
+std::vector<int> chosen_monitors(const PlotOptions& options, const ResultReader& results) {
+  const auto& names = results.monitor_names();
+  if (names.empty())
+    throw InputError("monitors", "the results hold no monitor", "add one to the project's monitors and solve it again");
+  std::vector<int> chosen;
+  for (const std::string& name : options.monitors.empty() ? names : options.monitors) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError("monitor " + name, "the results hold no monitor of that name", "info lists them");
+    chosen.push_back(static_cast<int>(found - names.begin()));
+  }
+  return chosen;
+}
+
+/// Published events with their computed moments, or else what the run itself noted.
+std::vector<EventMark> marks_of(const std::vector<EventComparison>& comparisons, const std::vector<Event>& noted) {
+  std::vector<EventMark> marks;
+  for (const EventComparison& comparison : comparisons) {
+    marks.push_back({comparison.event.time, comparison.event.what, true});
+    if (comparison.computed) marks.push_back({*comparison.computed, comparison.event.what, false});
+  }
+  if (comparisons.empty())
+    for (const Event& event : noted) marks.push_back({event.time, event.what, false});
+  return marks;
+}
+
+std::vector<Chart> draw_all(const PlotOptions& options, const ResultReader& results, const std::vector<int>& monitors,
+                            const std::vector<HistoryRow>& history, const std::vector<EventMark>& marks) {
+  std::vector<Chart> charts;
+  for (const int monitor : monitors) {
+    const std::string& name = results.monitor_names()[static_cast<std::size_t>(monitor)];
+    for (const auto quantity : {MonitorQuantity::displacement, MonitorQuantity::velocity}) {
+      HistoryPlot plot = monitor_plot(name, monitor, history, quantity);
+      plot.marks = marks;
+      plot.theme = options.theme;
+      const char* what = quantity == MonitorQuantity::displacement ? "-displacement" : "-velocity";
+      charts.push_back({name + what, draw_chart(plot, options.size.width, options.size.height)});
+    }
+  }
+  return charts;
+}
+
+/// All charts on one sheet: a row a monitor, displacement to the left, velocity to the right.
+Image sheet_of(const std::vector<Chart>& charts) {
+  constexpr int columns = 2;
+  const int width = charts.front().image.width, height = charts.front().image.height;
+  Image sheet(columns * width, static_cast<int>(charts.size()) / columns * height);
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const auto row_bytes = static_cast<std::size_t>(width) * 3;
+    const std::size_t left = i % columns * row_bytes, top = i / columns * static_cast<std::size_t>(height);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
+      std::copy_n(charts[i].image.rgb.begin() + static_cast<std::ptrdiff_t>(y * row_bytes), row_bytes,
+                  sheet.rgb.begin() + static_cast<std::ptrdiff_t>((top + y) * columns * row_bytes + left));
+  }
+  return sheet;
+}
+
+std::vector<std::string> write_all(const std::filesystem::path& out, const std::vector<Chart>& charts) {
+  if (out.extension() == ".png") {
+    write_png(sheet_of(charts), out);
+    return {out.string()};
+  }
+  std::error_code failure;
+  std::filesystem::create_directories(out, failure);
+  if (failure) throw InputError(out.string(), "cannot be made: " + failure.message(), "choose another folder");
+  std::vector<std::string> files;
+  for (const Chart& chart : charts) {
+    std::string name = chart.name + ".png";
+    std::replace(name.begin(), name.end(), '/', '_');
+    write_png(chart.image, out / name);
+    files.push_back((out / name).string());
+  }
+  return files;
+}
+
+Json json_of(const std::vector<EventComparison>& comparisons) {
+  Json array = Json::array();
+  for (const EventComparison& c : comparisons)
+    array.push_back({{"event", c.event.what},
+                     {"published", c.event.time},
+                     {"computed", c.computed ? Json(*c.computed) : Json()},
+                     {"value_at_published", c.value_then ? Json(*c.value_then) : Json()}});
+  return array;
+}
+
+ExitCode plot(const PlotOptions& options, bool json) {
+  const ResultReader results(options.results);
+  const auto monitors = about(options.results, [&] { return chosen_monitors(options, results); });
+  const auto history = results.history();
+  if (history.empty())
+    throw InputError(options.results.string(), "the history is empty", "wait for the run to make a step");
+  std::vector<EventComparison> comparisons;
+  if (!options.events.empty())
+    comparisons = compare_events(read_reference_events(options.events), results.monitor_names(), history);
+  const auto files =
+      write_all(options.out, draw_all(options, results, monitors, history, marks_of(comparisons, results.events())));
+
+  if (json) {
+    const Json result = {{"pictures", files},
+                         {"events", json_of(comparisons)},
+                         {"in_published_order", comparisons.empty() ? Json() : Json(in_published_order(comparisons))}};
+    std::cout << result.dump(2) << '\n';
+  } else {
+    if (!comparisons.empty()) std::cout << events_text(comparisons);
+    for (const std::string& file : files) std::cout << file << '\n';
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& program, Invocation& invocation) {
+  auto* command = program.add_subcommand("plot", "Draw the histories of monitors as PNG");
+  auto options = std::make_shared<PlotOptions>();
+  add_results(*command, options->results);
+  command->add_option("--out", options->out, "Folder for a chart of each, or one picture with all of them")
+      ->required()
+      ->type_name("DIR|P.png");
+  command->add_option("--monitor", options->monitors, "Only this monitor; may be given again (default: all)")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  command
+      ->add_option("--events", options->events,
+                   "Published events to mark and compare with: time [s],event,quantity,minus,reaches [m, m/s]")
+      ->type_name("FILE.csv");
+  add_size(*command, options->size);
+  add_theme(*command, options->theme);
+  command->callback(
+      [&invocation, options] { invocation.run = [&invocation, options] { return plot(*options, invocation.json); }; });
+}
+
+}  // namespace talus::cli

@@ -1,0 +1,87 @@
+#include "report_text.hpp"
+
+#include <algorithm>
+
+#include "table.hpp"
+#include "terminal.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+std::string vector_text(const Vec3& vector) {
+  return number(vector.x(), 4) + ", " + number(vector.y(), 4) + ", " + number(vector.z(), 4);
+}
+
+std::string cost_text(const RunReport& report) {
+  const double steps = std::max(1, report.steps);
+  return number(report.time) + " s of model time in " + std::to_string(report.steps) + " steps, " +
+         number(static_cast<double>(report.iterations) / steps, 3) + " iterations a step, " +
+         std::to_string(report.cuts) + (report.cuts == 1 ? " step cut" : " steps cut") + "; wall time " +
+         duration_text(report.wall_seconds) + " (" + number(1e3 * report.wall_seconds / steps, 3) + " ms a step)\n";
+}
+
+std::string blocks_text(const RunReport& report) {
+  Table table({"Block", "Body", "Displacement [m]", "Rotation [°]", "Velocity [m/s]", "Volume change"}, "lllrlr");
+  for (const BlockOutcome& block : report.blocks) {
+    if (block.body == BodyKind::fixed) continue;
+    table.add({block.name, std::string(to_string(block.body)), vector_text(block.displacement),
+               number(block.rotation_degrees, 4), vector_text(block.velocity),
+               number(block.relative_volume_change, 2)});
+  }
+  return table.text();
+}
+
+std::string effects_that_acted(const RunReport& report) {
+  std::string on, off;
+  for (const EffectOutcome& effect : report.effects) {
+    std::string& list = effect.active ? on : off;
+    list += (list.empty() ? "" : ", ") + effect.name;
+  }
+  return "Effects on: " + on + "\nEffects off: " + off + "\n";
+}
+
+}  // namespace
+
+std::string report_text(const RunReport& report) {
+  std::string text = std::string(to_string(report.status));
+  if (!report.reason.empty()) text += ": " + report.reason;
+  text += "\n" + cost_text(report) + effects_that_acted(report) + "Largest penetration " +
+          number(report.max_penetration, 3) + " m, " + number(report.max_relative_penetration, 3) +
+          " of the mesh size\n" + blocks_text(report);
+  for (const Event& event : report.events) text += number(event.time) + " s  " + event.what + "\n";
+  if (!report.expect.empty()) text += expectations_text(report.expect);
+  return text;
+}
+
+std::string expectations_text(const std::vector<ExpectationOutcome>& outcomes) {
+  Table table({"Quantity", "Time [s]", "Expected", "Computed", "Error", "Tolerance", "Passed", "Source"}, "lrrrrrll");
+  for (const ExpectationOutcome& outcome : outcomes) {
+    const Expectation& expected = outcome.expectation;
+    table.add({expected.quantity, number(expected.time), number(expected.value, 8),
+               outcome.reached ? number(outcome.computed, 8) : "not reached",
+               outcome.reached ? number(outcome.error, 2) : "", number(expected.tolerance, 2),
+               outcome.passed ? "yes" : "no", expected.source});
+  }
+  return table.text();
+}
+
+std::string events_text(const std::vector<EventComparison>& comparisons) {
+  Table table({"Event", "Published [s]", "Computed [s]", "Difference [s]", "At published time", "Counts when"},
+              "lrrrrl");
+  for (const EventComparison& comparison : comparisons) {
+    const ReferenceEvent& event = comparison.event;
+    table.add({event.what, number(event.time), comparison.computed ? number(*comparison.computed, 4) : "did not happen",
+               comparison.computed ? number(*comparison.computed - event.time, 3) : "",
+               comparison.value_then ? number(*comparison.value_then, 4) : "", event.criterion});
+  }
+  return table.text();
+}
+
+std::string effects_text(const std::vector<EffectStatus>& effects) {
+  Table table({"Effect", "", "Why"}, "lll");
+  for (const EffectStatus& effect : effects) table.add({effect.name, effect.active ? "on" : "off", effect.reason});
+  return table.text();
+}
+
+}  // namespace talus::cli

@@ -1,0 +1,111 @@
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "command.hpp"
+#include "options.hpp"
+#include "project_choice.hpp"
+#include "report_text.hpp"
+#include "results/summary.hpp"
+#include "solve/run.hpp"
+#include "terminal.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+struct SolveOptions {
+  ProjectChoice project;
+  std::filesystem::path out;
+  int threads = 1;
+};
+
+double duration(const Project& project) {
+  double seconds = 0;
+  for (const Stage& stage : project.stages)
+    seconds += stage.steps ? *stage.steps * stage.time_step : stage.duration.value_or(0);
+  return seconds;
+}
+
+/// Shows how far the run is, and ends it after the step on Ctrl-C.
+class Watch final : public RunObserver {
+ public:
+  explicit Watch(const Project& project) : project_(project), end_(duration(project)) {}
+
+  void on_step(const StepReport& step, const HistoryRow&, double fraction) override {
+    ++steps_;
+    iterations_ += step.iterations;
+    char text[120];
+    std::snprintf(text, sizeof text, "%s: %.2f of %.2f s, %.1f iterations a step, %d contacts",
+                  project_.stages[static_cast<std::size_t>(step.stage)].name.c_str(), step.time, end_,
+                  static_cast<double>(iterations_) / static_cast<double>(steps_), step.contacts);
+    progress_.report(fraction, text);
+  }
+  void on_frame(std::shared_ptr<const Frame>) override {}
+  bool go_on() override { return !interrupted(); }
+
+ private:
+  const Project& project_;
+  const double end_;
+  long steps_ = 0, iterations_ = 0;
+  TerminalProgress progress_;
+};
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// NAME.results beside NAME.talus.
+std::filesystem::path results_folder(const SolveOptions& options) {
+  return options.out.empty() ? std::filesystem::path(options.project.file).replace_extension(".results") : options.out;
+}
+
+/// The project is read and meshed before the results folder is touched: a faulty one leaves nothing behind.
+RunReport solve(const SolveOptions& options) {
+  const Project project = read(options.project);
+  const BlockSystem system = build(project, options.project);
+  Watch watch(project);
+  return about(options.project.file, [&] {
+    return run(project, system, {results_folder(options), text_of(options.project.file), options.threads}, watch);
+  });
+}
+
+bool all_met(const RunReport& report) {
+  for (const ExpectationOutcome& outcome : report.expect)
+    if (!outcome.passed) return false;
+  return report.status == RunStatus::completed;
+}
+
+ExitCode solve_and_tell(const SolveOptions& options, bool json) {
+  catch_interrupts();
+  const RunReport report = solve(options);
+  if (json) {
+    auto summary = nlohmann::ordered_json::parse(summary_json(report));
+    summary["results"] = results_folder(options).string();
+    std::cout << summary.dump(2) << '\n';
+  } else {
+    std::cout << report_text(report) << "Results in " << results_folder(options).string() << '\n';
+  }
+  return all_met(report) ? done : failed;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& program, Invocation& invocation) {
+  auto* command = program.add_subcommand("solve", "Cut, mesh and compute a project; Ctrl-C stops it after the step");
+  auto options = std::make_shared<SolveOptions>();
+  add_project(*command, options->project);
+  command->add_option("--out", options->out, "Results folder (default: NAME.results beside the project NAME.talus)")
+      ->type_name("DIR");
+  add_threads(*command, options->threads);
+  command->callback([&invocation, options] {
+    invocation.run = [&invocation, options] { return solve_and_tell(*options, invocation.json); };
+  });
+}
+
+}  // namespace talus::cli
