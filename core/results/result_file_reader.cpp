@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 #include "base/error.hpp"
 #include "results/hdf5.hpp"
@@ -14,8 +16,18 @@ using hdf5::Table;
 
 namespace {
 
+/// Opening looks at the file's end and then at its superblock; a writer in another process may come between, which
+/// looks like a truncated file. It is gone at the next attempt.
+constexpr int attempts = 20;
+constexpr std::chrono::milliseconds between_attempts{2};
+
 Handle open_file(const std::filesystem::path& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
+  for (int attempt = 1; attempt < attempts; ++attempt) {
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT);
+    if (file >= 0) return Handle(file);
+    std::this_thread::sleep_for(between_attempts);
+  }
   return Handle(check(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), "cannot be opened"));
 }
 

@@ -157,7 +157,12 @@ Handle create_file(const std::filesystem::path& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
   const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "cannot be made"));
   check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "cannot be made");
-  return Handle(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "cannot be made"));
+  // A kill may tear a write between two pages of the system's file cache; with pages of that size in the file, no
+  // small piece of HDF5's own data lies across two.
+  const Handle creation(check(H5Pcreate(H5P_FILE_CREATE), "cannot be made"));
+  check(H5Pset_file_space_strategy(creation, H5F_FSPACE_STRATEGY_PAGE, false, 1), "cannot be made");
+  check(H5Pset_file_space_page_size(creation, 4096), "cannot be made");
+  return Handle(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), "cannot be made"));
 }
 
 }  // namespace

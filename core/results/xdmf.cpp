@@ -1,7 +1,9 @@
 #include "results/xdmf.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <stdexcept>
-#include <string_view>
 
 #include "model/number_text.hpp"
 #include "results/xml_text.hpp"
@@ -10,7 +12,12 @@ namespace talus {
 
 namespace {
 
-constexpr std::string_view closing_tags = "  </Grid>\n </Domain>\n</Xdmf>\n";
+const std::string closing_tags = "  </Grid>\n </Domain>\n</Xdmf>\n";
+// A kill may tear a write between two pages of the system's file cache, never inside one.
+constexpr std::uint64_t page = 4096;
+// What stands behind the closing tags while they move: an instruction that no reader knows, which XML lets be there.
+const std::string instruction_begin = "<?moving ", instruction = "<?moved ?>";
+
 constexpr const char* integer64 = "NumberType=\"Int\" Precision=\"8\"";
 constexpr const char* integer32 = "NumberType=\"Int\" Precision=\"4\"";
 constexpr const char* float64 = "NumberType=\"Float\" Precision=\"8\"";
@@ -43,15 +50,17 @@ std::string attribute(const char* name, const char* kind, const char* centre, co
 
 XdmfIndex::XdmfIndex(std::filesystem::path file, const std::string& name, std::uint64_t nodes, std::uint64_t tetrahedra)
     : path_(std::move(file)),
-      stream_(path_, std::ios::binary | std::ios::trunc),
+      descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
       nodes_(nodes),
       tetrahedra_(tetrahedra) {
-  write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n  <Grid Name=\"" +
-        xml_text(name) + "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
+  insert("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n  <Grid Name=\"" +
+         xml_text(name) + "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
 }
 
+XdmfIndex::~XdmfIndex() { ::close(descriptor_); }
+
 void XdmfIndex::add_frame(double time) {
-  write(grid(time));
+  insert(grid(time));
   ++frames_;
 }
 
@@ -70,11 +79,34 @@ std::string XdmfIndex::grid(double time) const {
          "   </Grid>\n";
 }
 
-/// Writes the text with the closing tags behind it, in one call to the system, and goes back before the tags.
-void XdmfIndex::write(const std::string& text) {
-  stream_ << text + std::string(closing_tags) << std::flush;
-  stream_.seekp(-static_cast<std::streamoff>(closing_tags.size()), std::ios::cur);
-  if (!stream_) throw std::runtime_error(path_.string() + ": cannot be written; is the disk full?");
+/// Puts the text before the closing tags, in one write that stays on one page.
+void XdmfIndex::insert(const std::string& text) {
+  const std::uint64_t end = closing_tags_at_ + text.size() + closing_tags.size() + instruction_begin.size();
+  if (closing_tags_at_ > 0 && end / page > closing_tags_at_ / page) move_closing_tags_to_next_page();
+  write(closing_tags_at_, text + closing_tags);
+  closing_tags_at_ += text.size();
+}
+
+/// Each write stays on one page and leaves the file well-formed:
+///   tags spaces |                     spaces may follow the document
+///   tags spaces | <?moved ?>          so may an instruction
+///   tags <?moving | <?moved ?>        … which may begin before the page
+///   tags <?moving | tags <?moved ?>   … and hold anything
+///        spaces   | tags <?moved ?>
+void XdmfIndex::move_closing_tags_to_next_page() {
+  const std::uint64_t boundary = (closing_tags_at_ / page + 1) * page;
+  const std::uint64_t behind = closing_tags_at_ + closing_tags.size();
+  write(behind, std::string(boundary - behind, ' '));
+  write(boundary, instruction);
+  write(behind, instruction_begin);
+  write(boundary, closing_tags + instruction);
+  write(closing_tags_at_, std::string(boundary - closing_tags_at_, ' '));
+  closing_tags_at_ = boundary;
+}
+
+void XdmfIndex::write(std::uint64_t at, const std::string& text) {
+  if (::pwrite(descriptor_, text.data(), text.size(), static_cast<off_t>(at)) != static_cast<ssize_t>(text.size()))
+    throw std::runtime_error(path_.string() + ": cannot be written; is the disk full?");
 }
 
 }  // namespace talus
