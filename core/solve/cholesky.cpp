@@ -2,6 +2,7 @@
 
 #include <cblas.h>
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 
@@ -19,7 +20,9 @@ struct Cholesky::State {
     common.print = 0;
     common.error_handler = nullptr;
     common.final_ll = 1;  // LDLᵀ, the default for small matrices, would go on through an indefinite one
-    // BLAS threads cost more than they bring on fronts of this size, and would change bits with their number.
+    // Threads cost more than they bring on fronts of this size, and would change bits with their number. CHOLMOD asks
+    // OpenMP for four of its own whatever the machine has; with no active level each region runs on its caller.
+    omp_set_max_active_levels(0);
     openblas_set_num_threads(1);
   }
   ~State() {

@@ -1,59 +1,81 @@
 #include "solve/event_watch.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/units.hpp"
-#include "bodies/block_motion.hpp"
 #include "solve/simulation.hpp"
 
 namespace talus {
 
 namespace {
 
-/// A contact that closes again within this time has only chattered [s].
-constexpr double lasting = 0.25;
+/// A joint is seen to be open when its blocks have parted by this share of the smaller one's size.
+constexpr double visible_opening = 0.01;
+/// A block that touches something again within this time has only bounced [s].
+constexpr double lasting_flight = 0.25;
 /// A block topples when it has turned by this much [degrees].
 constexpr double toppling_angle = 10;
+
+double size_of(const Block& block) { return std::cbrt(block.volume); }
 
 }  // namespace
 
 EventWatch::EventWatch(const BlockSystem& system)
-    : system_(system), blocks_(system.blocks.size()), turned_(system.blocks.size(), false) {
-  for (std::size_t b = 0; b < blocks_.size(); ++b) blocks_[b].what = system.blocks[b].name + " lost contact";
-}
+    : system_(system),
+      flights_(system.blocks.size()),
+      motions_(system.blocks.size()),
+      toppled_(system.blocks.size(), false) {}
 
-void EventWatch::settle(Watched& watched, double time) {
-  if (watched.closed_now) {
-    watched.was_closed = true;
-    watched.told = false;
-    watched.open_since = time;
-  } else if (watched.was_closed && !watched.told && time - watched.open_since > lasting) {
-    watched.told = true;
-    watched.was_closed = false;
-    events_.push_back({watched.open_since, watched.what});
-  }
-  watched.closed_now = false;
+void EventWatch::mark_closed(const ContactSample& contact) {
+  const auto [first, second] = std::minmax(contact.blocks[0], contact.blocks[1]);
+  flights_[first].touches = flights_[second].touches = true;
+  for (Joint& joint : joints_)
+    if (joint.blocks[0] == first && joint.blocks[1] == second && joint.joint == contact.joint) {
+      joint.closed = true;
+      return;
+    }
+  joints_.push_back({{first, second}, contact.joint});
 }
 
 void EventWatch::look(const Simulation& simulation, const std::vector<ContactSample>& contacts) {
-  for (const ContactSample& contact : contacts) {
-    if (contact.state == ContactState::open) continue;
-    const std::pair<int, int> pair = std::minmax(contact.blocks[0], contact.blocks[1]);
-    Watched& joint = joints_[{pair, contact.joint}];
-    if (joint.what.empty() && !system_.joint_names.empty())
-      joint.what = system_.joint_names[contact.joint] + " opened (" + system_.blocks[pair.first].name + " - " +
-                   system_.blocks[pair.second].name + ")";
-    joint.closed_now = true;
-    for (const int block : contact.blocks) blocks_[block].closed_now = true;
+  for (std::size_t b = 0; b < motions_.size(); ++b)
+    motions_[b] = block_motion(simulation.bodies(), static_cast<int>(b));
+  for (const ContactSample& contact : contacts)
+    if (contact.state != ContactState::open) mark_closed(contact);
+  look_at_joints(simulation.time());
+  look_at_blocks(simulation);
+}
+
+void EventWatch::look_at_joints(double time) {
+  for (Joint& joint : joints_) {
+    const auto [first, second] = joint.blocks;
+    const Vec3 apart = motions_[first].displacement - motions_[second].displacement;
+    const double visible = visible_opening * std::min(size_of(system_.blocks[first]), size_of(system_.blocks[second]));
+    if (joint.closed) joint.apart_at_opening = apart;
+    joint.closed = false;
+    if (joint.told || (apart - joint.apart_at_opening).norm() < visible) continue;
+    joint.told = true;
+    const std::string name = system_.joint_names.empty() ? "contact" : system_.joint_names[joint.joint];
+    events_.push_back(
+        {time, name + " opens (" + system_.blocks[first].name + " - " + system_.blocks[second].name + ")"});
   }
+}
+
+void EventWatch::look_at_blocks(const Simulation& simulation) {
   const double time = simulation.time();
-  for (auto& [key, joint] : joints_) settle(joint, time);
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+  for (std::size_t b = 0; b < flights_.size(); ++b) {
     if (simulation.bodies().bodies[b].fixed) continue;
-    settle(blocks_[b], time);
-    if (turned_[b] || degrees(block_motion(simulation.bodies(), static_cast<int>(b)).rotation) < toppling_angle)
-      continue;
-    turned_[b] = true;
+    Flight& flight = flights_[b];
+    if (flight.touches) flight.since = time;
+    flight.touched |= flight.touches;
+    flight.touches = false;
+    if (flight.touched && !flight.told && time - flight.since > lasting_flight) {
+      flight.told = true;
+      events_.push_back({flight.since, system_.blocks[b].name + " falls free"});
+    }
+    if (toppled_[b] || degrees(motions_[b].rotation) < toppling_angle) continue;
+    toppled_[b] = true;
     events_.push_back({time, system_.blocks[b].name + " topples (turned by 10°)"});
   }
 }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
+#include "bodies/block_motion.hpp"
 #include "mesh/block.hpp"
 #include "results/frame.hpp"
 #include "results/run_report.hpp"
@@ -12,30 +12,37 @@ namespace talus {
 
 class Simulation;
 
-/// Watches a run for what deserves a mark on its timeline: a joint between two blocks that opened and stayed open,
-/// a block that lost all contact, a block that has turned over by more than a given angle.
+/// Watches a run for what deserves a mark on its timeline, each told once: a joint between two blocks that has opened
+/// so far that one sees it, a block that has flown free for a while, a block that has begun to topple.
 class EventWatch {
  public:
   explicit EventWatch(const BlockSystem& system);
 
-  /// After a step; `frame` holds the contacts of that step.
+  /// After a step, with the contacts of that step.
   void look(const Simulation& simulation, const std::vector<ContactSample>& contacts);
   /// In order of time.
   std::vector<Event> events() const;
 
  private:
-  /// Something that may be closed, and since when it is not.
-  struct Watched {
-    std::string what;
-    bool was_closed = false, closed_now = false, told = false;
-    double open_since = 0;
+  struct Joint {
+    int blocks[2];
+    int joint;
+    bool closed = true, told = false;
+    Vec3 apart_at_opening = Vec3::Zero();  ///< m, difference of the blocks' displacements when the last contact opened
   };
-  void settle(Watched& watched, double time);
+  struct Flight {
+    bool touched = false, touches = false, told = false;
+    double since = 0;  ///< s
+  };
+  void mark_closed(const ContactSample& contact);
+  void look_at_joints(double time);
+  void look_at_blocks(const Simulation& simulation);
 
   const BlockSystem& system_;
-  std::map<std::pair<std::pair<int, int>, int>, Watched> joints_;  ///< by pair of blocks and joint
-  std::vector<Watched> blocks_;
-  std::vector<bool> turned_;
+  std::vector<Joint> joints_;
+  std::vector<Flight> flights_;
+  std::vector<BlockMotion> motions_;
+  std::vector<bool> toppled_;
   std::vector<Event> events_;
 };
 
