@@ -71,6 +71,23 @@ MesherBlock finished_block(const ImportedModel& model, const CutBlock& cut, cons
           std::move(joints)};
 }
 
+/// From the cut model to finished blocks, sent one by one.
+void mesh_blocks(const ImportedModel& model, const CutModel& cut, const std::vector<NamedBlock>& names,
+                 double share_done) {
+  std::vector<double> sizes;
+  for (const NamedBlock& block : names) sizes.push_back(block.mesh_size);
+  report(share_done, "meshing the surfaces of " + std::to_string(cut.blocks.size()) + " blocks");
+  const std::vector<SurfaceMesh> surfaces = mesh_surfaces(cut, sizes);
+  for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
+    const std::string place = "block " + names[b].name;
+    const double fraction = static_cast<double>(b) / static_cast<double>(cut.blocks.size());
+    report(share_done + (1 - share_done) * fraction,
+           "meshing " + place + " (" + std::to_string(b + 1) + " of " + std::to_string(cut.blocks.size()) + ")");
+    MeshedShape shape = fill_with_tetrahedra(surfaces[b], sizes[b], cut.blocks[b].volume, place);
+    send_message(MessageKind::block, finished_block(model, cut.blocks[b], names[b], std::move(shape)));
+  }
+}
+
 void work(const MesherJob& job) {
   constexpr double imported = 0.05, cut_done = 0.2;  // shares of the whole
   report(0, "importing solids");
@@ -80,15 +97,7 @@ void work(const MesherJob& job) {
   const CutModel cut = cut_solids(job, model, [](double fraction, std::string_view what) {
     report(imported + (cut_done - imported) * fraction, what);
   });
-  const std::vector<NamedBlock> names = name_blocks(job, model, cut);
-  TetMesher mesher(cut.planes);
-  for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
-    const std::string place = "block " + names[b].name;
-    report(cut_done + (1 - cut_done) * static_cast<double>(b) / static_cast<double>(cut.blocks.size()),
-           "meshing " + place + " (" + std::to_string(b + 1) + " of " + std::to_string(cut.blocks.size()) + ")");
-    MeshedShape shape = mesher.mesh(cut.blocks[b], names[b].mesh_size, place);
-    send_message(MessageKind::block, finished_block(model, cut.blocks[b], names[b], std::move(shape)));
-  }
+  mesh_blocks(model, cut, name_blocks(job, model, cut), cut_done);
   MesherEnd end;
   for (const ImportedSolid& solid : model.solids) end.solids_volume += solid.volume;
   send_message(MessageKind::end, end);
@@ -100,6 +109,8 @@ void run() {
     gmsh::initialize();
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
+    // An error in the threads of surface meshing would end the process; the checks of each mesh see it as well.
+    gmsh::option::setNumber("General.AbortOnError", 0);
     work(job);
   } catch (const InputError& error) {
     send_message(MessageKind::error, MesherError{error.place(), error.problem(), error.remedy()});

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "geometry/mesher/block_cutter.hpp"
+#include <string>
+
+#include "geometry/mesher/surface_mesher.hpp"
 
 namespace talus {
 
@@ -12,17 +14,9 @@ struct MeshedShape {
   std::vector<int> triangle_joints;
 };
 
-/// Meshes blocks of gmsh's current model one by one, each by itself: Delaunay, one thread, the same bits each time.
-class TetMesher {
- public:
-  explicit TetMesher(const PlaneTable& planes);
-
-  /// `size`: m, the length that edges aim at. Nodes on flat facets lie on the table's planes to the last digit.
-  /// Throws InputError at `place` when gmsh fails or the mesh does not fill the block.
-  MeshedShape mesh(const CutBlock& block, double size, const std::string& place);
-
- private:
-  const PlaneTable& planes_;
-};
+/// Fills a block's surface with tetrahedra, in a gmsh model of its own so that one bad block spoils no other:
+/// Delaunay, one thread, the same bits each time. `size`: m, the length that edges aim at; `volume`: m³, the block's.
+/// Throws InputError at `place` when gmsh fails or the mesh does not fill the block.
+MeshedShape fill_with_tetrahedra(const SurfaceMesh& surface, double size, double volume, const std::string& place);
 
 }  // namespace talus
