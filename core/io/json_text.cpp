@@ -85,8 +85,11 @@ class FaultFinder {
       throw InputError(place, "a comma stands before the closing '" + text_.substr(offset, 1) + "'",
                        "remove the comma or add what is missing");
     }
-    throw InputError(place, "this is not JSON: " + plain_words(error.what()),
-                     "look for a missing comma, quote or bracket just before");
+    const std::string words = plain_words(error.what());
+    if (words == "unexpected string literal, expected '}'" || words == "unexpected string literal, expected ']'") {
+      throw InputError(place, "a comma is missing before this text", "put a comma behind what stands before it");
+    }
+    throw InputError(place, "this is not JSON: " + words, "look for a missing comma, quote or bracket just before");
   }
 
  private:

@@ -37,7 +37,7 @@ TEST_P(BadProject, SaysLineProblemAndRemedy) {
 }
 
 const std::vector<BadText> not_json{
-    {"\"talus\": 1,", "\"talus\": 1", "line 3, column 3", "not JSON", "missing comma"},
+    {"\"talus\": 1,", "\"talus\": 1", "line 3, column 3", "a comma is missing before this text", "comma"},
     {"0.24}", "0.24,}", "line 4, column 62", "comma stands before the closing '}'", "remove the comma"},
     {"[5, 5, 5]", "[5, 5, 5", "line 15, column 73", "not JSON: unexpected '}'", "bracket"},
     {"\"rock\":", "rock:", "line 4, column 5", "not JSON", "quote"},
