@@ -2,6 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
 
 namespace talus {
 namespace {
@@ -29,35 +32,40 @@ class Search {
     try_normal(edges_b_[0].cross(edges_b_[1]), scale_ * scale_);
     int iterations = 0;
     auto [p, q] = closest_vertices();
-    while (gap_ <= enough_ && iterations < most_iterations) {
+    while (!known_near(p, q) && gap_ <= enough_ && iterations < most_iterations) {
       ++iterations;
       const double before = gap_;
       try_candidates(p, q);
+      if (!(gap_ > before) && std::isinf(enough_)) try_all_vertices();
       if (!(gap_ > before)) break;
       std::tie(p, q) = closest_vertices();
-    }
-    if (gap_ <= 0) {  // crossing facets: the closest vertices say little, so every direction is tried
-      for (const Vec3& e : edges_a_) {
-        for (const Vec3& f : edges_b_) try_normal(e.cross(f), scale_ * scale_);
-      }
     }
     return {normal_, origin + 0.5 * (a_[p] + b_[q]), gap_, iterations};
   }
 
  private:
+  bool known_near(int p, int q) const {
+    return std::isfinite(enough_) && (a_[p] - b_[q]).squaredNorm() <= enough_ * enough_;
+  }
+
   /// Both senses of a direction.
   void try_normal(const Vec3& direction, double scale) {
     const double squared = direction.squaredNorm();
     if (!(squared > no_direction * scale)) return;
-    const Vec3 n = direction / std::sqrt(squared);
     const auto range = [&](const Triangle& t) {
-      const double x = n.dot(t[0]), y = n.dot(t[1]), z = n.dot(t[2]);
-      return std::pair(std::min({x, y, z}), std::max({x, y, z}));
+      const double u = direction.dot(t[0]), v = direction.dot(t[1]), w = direction.dot(t[2]);
+      return std::pair(std::min(std::min(u, v), w), std::max(std::max(u, v), w));
     };
     const auto [low_a, high_a] = range(a_);
     const auto [low_b, high_b] = range(b_);
-    if (low_a - high_b > gap_) gap_ = low_a - high_b, normal_ = n;
-    if (low_b - high_a > gap_) gap_ = low_b - high_a, normal_ = -n;
+    const auto keep_if_wider = [&](double apart, double sense) {  // compared as squares: most candidates lose
+      if (!(apart * std::abs(apart) > gap_ * std::abs(gap_) * squared)) return;
+      const double length = std::sqrt(squared);
+      gap_ = apart / length;
+      normal_ = direction * (sense / length);
+    };
+    keep_if_wider(low_a - high_b, 1);
+    keep_if_wider(low_b - high_a, -1);
   }
 
   void try_candidates(int p, int q) {
@@ -69,6 +77,15 @@ class Search {
         if (squared > no_direction * scale_) try_normal(d - e * (e.dot(d) / squared), scale_);
       }
       for (int j = 1; j < 3; ++j) try_normal(edges_a_[(p + i) % 3].cross(edges_b_[(q + j) % 3]), scale_ * scale_);
+    }
+  }
+
+  /// Facets, unlike whole blocks, are thin: where the plane touches several vertices the nearest two need not be those
+  /// the best plane hangs on (7 pairs in 1000 of random triangles), and where facets cross the closest vertices say
+  /// little.
+  void try_all_vertices() {
+    for (int p = 0; p < 3 && gap_ <= enough_; ++p) {
+      for (int q = 0; q < 3; ++q) try_candidates(p, q);
     }
   }
 

@@ -19,9 +19,11 @@ struct CommonPlane {
 
 /// Fast common plane of two triangles (paper, 3.1; Nezami et al. 2004): candidate planes of four types are built on the
 /// closest pair of vertices (perpendicular to the segment between them; to its part across an edge; parallel to an edge
-/// of each; parallel to a facet). The one with the largest gap wins, and its closest vertices are the next pair. Stops
-/// early once the gap exceeds `enough`: the facets are then known to be apart. The gap never exceeds the distance of
-/// the facets, and equals it where they are apart.
+/// of each; parallel to a facet). The one with the largest gap wins, and its closest vertices are the next pair.
+/// The gap never exceeds the distance of the facets, and equals it where they are apart.
+///
+/// With a finite `enough` only one thing is asked: whether the gap exceeds it. The search then stops as soon as that is
+/// known, and the gap of facets that are nearer may be less than the largest.
 CommonPlane common_plane(const Triangle& a, const Triangle& b, double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace talus

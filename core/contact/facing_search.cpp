@@ -37,41 +37,50 @@ struct Projected {
   }
 };
 
-int other_facet(const ContactEdge& e, int facet) { return e.facets[0] == facet ? e.facets[1] : e.facets[0]; }
-
-bool convex_crease(const StepGeometry& step, int facet, int k) {
-  const ContactFacet& f = step.features.facets[facet];
-  const ContactEdge& e = step.features.edges[f.edges[k]];
-  const int beyond = other_facet(e, facet);
-  if (step.features.facets[beyond].patch == f.patch) return false;
-  const Vec3 across = step.x[f.nodes[k]] - step.x[e.nodes[0]];
-  return step.fresh_normal(beyond).dot(across) < 0;
-}
-
-/// Whether the overlap is only a strip between a rim of one body and a rim of the other that has just passed it: two
-/// bodies that lie flush, or a step of a settlement's height. It would hold a block that has nothing to hold it.
-bool between_rims(const StepGeometry& step, const FacetPair& pair, const Projected& a, const Projected& b,
-                  const OverlapPolygon& p, double rim) {
-  const auto lies_along = [&](const Projected& t, int k) {
-    const double height = t.twice_area / t.side(k);
-    for (int i = 0; i < p.count; ++i) {
-      if (t.share(p.corners[i], k) * height > rim) return false;
-    }
-    return true;
-  };
-  const auto inward = [](const Projected& t, int k) {
-    const Vec2 along = t.points[(k + 2) % 3] - t.points[(k + 1) % 3];
-    return Vec2(-along.y(), along.x());
-  };
-  for (int i = 0; i < 3; ++i) {
-    if (!lies_along(a, i) || !convex_crease(step, pair.a, a.local[i])) continue;
-    for (int j = 0; j < 3; ++j) {
-      if (inward(a, i).dot(inward(b, j)) < 0 && lies_along(b, j) && convex_crease(step, pair.b, b.local[j]))
-        return true;
+/// Directions, in the common plane, in which the convex creases that the whole overlap lies along look out of their
+/// facet.
+class RimsAlong {
+ public:
+  RimsAlong(const StepGeometry& step, int facet, const Projected& t, const OverlapPolygon& p, double rim,
+            const Vec3& e1, const Vec3& e2) {
+    const ContactFacet& f = step.features.facets[facet];
+    const auto add_beyond = [&](int beyond, const Vec3& on_crease, const Vec3& inside) {
+      if (step.features.facets[beyond].patch == f.patch || count_ == outward_.size()) return;
+      const Vec3 n = step.fresh_normal(beyond);
+      if (n.dot(inside - on_crease) < 0) outward_[count_++] = Vec2(n.dot(e1), n.dot(e2)).normalized();
+    };
+    const auto all_corners = [&](const auto& near) {
+      return std::all_of(p.corners.begin(), p.corners.begin() + p.count, near);
+    };
+    const Vec3 centre = (step.x[f.nodes[0]] + step.x[f.nodes[1]] + step.x[f.nodes[2]]) / 3;
+    for (int k = 0; k < 3; ++k) {
+      const int node = t.local[k];
+      const double height = t.twice_area / t.side(k);
+      if (all_corners([&](const Vec2& c) { return t.share(c, k) * height < rim; })) {
+        const ContactEdge& e = step.features.edges[f.edges[node]];
+        add_beyond(e.facets[0] + e.facets[1] - facet, step.x[e.nodes[0]], centre);
+      }
+      if (all_corners([&](const Vec2& c) { return (c - t.points[k]).norm() < tip * rim; })) {
+        for (int other : step.features.facets_at(f.nodes[node])) add_beyond(other, step.x[f.nodes[node]], centre);
+      }
     }
   }
-  return false;
-}
+
+  bool any() const { return count_ > 0; }
+  bool against(const RimsAlong& other) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+      for (std::size_t j = 0; j < other.count_; ++j) {
+        if (outward_[i].dot(other.outward_[j]) < -0.5) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr double tip = 3;  // a facet that ends at the crease in a node reaches a little further along it
+  std::array<Vec2, 16> outward_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -133,8 +142,14 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
     }
     corners_.push_back(c);
   }
-  const bool apart = least_gap > step.reach || least_gap < -step.settings.depth * size;
-  if (apart || between_rims(step, pair, a, b, polygon, step.rim(fa.body, fb.body))) {
+  // A strip between a rim of one body and a rim of the other that has just passed it: two bodies lie flush, or one has
+  // settled by as much as the strip is wide. It would hold a block that nothing holds.
+  const auto between_rims = [&] {
+    const double rim = step.rim(fa.body, fb.body);
+    const RimsAlong rims(step, pair.a, a, polygon, rim, e1, e2);
+    return rims.any() && rims.against(RimsAlong(step, pair.b, b, polygon, rim, e1, e2));
+  };
+  if (least_gap > step.reach || least_gap < -step.settings.depth * size || between_rims()) {
     corners_.resize(first);
     found.covered.resize(first_covered);
   }

@@ -124,8 +124,8 @@ TEST(Surface, OpenTurnedOrInsideOutThrows) {
 TEST(Surface, NeedleTriangleMakesNoNaN) {
   // A tetrahedron with a fifth node on one of its edges: one facet has no area.
   const std::vector<Vec3> nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0, 0}};
-  const std::vector<SurfaceTriangle> triangles = {
-      {{0, 2, 1}, -1}, {{0, 4, 3}, -1}, {{4, 1, 3}, -1}, {{1, 2, 3}, -1}, {{0, 3, 2}, -1}, {{0, 1, 4}, -1}};
+  const std::vector<SurfaceTriangle> triangles = {{{0, 2, 1}, -1}, {{0, 4, 3}, -1}, {{4, 1, 3}, -1},
+                                                  {{1, 2, 3}, -1}, {{0, 3, 2}, -1}, {{0, 1, 4}, -1}};
   const Surface s = make_surface(nodes, triangles);
   EXPECT_TRUE(std::isfinite(s.size));
   for (int p : s.patch) EXPECT_GE(p, 0);
