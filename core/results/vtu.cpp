@@ -1,124 +1,108 @@
 #include "results/vtu.hpp"
 
-#include <charconv>
-#include <fstream>
-#include <stdexcept>
+#include <bit>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
 
 #include "results/field.hpp"
-#include "results/xml_text.hpp"
 
 namespace talus {
 
 namespace {
 
-constexpr int vtk_tetra = 10;  // VTK's number for a linear tetrahedron
+constexpr std::uint8_t vtk_tetra = 10;
 
-class XmlFile {
+/// The arrays of a file: their declarations, and their bytes, each behind its length, for the end of the file.
+class AppendedData {
  public:
-  explicit XmlFile(const std::filesystem::path& file) : path_(file), stream_(file) {
-    stream_ << "<?xml version=\"1.0\"?>\n";
+  /// Declares an array of rows × `components` numbers and keeps its bytes. `attributes`: more of its XML attributes.
+  template <class Number>
+  std::string add(const std::string& name, const char* type, int components, const std::vector<Number>& numbers,
+                  const std::string& attributes = "") {
+    const std::string declaration = "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name +
+                                    "\" NumberOfComponents=\"" + std::to_string(components) + "\" " + attributes +
+                                    "format=\"appended\" offset=\"" + std::to_string(bytes_.size()) + "\"/>\n";
+    const std::uint64_t length = numbers.size() * sizeof(Number);
+    bytes_.append(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes_.append(reinterpret_cast<const char*>(numbers.data()), length);
+    return declaration;
   }
-
-  void text(const std::string& text) { stream_ << text; }
-
-  /// A DataArray of `components` columns; `fill(put)` puts its numbers.
-  template <typename Fill>
-  void array(const std::string& type, const std::string& name, int components, Fill fill) {
-    stream_ << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
-            << "\" format=\"ascii\">\n";
-    fill([this](auto number) {
-      char digits[32];
-      const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
-      stream_.write(digits, end - digits).put('\n');
-    });
-    stream_ << "</DataArray>\n";
-  }
-
-  template <typename Row>
-  void rows(const std::string& name, const std::vector<Row>& rows) {
-    array("Float64", name, static_cast<int>(Row::SizeAtCompileTime), [&](auto put) {
-      for (const Row& row : rows)
-        for (const double number : row) put(number);
-    });
-  }
-
-  void finish() {
-    if (!stream_.flush()) throw std::runtime_error("cannot write " + path_.string());
-  }
+  const std::string& bytes() const { return bytes_; }
 
  private:
-  std::filesystem::path path_;
-  std::ofstream stream_;
+  std::string bytes_;
 };
 
-std::vector<Vec3> positions(const BlockSystem& system, const Frame& frame) {
-  std::vector<Vec3> positions;
-  positions.reserve(frame.displacement.size());
-  for (const Block& block : system.blocks)
-    for (const Vec3& start : block.mesh.nodes) positions.push_back(start + frame.displacement[positions.size()]);
-  return positions;
+template <class Vector>
+std::vector<double> flat(const std::vector<Vector>& vectors) {
+  std::vector<double> numbers;
+  for (const Vector& vector : vectors) numbers.insert(numbers.end(), vector.begin(), vector.end());
+  return numbers;
 }
 
-/// Calls `visit(block, first node, tetrahedron)` for every tetrahedron.
-template <typename Visit>
-void for_each_tetrahedron(const BlockSystem& system, Visit visit) {
-  int first = 0;
+/// Nodes where they are in the frame.
+std::vector<double> moved_nodes(const BlockSystem& system, const Frame& frame) {
+  std::vector<Vec3> nodes;
+  for (const Block& block : system.blocks) nodes.insert(nodes.end(), block.mesh.nodes.begin(), block.mesh.nodes.end());
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] += frame.displacement[i];
+  return flat(nodes);
+}
+
+struct Cells {
+  std::vector<std::int64_t> connectivity, offsets;
+  std::vector<std::int32_t> block, material;
+};
+
+Cells cells_of(const BlockSystem& system) {
+  Cells cells;
+  std::int64_t first_node = 0;
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
-    for (const auto& tetrahedron : system.blocks[b].mesh.tetrahedra) visit(static_cast<int>(b), first, tetrahedron);
-    first += static_cast<int>(system.blocks[b].mesh.nodes.size());
+    const Block& block = system.blocks[b];
+    for (const auto& tetrahedron : block.mesh.tetrahedra) {
+      for (const int node : tetrahedron) cells.connectivity.push_back(first_node + node);
+      cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+      cells.block.push_back(static_cast<std::int32_t>(b));
+      cells.material.push_back(block.material);
+    }
+    first_node += static_cast<std::int64_t>(block.mesh.nodes.size());
   }
+  return cells;
 }
 
-void write_cells(XmlFile& file, const BlockSystem& system) {
-  file.text("<Cells>\n");
-  file.array("Int32", "connectivity", 1, [&](auto put) {
-    for_each_tetrahedron(system, [&](int, int first, const auto& tetrahedron) {
-      for (const int node : tetrahedron) put(first + node);
-    });
-  });
-  file.array("Int32", "offsets", 1, [&](auto put) {
-    int end = 0;
-    for_each_tetrahedron(system, [&](int, int, const auto&) { put(end += 4); });
-  });
-  file.array("Int32", "types", 1,
-             [&](auto put) { for_each_tetrahedron(system, [&](int, int, const auto&) { put(vtk_tetra); }); });
-  file.text("</Cells>\n");
+/// Names for the six components, so that a viewer shows them instead of numbers.
+std::string component_names() {
+  std::string names;
+  int i = 0;
+  for (const char* name : {"xx", "yy", "zz", "xy", "yz", "zx"})
+    names += "ComponentName" + std::to_string(i++) + "=\"" + name + "\" ";
+  return names;
 }
 
 }  // namespace
 
-void write_vtu(const BlockSystem& system, const Frame& frame, const std::filesystem::path& file) {
-  XmlFile xml(file);
-  xml.text("<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-           std::to_string(frame.displacement.size()) + "\" NumberOfCells=\"" + std::to_string(frame.stress.size()) +
-           "\">\n<Points>\n");
-  xml.rows("points", positions(system, frame));
-  xml.text("</Points>\n");
-  write_cells(xml, system);
-  xml.text("<PointData>\n");
-  xml.rows("displacement", frame.displacement);
-  xml.rows("velocity", frame.velocity);
-  xml.text("</PointData>\n<CellData>\n");
-  xml.rows("stress", frame.stress);
-  xml.array("Float64", "von Mises stress", 1, [&](auto put) {
-    for (const Voigt& stress : frame.stress) put(von_mises(stress));
-  });
-  xml.array("Int32", "block", 1,
-            [&](auto put) { for_each_tetrahedron(system, [&](int block, int, const auto&) { put(block); }); });
-  xml.text("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-  xml.finish();
-}
-
-void write_pvd(const std::vector<std::pair<double, std::string>>& frames, const std::filesystem::path& file) {
-  XmlFile xml(file);
-  xml.text("<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n");
-  for (const auto& [time, name] : frames) {
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, time).ptr;
-    xml.text("<DataSet timestep=\"" + std::string(digits, end) + "\" file=\"" + xml_text(name) + "\"/>\n");
-  }
-  xml.text("</Collection>\n</VTKFile>\n");
-  xml.finish();
+void write_vtu(std::ostream& stream, const BlockSystem& system, const Frame& frame) {
+  static_assert(std::endian::native == std::endian::little);
+  const Cells cells = cells_of(system);
+  AppendedData data;
+  stream << "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+            "<UnstructuredGrid>\n<FieldData>\n"
+         << data.add("TimeValue", "Float64", 1, std::vector{frame.time}, "NumberOfTuples=\"1\" ")
+         << "</FieldData>\n<Piece NumberOfPoints=\"" << frame.displacement.size() << "\" NumberOfCells=\""
+         << cells.block.size() << "\">\n<PointData>\n"
+         << data.add("displacement", "Float64", 3, flat(frame.displacement))
+         << data.add("velocity", "Float64", 3, flat(frame.velocity)) << "</PointData>\n<CellData>\n"
+         << data.add("stress", "Float64", 6, flat(frame.stress), component_names())
+         << data.add("von Mises stress", "Float64", 1, values(frame, field_named("stress.von_mises")))
+         << data.add("block", "Int32", 1, cells.block) << data.add("material", "Int32", 1, cells.material)
+         << "</CellData>\n<Points>\n"
+         << data.add("points", "Float64", 3, moved_nodes(system, frame)) << "</Points>\n<Cells>\n"
+         << data.add("connectivity", "Int64", 1, cells.connectivity) << data.add("offsets", "Int64", 1, cells.offsets)
+         << data.add("types", "UInt8", 1, std::vector<std::uint8_t>(cells.block.size(), vtk_tetra))
+         << "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" << data.bytes()
+         << "\n</AppendedData>\n</VTKFile>\n";
 }
 
 }  // namespace talus

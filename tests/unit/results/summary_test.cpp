@@ -1,0 +1,128 @@
+#include "results/summary.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "example_results.hpp"
+
+namespace talus {
+namespace {
+
+using Json = nlohmann::json;
+
+RunReport example_report() {
+  RunReport report;
+  report.status = RunStatus::not_converged;
+  report.reason = "contact of B1 and B2 at (1, 2, 3) on J1";
+  report.time = 1.5;
+  report.wall_seconds = 2.5;
+  report.steps = 150;
+  report.threads = 2;
+  report.frames = 16;
+  report.iterations = 321;
+  report.cuts = 4;
+  report.blocks = {{.name = "B2",
+                    .body = BodyKind::tetrahedra,
+                    .volume = 8,
+                    .relative_volume_change = 1e-12,
+                    .displacement = Vec3(1, 2, 3),
+                    .rotation_degrees = 7,
+                    .velocity = Vec3(4, 5, 6)}};
+  report.max_penetration = 1e-5;
+  report.max_relative_penetration = 1e-4;
+  report.last_step.open = 1;
+  report.last_step.stick = 2;
+  report.last_step.slip = 3;
+  report.last_step.energy = {1, 2, 3, 4, 5, 6, 7, 8};
+  report.phases = {.detect = 0.1, .assemble = 0.2, .factor = 0.3, .solve = 0.4, .update = 0.5, .write = 0.6};
+  report.effects = {{"inertia", true, "always", 0.25}};
+  report.events = {{0.75, "J5 opened"}};
+  report.expect.resize(2);
+  report.expect[0].expectation.quantity = "P1.displacement.z";
+  report.expect[0].expectation.time = 1;
+  report.expect[0].expectation.value = -4.905;
+  report.expect[0].expectation.tolerance = 1e-6;
+  report.expect[0].computed = -4.905;
+  report.expect[0].reached = report.expect[0].passed = true;
+  return report;
+}
+
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : object.items()) names.push_back(name);
+  return names;
+}
+
+TEST(Summary, holds_what_the_contract_names) {
+  const Json json = Json::parse(summary_json(example_report()));
+  EXPECT_EQ(json["status"], "not-converged");
+  EXPECT_EQ(json["reason"], "contact of B1 and B2 at (1, 2, 3) on J1");
+  EXPECT_EQ(json["time"], 1.5);
+  EXPECT_EQ(json["steps"], 150);
+  EXPECT_EQ(json["wall_seconds"], 2.5);
+  EXPECT_EQ(json["threads"], 2);
+  EXPECT_EQ(json["frames"], 16);
+  EXPECT_EQ(json["iterations"], 321);
+  EXPECT_EQ(json["cuts"], 4);
+  EXPECT_EQ(json["blocks"], Json::parse(R"([{"name": "B2", "body": "tetrahedra", "volume": 8.0,
+      "relative_volume_change": 1e-12, "displacement": [1.0, 2.0, 3.0], "rotation_degrees": 7.0,
+      "velocity": [4.0, 5.0, 6.0]}])"));
+  EXPECT_EQ(json["contacts"], Json::parse(R"({"max_penetration": 1e-5, "max_relative_penetration": 1e-4,
+      "open": 1, "stick": 2, "slip": 3})"));
+  EXPECT_EQ(json["energy"], Json::parse(R"({"kinetic": 1.0, "elastic": 2.0, "potential": 3.0, "contact": 4.0,
+      "friction_dissipated": 5.0, "damping_dissipated": 6.0, "constraint_work": 7.0, "integration_loss": 8.0})"));
+  EXPECT_EQ(json["effects"],
+            Json::parse(R"([{"name": "inertia", "active": true, "reason": "always", "seconds": 0.25}])"));
+  EXPECT_EQ(json["phases"], Json::parse(R"({"detect": 0.1, "assemble": 0.2, "factor": 0.3, "solve": 0.4,
+      "update": 0.5, "write": 0.6})"));
+  EXPECT_EQ(json["events"], Json::parse(R"([{"time": 0.75, "what": "J5 opened"}])"));
+  EXPECT_THAT(keys(json["expect"][0]),
+              testing::IsSupersetOf({"quantity", "time", "value", "computed", "error", "tolerance", "passed"}));
+  EXPECT_EQ(json["expect"][0]["computed"], -4.905);
+  EXPECT_EQ(json["expect"][0]["passed"], true);
+}
+
+TEST(Summary, what_the_run_did_not_reach_is_null_and_not_passed) {
+  const Json json = Json::parse(summary_json(example_report()));
+  EXPECT_TRUE(json["expect"][1]["computed"].is_null());
+  EXPECT_TRUE(json["expect"][1]["error"].is_null());
+  EXPECT_EQ(json["expect"][1]["passed"], false);
+}
+
+TEST(Summary, a_number_that_is_not_finite_is_null) {
+  RunReport report = example_report();
+  report.max_penetration = std::numeric_limits<double>::quiet_NaN();
+  report.blocks[0].velocity.y() = std::numeric_limits<double>::infinity();
+  const std::string text = summary_json(report);
+  EXPECT_THAT(text, testing::Not(testing::ContainsRegex("nan|inf|NaN|Infinity")));
+  const Json json = Json::parse(text);
+  EXPECT_TRUE(json["contacts"]["max_penetration"].is_null());
+  EXPECT_TRUE(json["blocks"][0]["velocity"][1].is_null());
+}
+
+TEST(Summary, words_of_the_status) {
+  RunReport report;
+  EXPECT_EQ(Json::parse(summary_json(report))["status"], "completed");
+  report.status = RunStatus::stopped;
+  EXPECT_EQ(Json::parse(summary_json(report))["status"], "stopped");
+}
+
+TEST(Summary, events_are_read_back_from_the_folder) {
+  const TemporaryFolder temporary;
+  ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
+  EXPECT_TRUE(ResultReader(temporary.path).events().empty());
+  writer.finish(example_report());
+  const auto events = ResultReader(temporary.path).events();
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].time, 0.75);
+  EXPECT_EQ(events[0].what, "J5 opened");
+  std::ofstream(temporary.path / "summary.json") << "{ \"events\": [ {\"time\": ";
+  EXPECT_TRUE(ResultReader(temporary.path).events().empty());
+}
+
+}  // namespace
+}  // namespace talus
