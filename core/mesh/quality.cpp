@@ -2,7 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "base/units.hpp"
 
 namespace talus {
 
@@ -26,14 +29,33 @@ double tetrahedron_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
   return 3 * inscribed / circumscribed;
 }
 
+DihedralRange tetrahedron_dihedrals(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const auto face = [](const Vec3& p, const Vec3& q, const Vec3& r) -> Vec3 { return (q - p).cross(r - p); };
+  const std::array<Vec3, 4> outward{face(b, c, d), face(a, d, c), face(a, b, d), face(a, c, b)};
+  DihedralRange range{180, 0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = i + 1; k < 4; ++k) {
+      const double between_normals = std::atan2(outward[i].cross(outward[k]).norm(), outward[i].dot(outward[k]));
+      const double angle = 180 - degrees(between_normals);
+      range.smallest = std::min(range.smallest, angle);
+      range.largest = std::max(range.largest, angle);
+    }
+  }
+  return range;
+}
+
 MeshQuality mesh_quality(const TetMesh& mesh) {
   if (mesh.tetrahedra.empty()) return {};
-  MeshQuality quality{1, 0};
+  MeshQuality quality;
+  quality.mean = 0;
   for (const auto& t : mesh.tetrahedra) {
     const auto node = [&](std::size_t i) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(t[i])]; };
     const double value = tetrahedron_quality(node(0), node(1), node(2), node(3));
     quality.worst = std::min(quality.worst, value);
     quality.mean += value;
+    const DihedralRange dihedrals = tetrahedron_dihedrals(node(0), node(1), node(2), node(3));
+    quality.smallest_dihedral = std::min(quality.smallest_dihedral, dihedrals.smallest);
+    quality.largest_dihedral = std::max(quality.largest_dihedral, dihedrals.largest);
   }
   quality.mean /= static_cast<double>(mesh.tetrahedra.size());
   return quality;

@@ -118,7 +118,23 @@ void take_surface(const SurfaceMesh& surface, MeshedShape& shape, const std::str
   if (shape.triangles.size() != surface.triangles.size()) throw not_meshed(place, "its surface is not closed");
 }
 
-void check_volume(const MeshedShape& shape, double volume, bool flat, const std::string& place) {
+/// What the last digits of a surface's nodes may cost: a thin plate has little volume for its area.
+double volume_rounding(const SurfaceMesh& surface) {
+  Eigen::AlignedBox3d bounds;
+  for (const Vec3& node : surface.nodes) bounds.extend(node);
+  double area = 0;
+  for (const auto& triangle : surface.triangles) {
+    const auto arm = [&](std::size_t k) -> Vec3 {
+      return surface.nodes[static_cast<std::size_t>(triangle[k])] -
+             surface.nodes[static_cast<std::size_t>(triangle[0])];
+    };
+    area += arm(1).cross(arm(2)).norm() / 2;
+  }
+  constexpr double rounding = 1e-12;
+  return rounding * bounds.diagonal().norm() * area;
+}
+
+void check_volume(const MeshedShape& shape, const SurfaceMesh& surface, double volume, const std::string& place) {
   double sum = 0;
   for (const auto& tetrahedron : shape.tetrahedra) {
     const double part = six_volumes(shape.nodes, tetrahedron) / 6;
@@ -126,7 +142,9 @@ void check_volume(const MeshedShape& shape, double volume, bool flat, const std:
     sum += part;
   }
   constexpr double flat_allowed = 1e-9, curved_allowed = 0.05;  // chords cut curved faces short
-  if (std::abs(sum - volume) > (flat ? flat_allowed : curved_allowed) * volume) {
+  const bool flat = std::all_of(surface.origins.begin(), surface.origins.end(),
+                                [](const FacetOrigin& origin) { return origin.plane >= 0; });
+  if (std::abs(sum - volume) > (flat ? flat_allowed : curved_allowed) * volume + volume_rounding(surface)) {
     std::ostringstream why;
     why.precision(12);
     why << "its tetrahedra fill " << sum << " m³ of " << volume << " m³";
@@ -152,9 +170,7 @@ MeshedShape fill_with_tetrahedra(const SurfaceMesh& surface, double size, double
     throw not_meshed(place, why.empty() ? "gmsh made no tetrahedra" : why);
   }
   take_surface(surface, shape, place);
-  const bool flat = std::all_of(surface.origins.begin(), surface.origins.end(),
-                                [](const FacetOrigin& origin) { return origin.plane >= 0; });
-  check_volume(shape, volume, flat, place);
+  check_volume(shape, surface, volume, place);
   return shape;
 }
 

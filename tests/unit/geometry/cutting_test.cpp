@@ -143,6 +143,18 @@ TEST(Cutting, ABenchsPlaneAlsoDividesTheRockBehindIt) {
   expect_sound(system, bench_slope_area * 60);
 }
 
+TEST(Cutting, PlanesThatMeetInOnePointAndInEdges) {
+  // The six diagonal planes of a cube, each through two of its edges, make 24 equal blocks.
+  Project p = project();
+  p.solids = {box("cube", {0, 0, 0}, {10, 10, 10}, 10)};
+  p.cuts = {cut("J1", 45, 90, {0, 0, 10}),   cut("J1", 45, 270, {10, 0, 10}), cut("J2", 45, 0, {0, 0, 10}),
+            cut("J2", 45, 180, {0, 10, 10}), cut("J3", 90, 45, {0, 10, 0}),   cut("J3", 90, 135, {0, 0, 0})};
+  const BlockSystem system = build(p);
+  ASSERT_EQ(system.blocks.size(), 24u);
+  for (const Block& b : system.blocks) EXPECT_NEAR(b.volume, 1000.0 / 24, 1e-9);
+  expect_sound(system, 1000);
+}
+
 TEST(Cutting, PlanesThatNearlyCoincideAreMadeOne) {
   Project p = project();
   p.solids = {box("cube", {0, 0, 0}, {10, 10, 10}, 5)};

@@ -20,6 +20,16 @@ TEST(MeshQuality, OfACubesCornerIsKnown) {
   EXPECT_NEAR(tetrahedron_quality(origin, ex, ey, ez), std::sqrt(3) - 1, 1e-14);
 }
 
+TEST(MeshQuality, DihedralAnglesAreThoseOfTheCubesCorner) {
+  // Three right angles, and three at the slanted face: tan = √2.
+  const DihedralRange corner = tetrahedron_dihedrals(origin, ex, ey, ez);
+  EXPECT_NEAR(corner.smallest, std::atan(std::sqrt(2)) * 180 / std::acos(-1), 1e-12);
+  EXPECT_NEAR(corner.largest, 90, 1e-12);
+  const MeshQuality quality = mesh_quality({{origin, ex, ey, ez}, {{0, 1, 2, 3}}});
+  EXPECT_DOUBLE_EQ(quality.smallest_dihedral, corner.smallest);
+  EXPECT_DOUBLE_EQ(quality.largest_dihedral, corner.largest);
+}
+
 TEST(MeshQuality, FallsToZeroAsATetrahedronFlattens) {
   EXPECT_LT(tetrahedron_quality(origin, ex, ey, Vec3(0.3, 0.3, 1e-4)), 1e-3);
   EXPECT_EQ(tetrahedron_quality(origin, ex, ey, Vec3(0.3, 0.3, 0)), 0);
