@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "base/units.hpp"
+#include "blocks.hpp"
+
+namespace talus {
+namespace {
+
+using testing::box;
+using testing::mapped;
+using testing::Scene;
+using testing::total_area;
+
+constexpr double reach = 0.01;
+constexpr double pi = 3.14159265358979323846;
+
+Scene bonded_block(double gap = 0) {
+  Scene scene;
+  scene.laws = {{.friction = 0.6, .residual_friction = 0.2, .cohesion = 2e5, .tensile_strength = 5e4}};
+  scene.add(box({0, 0, -1}, {5, 4, 0}, {7, 6, 1}), true);
+  scene.add(box({1.1, 1.2, gap}, {2.1, 2.2, 1 + gap}, {3, 3, 3}, true));
+  return scene;
+}
+
+std::vector<ContactOutcome> outcomes(const ContactSet& contacts, const Vec3& traction, ContactMode mode, Scene& scene) {
+  std::vector<ContactOutcome> all(contacts.points.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    scene.contacts.points[i].mode = mode;
+    all[i].shear_force = traction * (contacts.points[i].area > 0 ? contacts.points[i].area : 1);
+    all[i].gap = contacts.points[i].gap;
+  }
+  return all;
+}
+
+TEST(Memory, FirstDetectionBondsWhatTouches) {
+  Scene scene = bonded_block();
+  for (int again = 0; again < 2; ++again) {  // a step that was cut detects twice before it is accepted
+    const ContactSet& contacts = scene.detect(reach);
+    double cohesion = 0, tension = 0;
+    for (const ContactPoint& p : contacts.points) {
+      EXPECT_TRUE(p.bonded);
+      EXPECT_EQ(p.friction, 0.6);
+      cohesion += p.cohesion;
+      tension += p.tension;
+    }
+    EXPECT_NEAR(cohesion, 2e5, 1e-6);  // over 1 m²
+    EXPECT_NEAR(tension, 5e4, 1e-6);
+  }
+}
+
+TEST(Memory, WhatIsApartAtFirstIsNotBondedNorIsAJointWithoutStrength) {
+  Scene apart = bonded_block(2e-3 * bonded_block().size(1));
+  for (const ContactPoint& p : apart.detect(reach).points) EXPECT_FALSE(p.bonded);
+  EXPECT_FALSE(apart.contacts.points.empty());
+
+  Scene loose = bonded_block();
+  loose.laws = {{.friction = 0.6}};
+  for (const ContactPoint& p : loose.detect(reach).points) EXPECT_FALSE(p.bonded);
+}
+
+TEST(Memory, ContactsMadeLaterAreNotBonded) {
+  Scene scene = bonded_block(0.5);
+  scene.detect(reach);
+  scene.detector().accept(scene.contacts, {});
+  scene.move(1, {0, 0, -0.5});
+  const ContactSet& contacts = scene.detect(reach);
+  EXPECT_NEAR(total_area(contacts), 1, 1e-12);
+  for (const ContactPoint& p : contacts.points) {
+    EXPECT_FALSE(p.bonded);
+    EXPECT_EQ(p.friction, 0.6);  // never bonded, so nothing is broken
+  }
+}
+
+TEST(Memory, ABrokenBondLeavesResidualFriction) {
+  Scene scene = bonded_block();
+  scene.detect(reach);
+  auto all = outcomes(scene.contacts, Vec3::Zero(), ContactMode::slip, scene);
+  all[0].broke = true;
+  const std::uint64_t broken = scene.contacts.points[0].key;
+  scene.detector().accept(scene.contacts, all);
+  scene.detect(reach);
+  for (const ContactPoint& p : scene.contacts.points) {
+    EXPECT_EQ(p.bonded, p.key != broken);
+    EXPECT_EQ(p.friction, p.key == broken ? 0.2 : 0.6);
+    EXPECT_EQ(p.cohesion > 0, p.key != broken);
+  }
+  // Lifted off and set down again, no bond comes back, and no friction.
+  all = outcomes(scene.contacts, Vec3::Zero(), ContactMode::open, scene);
+  for (ContactOutcome& o : all) o.broke = true;
+  scene.detector().accept(scene.contacts, all);
+  scene.detect(reach);
+  for (const ContactPoint& p : scene.contacts.points) {
+    EXPECT_FALSE(p.bonded);
+    EXPECT_EQ(p.friction, 0.2);
+  }
+}
+
+TEST(Memory, OpenContactsAreForgottenBondedOnesAreNot) {
+  Scene scene = bonded_block();
+  scene.detect(reach);
+  auto all = outcomes(scene.contacts, {1, 0, 0}, ContactMode::open, scene);
+  all[0].broke = true;
+  const std::uint64_t loose = scene.contacts.points[0].key;
+  for (ContactOutcome& o : all) o.slip = 0.25;
+  scene.detector().accept(scene.contacts, all);
+  scene.detect(reach);
+  for (const ContactPoint& p : scene.contacts.points) {
+    if (p.key == loose) continue;
+    EXPECT_EQ(p.slip_start, 0.25);
+    EXPECT_EQ(p.mode, ContactMode::open);
+    EXPECT_NEAR((p.shear_start - Vec3(p.area, 0, 0)).norm(), 0, 1e-12);
+  }
+}
+
+TEST(Memory, ShearForceTurnsWithThePlaneAndKeepsItsLength) {
+  Scene scene;
+  scene.add(box({0, 0, -1}, {5, 4, 0}, {2, 2, 1}));
+  scene.add(box({1, 1, 0}, {2, 2, 1}, {2, 2, 2}));
+  scene.detect(reach);
+  scene.detector().accept(scene.contacts, outcomes(scene.contacts, {3, 0, 0}, ContactMode::stick, scene));
+  const Mat3 turn = Eigen::AngleAxisd(pi / 12, Vec3::UnitY()).toRotationMatrix();  // both bodies together
+  for (Vec3& p : scene.x) p = turn * p;
+  scene.detect(reach);
+  Vec3 force = Vec3::Zero();
+  for (const ContactPoint& p : scene.contacts.points) {
+    EXPECT_NEAR(p.shear_start.norm(), 3 * p.area, 1e-12);
+    EXPECT_NEAR(p.shear_start.dot(p.normal), 0, 1e-12);
+    force += p.shear_start;
+  }
+  EXPECT_LT((force - turn * Vec3(3, 0, 0)).norm(), 1e-9);
+}
+
+TEST(Memory, AnEdgesForceGoesOnToTheNextPieceOfTheEdgeOnce) {
+  Scene scene;
+  const Mat3 roof = Eigen::AngleAxisd(pi / 4, Vec3::UnitX()).toRotationMatrix();
+  scene.add(mapped(box({0, 0, 0}, {1, 1, 1}, {1, 1, 1}),
+                   [&](const Vec3& p) { return Vec3(roof * p - Vec3(0, 0, std::sqrt(2.0))); }),
+            true);
+  const Mat3 edge = Eigen::AngleAxisd(-pi / 4, Vec3::UnitY()).toRotationMatrix();
+  scene.add(mapped(box({0, 0, 0}, {1, 1, 1}, {1, 4, 1}),
+                   [&](const Vec3& p) { return Vec3(edge * p + Vec3(0.41, -0.4, 0)); }));
+  std::uint64_t before = 0;
+  int changes = 0;
+  for (int step = 0; step < 30; ++step) {
+    const ContactSet& contacts = scene.detect(reach);
+    ASSERT_EQ(contacts.points.size(), 1u);
+    if (step > 0) {
+      EXPECT_LT((contacts.points[0].shear_start - Vec3(0, 7, 0)).norm(), 1e-12) << step;
+    }
+    changes += contacts.points[0].key != before;
+    before = contacts.points[0].key;
+    scene.detector().accept(contacts, outcomes(contacts, {0, 7, 0}, ContactMode::slip, scene));
+    scene.move(1, {0, -0.013, 0});
+  }
+  EXPECT_EQ(changes, 3);
+}
+
+TEST(Memory, LawsMayChangeBetweenStages) {
+  Scene scene = bonded_block();
+  scene.detect(reach);
+  scene.detector().accept(scene.contacts, outcomes(scene.contacts, {1, 0, 0}, ContactMode::stick, scene));
+  scene.detector().set_laws({{.friction = 0.1, .residual_friction = 0.1, .cohesion = 1e3}});
+  double cohesion = 0;
+  for (const ContactPoint& p : scene.detect(reach).points) {
+    EXPECT_EQ(p.friction, 0.1);
+    cohesion += p.cohesion;
+  }
+  EXPECT_NEAR(cohesion, 1e3, 1e-8);
+}
+
+TEST(Memory, ASoftBondIsFoundBeyondTheReach) {
+  Scene scene = bonded_block();
+  scene.laws[0].normal_stiffness = 1e6;  // 5e4 Pa open it by 0.05 m
+  scene.detect(1e-4);
+  scene.detector().accept(scene.contacts, outcomes(scene.contacts, Vec3::Zero(), ContactMode::stick, scene));
+  scene.move(1, {0, 0, 0.03});
+  EXPECT_NEAR(total_area(scene.detect(1e-4)), 1, 1e-12);
+}
+
+TEST(Memory, OutcomesOfAnotherSetAreRefused) {
+  Scene scene = bonded_block();
+  scene.detect(reach);
+  EXPECT_THROW(scene.detector().accept(scene.contacts, {}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace talus
