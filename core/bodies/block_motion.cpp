@@ -32,7 +32,7 @@ std::array<double, 4> barycentric(const Corners& corners, const Vec3& where) {
   return {1 - w.sum(), w[0], w[1], w[2]};
 }
 
-/// Distance by which a point lies outside a tetrahedron's worst face [m]; not above zero inside.
+/// Distance of a point from the plane of the face that it lies outside most [m]; not above zero inside.
 double outside_by(const Corners& corners, const std::array<double, 4>& weights) {
   const ElementShape shape = element_shape(corners);
   double worst = -1e300;
@@ -96,8 +96,7 @@ MaterialPoint material_point(const BlockSystem& system, const std::string& name,
       for (int i = 0; i < 4; ++i) best.nodes[i] = first_node + tetrahedron[i];
     }
     if (best_distance <= tolerance) return best;
-    throw InputError(place, "the point lies outside block '" + name + "' by " + std::to_string(best_distance) + " m",
-                     "choose a point inside the block");
+    throw InputError(place, "the point lies outside block '" + name + "'", "choose a point inside the block");
   }
   throw InputError(place, "there is no block '" + name + "'", "name one of the blocks that 'talus-cli mesh' lists");
 }

@@ -228,20 +228,27 @@ bool Simulation::settle(StepReport& report) {
     return false;
   }
   failure_ = "the open-close iteration did not settle at t = " + std::to_string(time()) + " s";
-  double nearest = 1e300;
-  const ContactPoint* worst = nullptr;
-  for (const ContactPoint& point : s.contacts.points)
-    for (int k = point.stencil_begin; k < point.stencil_end; ++k)
-      if (s.bodies.nodes.freedom[s.contacts.nodes[k]] == result.worst_node && std::abs(point.gap) < nearest) {
-        nearest = std::abs(point.gap);
-        worst = &point;
-      }
-  if (!worst) return false;
-  const auto coordinate = [&](int k) { return std::to_string(worst->position[k]); };
-  failure_ += ": contact " + s.system.blocks[worst->bodies[0]].name + " - " + s.system.blocks[worst->bodies[1]].name +
-              " at (" + coordinate(0) + ", " + coordinate(1) + ", " + coordinate(2) + ") m";
-  if (!s.project.joints.empty()) failure_ += ", joint " + s.project.joints[worst->joint].name;
+  failure_ += where_it_struggles(result.worst_node);
   return false;
+}
+
+std::string Simulation::where_it_struggles(int freedom) const {
+  const State& s = *state_;
+  if (freedom < 0 || s.contacts.points.empty()) return "";
+  const auto& freedoms = s.bodies.nodes.freedom;
+  const auto node = std::find(freedoms.begin(), freedoms.end(), freedom) - freedoms.begin();
+  const auto distance = [&](const ContactPoint& point) {
+    return (point.position - s.bodies.nodes.position[node]).squaredNorm();
+  };
+  const ContactPoint& nearest =
+      *std::min_element(s.contacts.points.begin(), s.contacts.points.end(),
+                        [&](const ContactPoint& a, const ContactPoint& b) { return distance(a) < distance(b); });
+  const auto coordinate = [&](int k) { return std::to_string(nearest.position[k]); };
+  std::string where = ": contact " + s.system.blocks[nearest.bodies[0]].name + " - " +
+                      s.system.blocks[nearest.bodies[1]].name + " at (" + coordinate(0) + ", " + coordinate(1) + ", " +
+                      coordinate(2) + ") m";
+  if (!s.project.joints.empty()) where += ", joint " + s.project.joints[nearest.joint].name;
+  return where;
 }
 
 bool Simulation::try_step(double length, StepReport& report) {

@@ -38,6 +38,8 @@ class Simulation {
   struct State;
   bool try_step(double length, StepReport& report);
   bool settle(StepReport& report);
+  /// The contact nearest to a movable node, in words.
+  std::string where_it_struggles(int freedom) const;
   void detect(double length);
   void first_guess(double length);
   bool inverts_an_element() const;

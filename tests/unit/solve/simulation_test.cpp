@@ -90,5 +90,76 @@ TEST(Simulation, a_block_dropped_on_another_lands_and_rests_without_gaining_ener
   EXPECT_LT(last.max_relative_penetration, 1e-3);
 }
 
+TEST(Simulation, a_bar_pulled_by_a_point_load_and_held_at_its_foot_stretches_as_hooke_says) {
+  // One column of tetrahedra, held at every node of the foot, pulled at every node of the top: uniform stress needs
+  // consistent nodal forces, which for Kuhn's split of the top square are 1/3, 1/6, 1/6, 1/3.
+  Project project = scene(0, {{"pull", StageKind::static_, 1.0, 60, {}}});
+  project.gravity = Vec3::Zero();
+  project.materials[0].poisson = 0;
+  const double force = 1e6;
+  const double shares[4] = {1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3};
+  for (int i = 0; i < 4; ++i) {
+    project.constraints.push_back({"B", Vec3(i & 1, i >> 1, 0), {{0.0, 0.0, 0.0}}});
+    project.loads.push_back({"B", Vec3(i & 1, i >> 1, 2), Vec3(0, 0, shares[i] * force)});
+  }
+  const BlockSystem system = blocks({test::box_block("B", Vec3(0, 0, 0), Vec3(1, 1, 2))});
+  Simulation simulation(project, system);
+  while (!simulation.finished()) simulation.step();
+  const double stretch = simulation.frame(0).displacement[7].z();
+  EXPECT_NEAR(stretch / (force * 2 / 5e9), 1, 0.02);  // the holding springs give 1 % more
+  EXPECT_NEAR(simulation.frame(0).stress[0][2] / force, 1, 1e-3);
+}
+
+TEST(Simulation, repeats_itself_to_the_last_bit) {
+  const Project project = scene(20, {{"drop", StageKind::dynamic, 0.01, 60, {}}});
+  const BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
+                                     test::box_block("B", Vec3(1.1, 1.2, 0.1), Vec3(2.3, 2.1, 1.3))});
+  const auto final_positions = [&] {
+    Simulation simulation(project, system);
+    while (!simulation.finished()) simulation.step();
+    return simulation.bodies().nodes.position;
+  };
+  EXPECT_EQ(final_positions(), final_positions());
+}
+
+TEST(Simulation, initial_velocities_begin_with_the_first_dynamic_stage) {
+  Project project = scene(0, {{"wait", StageKind::static_, 0.01, 5, {}}, {"fly", StageKind::dynamic, 0.01, 50, {}}});
+  project.gravity = Vec3::Zero();
+  project.velocities = {{"B", Vec3(2, 0, 0), Vec3::Zero()}};
+  const BlockSystem system = blocks({test::box_block("B", Vec3(0, 0, 0), Vec3(1, 1, 1))});
+  Simulation simulation(project, system);
+  while (!simulation.finished()) simulation.step();
+  EXPECT_NEAR(block_motion(simulation.bodies(), 0).displacement.x(), 2 * 0.5, 1e-12);
+}
+
+TEST(Simulation, cohesion_holds_until_its_strength_and_then_for_good_no_more) {
+  // A block on a vertical wall, glued by its face of 1 m²: weight 25.5 kN.
+  const auto fall_after_a_second = [](double cohesion) {
+    Project project = scene(0, {{"hang", StageKind::dynamic, 0.01, 100, {}}});
+    project.joints[0].cohesion = cohesion;
+    project.joints[0].tensile_strength = 1e6;
+    const BlockSystem system = blocks({test::box_block("wall", Vec3(-1, -2, -3), Vec3(0, 3, 3), BodyKind::fixed),
+                                       test::box_block("B", Vec3(0, 0, 0), Vec3(1, 1, 1))});
+    Simulation simulation(project, system);
+    while (!simulation.finished()) simulation.step();
+    return -block_motion(simulation.bodies(), 1).displacement.z();
+  };
+  EXPECT_LT(fall_after_a_second(2e5), 1e-4);
+  EXPECT_NEAR(fall_after_a_second(1e4), 0.5 * 9.81, 0.05);
+}
+
+TEST(Simulation, a_step_that_cannot_settle_ends_the_run_with_the_contact_named) {
+  Project project = scene(30, {{"drop", StageKind::dynamic, 0.01, 100, {}}});
+  project.solver.open_close_limit = 1;  // too few for any change of state
+  const BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
+                                     test::box_block("B", Vec3(1.1, 1.2, 0.1), Vec3(2.3, 2.1, 1.3))});
+  Simulation simulation(project, system);
+  StepReport last;
+  while (!simulation.finished()) last = simulation.step();
+  EXPECT_FALSE(simulation.converged());
+  EXPECT_GT(last.cuts, 0);
+  EXPECT_THAT(simulation.failure(), testing::AllOf(testing::HasSubstr("ground"), testing::HasSubstr("joint J")));
+}
+
 }  // namespace
 }  // namespace talus

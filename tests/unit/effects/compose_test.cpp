@@ -1,0 +1,89 @@
+#include "effects/compose.hpp"
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "support/small_scenes.hpp"
+
+namespace talus {
+namespace {
+
+Project one_block_project() {
+  Project project;
+  project.materials = {{"rock", 2600, 25e9, 0.24}};
+  project.stages = {{"fall", StageKind::dynamic, 0.01, 10, {}}};
+  return project;
+}
+
+BlockSystem one_block() {
+  BlockSystem system;
+  system.blocks = {test::box_block("B", Vec3(0, 0, 0), Vec3(1, 1, 1))};
+  return system;
+}
+
+std::vector<std::string> names(const Composition& composition) {
+  std::vector<std::string> list;
+  for (const auto& effect : composition.effects) list.emplace_back(effect->name());
+  return list;
+}
+
+TEST(Compose, a_falling_block_gets_no_contact_no_load_and_no_constraint) {
+  const Project project = one_block_project();
+  const BlockSystem system = one_block();
+  BodySet set(project, system);
+  const ContactSet contacts;
+  const Composition composition = compose(project, system, set, contacts);
+  EXPECT_THAT(names(composition), testing::ElementsAre("elasticity", "initial stress", "inertia", "body force"));
+  EXPECT_EQ(composition.shear, nullptr);
+}
+
+TEST(Compose, everything_a_scene_calls_for_is_there_once) {
+  Project project = one_block_project();
+  project.joints = {{"J", 20, 1e5, 0, {}, {}, {}}};
+  project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}};
+  project.constraints = {{"B", Vec3(0.2, 0.2, 0.2), {{0.0, {}, 0.0}}}};
+  BlockSystem system = one_block();
+  system.blocks.push_back(test::box_block("ground", Vec3(0, 0, -1), Vec3(1, 1, 0), BodyKind::fixed));
+  BodySet set(project, system);
+  const ContactSet contacts;
+  const Composition composition = compose(project, system, set, contacts);
+  EXPECT_THAT(names(composition),
+              testing::ElementsAre("elasticity", "initial stress", "inertia", "displacement constraint", "point load",
+                                   "body force", "normal contact", "shear contact"));
+  const auto list = called_effects(project, system);
+  const auto bonds =
+      std::find_if(list.begin(), list.end(), [](const EffectStatus& s) { return s.name == "cohesion and tension"; });
+  ASSERT_NE(bonds, list.end());
+  EXPECT_TRUE(bonds->active);
+  EXPECT_EQ(bonds->reason, "bonds on J");
+}
+
+TEST(Compose, a_frictionless_scene_has_no_shear_contact_and_says_why) {
+  Project project = one_block_project();
+  project.joints = {{"J", 0, 0, 0, {}, {}, {}}};
+  BlockSystem system = one_block();
+  system.blocks.push_back(test::box_block("ground", Vec3(0, 0, -1), Vec3(1, 1, 0), BodyKind::fixed));
+  const auto list = called_effects(project, system);
+  const auto shear =
+      std::find_if(list.begin(), list.end(), [](const EffectStatus& s) { return s.name == "shear contact"; });
+  ASSERT_NE(shear, list.end());
+  EXPECT_FALSE(shear->active);
+  EXPECT_EQ(shear->reason, "no joint resists shear");
+}
+
+TEST(Compose, a_load_outside_its_block_is_an_error_that_names_the_load) {
+  Project project = one_block_project();
+  project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}, {"B", Vec3(3, 0.5, 0.5), Vec3(1, 0, 0)}};
+  const BlockSystem system = one_block();
+  BodySet set(project, system);
+  const ContactSet contacts;
+  try {
+    compose(project, system, set, contacts);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), "/loads/1");
+  }
+}
+
+}  // namespace
+}  // namespace talus
