@@ -179,6 +179,7 @@ struct ResultFileWriter::State {
   void open_growing();
   void append(const Frame& frame);
   void announce(double time);
+  void flush();
 };
 
 void ResultFileWriter::State::open_growing() {
@@ -226,10 +227,14 @@ void ResultFileWriter::State::append(const Frame& frame) {
 
 /// Makes the frame known once everything of it has left this process: a reader counts the rows of Values.
 void ResultFileWriter::State::announce(double time) {
-  check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot be written");
+  flush();
   times.append(&time, 1);
   ++frames;
   check(H5Awrite(step_count, H5T_NATIVE_INT64, &frames), "cannot write NSteps");
+  flush();
+}
+
+void ResultFileWriter::State::flush() {
   check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot be written");
   mark_closed(path);
 }

@@ -9,6 +9,7 @@
 #include "results/result_file.hpp"
 #include "results/steps.hpp"
 #include "results/summary.hpp"
+#include "results/superblock.hpp"
 #include "results/text_table.hpp"
 #include "results/xdmf.hpp"
 
@@ -39,6 +40,18 @@ std::uint64_t tetrahedron_count(const BlockSystem& system) {
   std::uint64_t count = 0;
   for (const Block& block : system.blocks) count += block.mesh.tetrahedra.size();
   return count;
+}
+
+/// What a kill may leave marked as open is marked as closed, unless a run still writes there or the disk is read-only.
+void mend(const fs::path& folder) {
+  const fs::path file = folder / "results.h5";
+  try {
+    if (!is_marked_open(file)) return;
+    const FolderLock nobody_writes(folder);
+    mark_closed(file);
+  } catch (const std::runtime_error&) {
+    // Talus reads it all the same; only programs that know nothing of a writer would refuse it.
+  }
 }
 
 }  // namespace
@@ -103,6 +116,7 @@ struct ResultReader::State {
 ResultReader::ResultReader(const fs::path& folder) {
   if (!fs::is_regular_file(folder / "results.h5"))
     throw InputError(folder.string(), "holds no results.h5", "choose a results folder written by Talus");
+  mend(folder);
   state_ = std::make_unique<State>(folder);
 }
 

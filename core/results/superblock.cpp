@@ -16,8 +16,18 @@ namespace {
 constexpr std::array<unsigned char, 11> beginning = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n', 3, 8, 8};
 constexpr std::size_t flags_at = 11, end_of_file_at = 28, checksum_at = 44, superblock_size = 48;
 
+using Superblock = std::array<unsigned char, superblock_size>;
+
+Superblock read_superblock(std::istream& stream, const std::filesystem::path& file) {
+  Superblock block;
+  if (!stream.read(reinterpret_cast<char*>(block.data()), block.size()) ||
+      !std::equal(beginning.begin(), beginning.end(), block.begin()))
+    throw std::runtime_error(file.string() + ": has not the superblock that results.h5 begins with");
+  return block;
+}
+
 /// Bob Jenkins's lookup3 (public domain), which the specification names for its checksums, of 44 bytes.
-std::uint32_t lookup3(const std::array<unsigned char, superblock_size>& bytes) {
+std::uint32_t lookup3(const Superblock& bytes) {
   std::array<std::uint32_t, checksum_at / 4> words;
   std::memcpy(words.data(), bytes.data(), checksum_at);
   std::uint32_t a = 0xdeadbeef + checksum_at, b = a, c = a;
@@ -47,10 +57,7 @@ std::uint32_t lookup3(const std::array<unsigned char, superblock_size>& bytes) {
 void mark_closed(const std::filesystem::path& file) {
   static_assert(std::endian::native == std::endian::little);
   std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
-  std::array<unsigned char, superblock_size> block;
-  if (!stream.read(reinterpret_cast<char*>(block.data()), block.size()) ||
-      !std::equal(beginning.begin(), beginning.end(), block.begin()))
-    throw std::runtime_error(file.string() + ": has not the superblock that results.h5 begins with");
+  Superblock block = read_superblock(stream, file);
   block[flags_at] = 0;
   const std::uint64_t end = std::filesystem::file_size(file);
   std::memcpy(&block[end_of_file_at], &end, sizeof end);
@@ -59,6 +66,11 @@ void mark_closed(const std::filesystem::path& file) {
   stream.seekp(0);
   stream.write(reinterpret_cast<const char*>(block.data()), block.size());
   if (!stream.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+bool is_marked_open(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return read_superblock(stream, file)[flags_at] != 0;
 }
 
 }  // namespace talus

@@ -9,4 +9,7 @@ namespace talus {
 /// Throws std::runtime_error when the file has another superblock or cannot be written.
 void mark_closed(const std::filesystem::path& file);
 
+/// Whether the file says that a writer has it open, as a kill may leave it. Throws as `mark_closed`.
+bool is_marked_open(const std::filesystem::path& file);
+
 }  // namespace talus

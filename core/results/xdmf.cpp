@@ -29,6 +29,15 @@ std::string column(std::uint64_t rows, const std::string& type, const std::strin
          "</DataItem>";
 }
 
+/// A whole one-dimensional dataset of results.h5, as the slab that VTK's reader asks for in a moving grid: it would
+/// take an unwrapped topology for a sign that the geometry is cached too, and complain that it is not.
+std::string wrapped_column(std::uint64_t rows, const std::string& type, const std::string& dataset) {
+  const std::string size = std::to_string(rows);
+  return "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" + size +
+         "\"><DataItem Dimensions=\"3 1\" Format=\"XML\">0 1 " + size + "</DataItem>" + column(rows, type, dataset) +
+         "</DataItem>";
+}
+
 /// The rows of one frame in a dataset that holds `rows` × `width` numbers for each.
 std::string rows_of_frame(std::uint64_t frame, std::uint64_t rows, std::uint64_t width, const std::string& type,
                           const std::string& dataset) {
@@ -68,7 +77,7 @@ std::string XdmfIndex::grid(double time) const {
   const auto of_nodes = [&](const char* dataset) { return rows_of_frame(frames_, nodes_, 3, float64, dataset); };
   return "   <Grid Name=\"frame " + std::to_string(frames_) + "\" GridType=\"Uniform\">\n    <Time Value=\"" +
          number_text(time) + "\"/>\n    <Topology TopologyType=\"Tetrahedron\" NumberOfElements=\"" +
-         std::to_string(tetrahedra_) + "\">" + column(4 * tetrahedra_, integer64, "/VTKHDF/Connectivity") +
+         std::to_string(tetrahedra_) + "\">" + wrapped_column(4 * tetrahedra_, integer64, "/VTKHDF/Connectivity") +
          "</Topology>\n    <Geometry GeometryType=\"XYZ\">" + of_nodes("/VTKHDF/Points") + "</Geometry>\n" +
          attribute("displacement", "Vector", "Node", of_nodes("/VTKHDF/PointData/displacement")) +
          attribute("velocity", "Vector", "Node", of_nodes("/VTKHDF/PointData/velocity")) +

@@ -6,7 +6,7 @@
 
 namespace talus {
 
-/// results.xdmf (XDMF 2, which version 3 readers read too): a collection in time over results.h5 beside it.
+/// results.xdmf (XDMF 2; ParaView's "XDMF Reader"): a collection in time over results.h5 beside it.
 /// A frame is written over the closing tags and brings them anew, so a long run costs the same for each frame; the
 /// file is well-formed whatever moment the program is killed at.
 class XdmfIndex {

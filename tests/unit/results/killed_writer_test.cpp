@@ -129,6 +129,7 @@ void expect_whole(const fs::path& folder, const BlockSystem& system, int announc
   EXPECT_GE(static_cast<int>(reader.history().size()), announced);
   for (int i = 0; i < static_cast<int>(steps.size()); ++i) EXPECT_EQ(steps[i].step, i);
   EXPECT_GE(frames_in_index(folder), announced);
+  EXPECT_FALSE(is_marked_open(folder / "results.h5"));  // others can open it now
 }
 
 TEST(KilledWriter, every_announced_frame_is_whole_whenever_it_is_killed) {
@@ -180,13 +181,31 @@ TEST(KilledWriter, the_file_looks_closed_to_programs_that_know_of_no_writer) {
   const TemporaryFolder temporary;
   ResultWriter writer(temporary.path, example_project(), system, "{}");
   for (int i = 0; i < 3; ++i) {
-    std::ifstream stream(temporary.path / "results.h5", std::ios::binary);
-    char superblock[48];
-    ASSERT_TRUE(stream.read(superblock, sizeof superblock));
-    EXPECT_EQ(superblock[8], 3);   // version
-    EXPECT_EQ(superblock[11], 0);  // file consistency flags
+    EXPECT_FALSE(is_marked_open(temporary.path / "results.h5"));
     writer.add_frame(example_frame(system, i));
   }
+}
+
+TEST(KilledWriter, a_mark_that_a_kill_left_is_mended_when_the_results_are_opened_but_not_under_a_run) {
+  const BlockSystem system = example_system();
+  const TemporaryFolder temporary;
+  const fs::path file = temporary.path / "results.h5";
+  const auto mark = [&] {
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(11);
+    stream.put(5);
+  };
+  {
+    ResultWriter writer(temporary.path, example_project(), system, "{}");
+    writer.add_frame(example_frame(system, 0));
+    mark();
+    const ResultReader during(temporary.path);
+    EXPECT_TRUE(is_marked_open(file));
+  }
+  mark();
+  const ResultReader after(temporary.path);
+  EXPECT_FALSE(is_marked_open(file));
+  EXPECT_TRUE(same(after.frame(0), example_frame(system, 0)));
 }
 
 TEST(KilledWriter, only_our_kind_of_superblock_is_touched) {
