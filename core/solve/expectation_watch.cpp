@@ -17,28 +17,21 @@ int index_of(const std::vector<Named>& list, const std::string& name) {
   return found == list.end() ? -1 : static_cast<int>(found - list.begin());
 }
 
-[[noreturn]] void reject(const Expectation& expectation) {
-  throw InputError("expectation '" + expectation.quantity + "'", "is no quantity of this run",
-                   "write MONITOR or BLOCK, then .displacement or .velocity, then .x, .y, .z or .magnitude");
-}
-
 }  // namespace
 
 ExpectationWatch::ExpectationWatch(const Project& project, const BlockSystem& system) {
   for (const Expectation& expectation : project.expect) {
-    const std::string& q = expectation.quantity;
-    const auto last = q.rfind('.'), middle = last == std::string::npos ? last : q.rfind('.', last - 1);
-    if (middle == std::string::npos) reject(expectation);
+    const auto quantity = parse_quantity(expectation.quantity);
     Watched watched;
     watched.expectation = expectation;
-    const std::string name = q.substr(0, middle), what = q.substr(middle + 1, last - middle - 1),
-                      axis = q.substr(last + 1);
-    watched.monitor = index_of(project.monitors, name);
-    watched.block = index_of(system.blocks, name);
-    watched.velocity = what == "velocity";
-    watched.component = axis == "x" ? 0 : axis == "y" ? 1 : axis == "z" ? 2 : 3;
-    const bool known = (watched.velocity || what == "displacement") && (watched.component < 3 || axis == "magnitude");
-    if (!known || (watched.monitor < 0 && watched.block < 0)) reject(expectation);
+    if (quantity) {
+      watched.quantity = *quantity;
+      watched.monitor = index_of(project.monitors, quantity->of);
+      watched.block = index_of(system.blocks, quantity->of);
+    }
+    if (watched.monitor < 0 && watched.block < 0)
+      throw InputError("expectation '" + expectation.quantity + "'", "is no quantity of this run",
+                       "write MONITOR or BLOCK, then .displacement or .velocity, then .x, .y, .z or .magnitude");
     watched_.push_back(watched);
   }
 }
@@ -59,14 +52,15 @@ void ExpectationWatch::follow(Watched& watched, const Vec3& value, double time) 
 void ExpectationWatch::look(const Simulation& simulation) {
   const double time = simulation.time();
   const HistoryRow row = simulation.history();
+  const auto moves = [](const Watched& watched) { return watched.quantity.field == Quantity::Field::velocity; };
   for (Watched& watched : watched_) {
     Vec3 value;
     if (watched.monitor >= 0) {
       const MonitorSample& sample = row.monitors[watched.monitor];
-      value = watched.velocity ? sample.velocity : sample.displacement;
+      value = moves(watched) ? sample.velocity : sample.displacement;
     } else {
       const BlockMotion motion = block_motion(simulation.bodies(), watched.block);
-      value = watched.velocity ? motion.velocity : motion.displacement;
+      value = moves(watched) ? motion.velocity : motion.displacement;
     }
     follow(watched, value, time);
   }
@@ -80,7 +74,9 @@ std::vector<ExpectationOutcome> ExpectationWatch::outcomes() const {
     ExpectationOutcome outcome{e, 0, 0, watched.end.has_value(), false};
     if (outcome.reached) {
       const Vec3 change = *watched.end - watched.start.value_or(Vec3::Zero());
-      outcome.computed = watched.component < 3 ? change[watched.component] : change.norm();
+      outcome.computed = watched.quantity.component == Quantity::Component::magnitude
+                             ? change.norm()
+                             : change[static_cast<int>(watched.quantity.component)];
       outcome.error = std::abs(outcome.computed - e.value) / (e.value == 0 ? 1 : std::abs(e.value));
       outcome.passed = outcome.error <= e.tolerance;
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesh/block.hpp"
+#include "model/quantity.hpp"
 #include "results/run_report.hpp"
 
 namespace talus {
@@ -23,9 +24,8 @@ class ExpectationWatch {
  private:
   struct Watched {
     Expectation expectation;
+    Quantity quantity;
     int monitor = -1, block = -1;  ///< one of them is given
-    bool velocity = false;
-    int component = 3;  ///< 3: magnitude
     Vec3 last = Vec3::Zero();
     std::optional<Vec3> start, end;
   };
