@@ -64,14 +64,14 @@ void expect_baseline(const Image& image) {
   FAIL() << 100 * differs << " % of the picture differs: compare " << drawn << " with " << baseline;
 }
 
-bool shows_lit(const Image& image, Rgb colour) {
+bool shows_lit(const Image& image, Rgb colour, double share) {
   const auto matches = [&](Rgb seen) {
     const double brightness = (seen.red + seen.green + seen.blue) / double(colour.red + colour.green + colour.blue);
     const auto near = [&](int channel, int wanted) { return std::abs(channel - brightness * wanted) < 9; };
     return brightness > 0.35 && near(seen.red, colour.red) && near(seen.green, colour.green) &&
            near(seen.blue, colour.blue);
   };
-  return count_pixels(image, matches) > image.width * image.height / 5000;
+  return count_pixels(image, matches) > share * image.width * image.height;
 }
 
 int count_of(const Image& image, Rgb colour) {

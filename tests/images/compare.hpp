@@ -18,8 +18,9 @@ constexpr double tolerated_difference = 0.002;
 /// picture to the working folder and fails the test, saying where both are.
 void expect_baseline(const Image& image);
 
-/// Whether a surface of this colour is seen in any light: some pixel is the colour, darkened or brightened.
-bool shows_lit(const Image& image, Rgb colour);
+/// Whether a surface of this colour is seen in any light: more than this share of the pixels has the colour, darkened
+/// or brightened.
+bool shows_lit(const Image& image, Rgb colour, double share = 2e-4);
 
 /// How many pixels have exactly this colour, give or take 2 of 255.
 int count_of(const Image& image, Rgb colour);

@@ -42,4 +42,6 @@ void Backdrop::style(Rgb top, Rgb bottom) {
   colours_->Modified();
 }
 
+void Backdrop::show(bool shown) { actor_->SetVisibility(shown); }
+
 }  // namespace talus

@@ -16,6 +16,7 @@ class Backdrop {
   Backdrop();
   void add_to(vtkRenderer& renderer);
   void style(Rgb top, Rgb bottom);
+  void show(bool shown);
 
  private:
   vtkNew<vtkUnsignedCharArray> colours_;

@@ -162,7 +162,7 @@ Highlight::Highlight() {
 
 void Highlight::add_to(vtkRenderer& renderer) {
   renderer.AddActor(face_actor_);
-  add_lines(renderer, *lines_, *line_actor_, 8);
+  add_lines(renderer, *lines_, *line_actor_, 20);
 }
 
 void Highlight::mark(std::span<const BlockActors* const> parts, const Vec3& origin, const std::vector<bool>& marked) {

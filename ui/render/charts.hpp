@@ -21,7 +21,7 @@ struct Series {
 struct EventMark {
   double x = 0;
   std::string label;
-  bool reference = false;  ///< from the literature: dashed, labelled below; computed ones are solid, labelled above
+  bool reference = false;  ///< from the literature: dashed; computed ones are solid
 };
 
 /// Curves over a common axis, as a journal prints them.
@@ -29,8 +29,8 @@ struct HistoryPlot {
   std::string title;
   std::string x_title = "Time", x_unit = "s";
   std::string y_title, y_unit;
-  std::vector<Series> series;  ///< at most 6
-  std::vector<EventMark> marks;
+  std::vector<Series> series;    ///< at most 6
+  std::vector<EventMark> marks;  ///< labelled above the curves, in as many rows as keep them apart
   Theme theme = Theme::light;
 };
 

@@ -14,7 +14,7 @@ constexpr double padding = 0.8;
 constexpr double line_height = 1.35;
 constexpr double bar_width = 1.1;
 constexpr double tick_length = 0.35;
-constexpr double triad_size = 5.2;
+constexpr double triad_size = 6.4;
 constexpr double bottom_row = 2.6;
 constexpr double widest_title = 8.5;
 constexpr double hair = 0.07;  ///< line width
@@ -50,16 +50,6 @@ LegendLayout layout(const Legend& legend, double em, double picture_height) {
 
 double title_row(const Overlay& overlay) { return overlay.title.empty() ? 0 : 2.2 * overlay.text_height; }
 
-struct Ink {
-  Rgb text, muted, line, card, frame;
-};
-
-Ink ink(Theme theme) {
-  const ThemeColours& c = colours(theme);
-  const bool dark = theme == Theme::dark;
-  return {c.text, c.muted, c.line, dark ? rgb(0x1e2223) : rgb(0xffffff), dark ? rgb(0x41494a) : rgb(0xd3d8d6)};
-}
-
 void paint_bar(Painter& painter, const ColourMap& map, const PixelRect& bar) {
   constexpr int bands = 256;
   const double step = bar.height() / bands;
@@ -73,10 +63,10 @@ void paint_bar(Painter& painter, const ColourMap& map, const PixelRect& bar) {
 void paint_legend(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   const Legend& legend = *overlay.legend;
   const double em = overlay.text_height;
-  const Ink colour = ink(overlay.theme);
+  const ThemeColours& colour = colours(overlay.theme);
   const LegendLayout parts = layout(legend, em, view.height);
   const double top = view.height - margin * em - title_row(overlay), left = margin * em;
-  painter.card({left, top - parts.height, left + parts.width, top}, 0.4 * em, colour.card, 0.92, colour.frame,
+  painter.card({left, top - parts.height, left + parts.width, top}, 0.4 * em, colour.surface, 0.92, colour.frame,
                hair * em);
   const double inner = left + padding * em;
   double y = top - padding * em;
@@ -116,8 +106,8 @@ void paint_triad(Painter& painter, const Overlay& overlay, const OverlayView& vi
   std::sort(axes.begin(), axes.end(), [&](const Axis& a, const Axis& b) {
     return a.direction.dot(view.towards_viewer) < b.direction.dot(view.towards_viewer);
   });
-  const double em = overlay.text_height, length = 0.36 * triad_size * em;
-  const PixelPoint origin{(margin + triad_size / 2) * em, (bottom_row + margin + triad_size / 2 - 0.4) * em};
+  const double em = overlay.text_height, length = 0.3 * triad_size * em;
+  const PixelPoint origin{(margin + triad_size / 2) * em, (bottom_row + margin + triad_size / 2 - 0.6) * em};
   for (const Axis& axis : axes) {
     const double x = axis.direction.dot(view.right), y = axis.direction.dot(view.up), shown = std::hypot(x, y);
     const PixelPoint tip{origin.x + length * x, origin.y + length * y};
@@ -142,7 +132,7 @@ void paint_triad(Painter& painter, const Overlay& overlay, const OverlayView& vi
 
 void paint_scale_bar(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   const double em = overlay.text_height;
-  const Ink colour = ink(overlay.theme);
+  const ThemeColours& colour = colours(overlay.theme);
   const double longest = std::min(0.2 * view.width, 11 * em);
   const double metres = round_down(longest * view.metres_per_pixel), length = metres / view.metres_per_pixel;
   const double left = (margin + 0.2) * em, y = margin * em, tick = 0.4 * em;
@@ -159,7 +149,7 @@ void paint_scale_bar(Painter& painter, const Overlay& overlay, const OverlayView
 
 void paint_time(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   const double em = overlay.text_height, y = margin * em - 0.2 * em;
-  const Ink colour = ink(overlay.theme);
+  const ThemeColours& colour = colours(overlay.theme);
   std::string widest = overlay.time;  // the figures change from frame to frame: their place should not
   for (char& c : widest)
     if (c >= '1' && c <= '9') c = '0';
@@ -194,7 +184,7 @@ void paint(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   if (!overlay.title.empty())
     painter.text(
         {margin * em, view.height - 0.9 * margin * em}, overlay.title,
-        {.height = 1.25 * em, .colour = ink(overlay.theme).text, .weight = FontWeight::semibold, .y = AlignY::top});
+        {.height = 1.25 * em, .colour = colours(overlay.theme).text, .weight = FontWeight::semibold, .y = AlignY::top});
   if (overlay.legend) paint_legend(painter, overlay, view);
   if (overlay.triad) paint_triad(painter, overlay, view);
   if (overlay.scale_bar) paint_scale_bar(painter, overlay, view);

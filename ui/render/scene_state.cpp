@@ -130,8 +130,15 @@ Scene::State::~State() = default;
 void Scene::State::apply_settings() {
   const ThemeColours& c = colours(settings.theme);
   backdrop.style(c.view_top, c.view_bottom);
-  const Rgb middle = mix(c.view_top, c.view_bottom, 0.5);  // what smoothed outlines are blended with
-  renderer->SetBackground(middle.red / 255.0, middle.green / 255.0, middle.blue / 255.0);
+  const auto set = [](Rgb colour, auto setter) {
+    setter(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  };
+  // Under ambient occlusion the backdrop is drawn; smoothed outlines are then blended with one colour from its middle.
+  const Rgb ground = settings.fine ? mix(c.view_top, c.view_bottom, 0.5) : c.view_bottom;
+  set(ground, [this](double r, double g, double b) { renderer->SetBackground(r, g, b); });
+  set(c.view_top, [this](double r, double g, double b) { renderer->SetBackground2(r, g, b); });
+  renderer->SetGradientBackground(!settings.fine);
+  backdrop.show(settings.fine);
   renderer->GetActiveCamera()->SetParallelProjection(settings.parallel_projection);
   fixed.colour_by_block([&](int) { return c.rock; });
   if (settings.deformation_scale != extent_scale) reset_extent();
@@ -176,7 +183,7 @@ void Scene::State::apply_lines() {
   hover.style(c.pick, unit, 0);
   const bool with_contacts = settings.contacts && frame;
   contacts.show(with_contacts ? std::span<const ContactSample>(frame->contacts) : std::span<const ContactSample>(),
-                origin, 6 * unit);
+                origin, 7 * unit);
 }
 
 ValueRange Scene::State::colour_range() const {
@@ -198,9 +205,10 @@ void Scene::State::make_overlay() {
     const auto stage = static_cast<std::size_t>(frame->stage);
     if (stage < stage_names.size()) overlay.remarks = stage_names[stage];
   }
+  const bool whole = settings.deformation_scale == std::round(settings.deformation_scale);
   if (frame && settings.deformation_scale != 1)
     overlay.remarks += (overlay.remarks.empty() ? "" : ", ") + std::string("displacements \u00d7 ") +
-                       format_number(settings.deformation_scale);
+                       format_decimals(settings.deformation_scale, whole ? 0 : 2);
   if (settings.legend && !field_values.empty()) {
     const ValueRange range = colour_range();
     const DisplayUnit unit = display_unit(settings.field->unit, std::max(std::abs(range.low), std::abs(range.high)));

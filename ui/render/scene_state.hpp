@@ -43,7 +43,7 @@ struct Scene::State {
 
   const BlockSystem& system;
   SceneSettings settings;
-  Vec3 origin;  ///< m, the blocks' middle: everything is drawn relative to it
+  Vec3 origin;           ///< m, the blocks' middle: everything is drawn relative to it
   double rock_size = 1;  ///< m, diagonal of the undeformed blocks
   std::vector<Rgb> block_colours;
   BlockActors fixed, movable;

@@ -10,7 +10,10 @@ const ThemeColours& colours(Theme theme) {
                                       .pick = rgb(0xd2580a),
                                       .text = rgb(0x1b211f),
                                       .muted = rgb(0x535d59),
-                                      .line = rgb(0x868e89)};
+                                      .line = rgb(0x868e89),
+                                      .surface = rgb(0xffffff),
+                                      .frame = rgb(0xd3d8d6),
+                                      .grid = rgb(0xe6e8e5)};
   static constexpr ThemeColours dark{.view_top = rgb(0x2c3335),
                                      .view_bottom = rgb(0x454d50),
                                      .edge = rgb(0x0e1212),
@@ -18,7 +21,10 @@ const ThemeColours& colours(Theme theme) {
                                      .pick = rgb(0xff9a4d),
                                      .text = rgb(0xe7eae9),
                                      .muted = rgb(0xadb6b3),
-                                     .line = rgb(0x9aa3a0)};
+                                     .line = rgb(0x9aa3a0),
+                                     .surface = rgb(0x1e2223),
+                                     .frame = rgb(0x41494a),
+                                     .grid = rgb(0x343a3b)};
   return theme == Theme::dark ? dark : light;
 }
 

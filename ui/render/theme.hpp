@@ -12,7 +12,8 @@ enum class Theme { light, dark };
 struct ThemeColours {
   Rgb view_top, view_bottom;  ///< background gradient
   Rgb edge, rock, pick;       ///< block edges; fixed rock; what is selected
-  Rgb text, muted, line;      ///< writing, lesser writing, ticks and frames of overlays
+  Rgb text, muted, line;      ///< writing, lesser writing, ticks and axes
+  Rgb surface, frame, grid;   ///< cards and paper, their frames, grid lines of plots
 };
 
 const ThemeColours& colours(Theme theme);

@@ -1,0 +1,288 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "base/error.hpp"
+#include "images/compare.hpp"
+#include "images/test_scenes.hpp"
+#include "render/charts.hpp"
+#include "render/colour_map.hpp"
+#include "render/offscreen.hpp"
+#include "render/scene.hpp"
+
+namespace talus {
+namespace {
+
+/// Every picture here is drawn as on a machine without a screen.
+class WithoutDisplay : public testing::Environment {
+  void SetUp() override {
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+  }
+};
+const auto* const without_display = testing::AddGlobalTestEnvironment(new WithoutDisplay);
+
+constexpr int width = 800, height = 500;
+
+SceneSettings titled(const char* title) {
+  SceneSettings settings;
+  settings.title = title;
+  return settings;
+}
+
+TEST(SceneImage, BlocksHaveTheirColours) {
+  const BlockSystem slope = jointed_slope();
+  Scene scene(slope, titled("Jointed slope"));
+  const Image image = draw_image(scene, width, height);
+  for (std::size_t b = 0; b < slope.blocks.size(); ++b)
+    EXPECT_TRUE(shows_lit(image, scene.block_colour(static_cast<int>(b)))) << slope.blocks[b].name;
+  EXPECT_FALSE(shows_lit(image, rgb(0xff0000)));
+  expect_baseline(image);
+}
+
+TEST(SceneImage, DisplacementWithLegend) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings = titled("Jointed slope");
+  settings.field = field_named("displacement");
+  Scene scene(slope, settings);
+  scene.set_stage_names({"slide"});
+  const auto frame = slid(slope, 14, 45);
+  scene.include_in_view(*frame);
+  scene.set_frame(frame);
+  EXPECT_EQ(scene.shown_range(), (ValueRange{0, 20}));
+  const Image image = draw_image(scene, width, height);
+  for (const double t : {0.02, 0.25, 0.5, 0.75, 0.98}) EXPECT_GT(count_of(image, batlow().at(t)), 10) << t;
+  EXPECT_TRUE(shows_lit(image, colours(Theme::light).rock));  // fixed rock is not coloured by the field
+  expect_baseline(image);
+}
+
+TEST(SceneImage, SignedStressInTheDarkWithMeshAndSelection) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings = titled("Vertical stress");
+  settings.theme = Theme::dark;
+  settings.field = field_named("stress.zz");
+  settings.edges = Edges::mesh;
+  Scene scene(slope, settings);
+  scene.set_frame(slid(slope, 0, 0));
+  scene.set_selected({5});
+  scene.set_hovered(8);
+  const Image image = draw_image(scene, width, height);
+  EXPECT_GT(count_of(image, colours(Theme::dark).pick), 50);
+  EXPECT_GT(count_of(image, vik().at(0.5)), 4);
+  EXPECT_DOUBLE_EQ(scene.shown_range()->low, -scene.shown_range()->high);
+  expect_baseline(image);
+}
+
+TEST(SceneImage, FrontParallelWithContacts) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings;
+  settings.contacts = true;
+  settings.parallel_projection = true;
+  settings.deformation_scale = 2;
+  Scene scene(slope, settings);
+  scene.look(View::front);
+  scene.set_frame(slid(slope, 3, 2.5));
+  const Image image = draw_image(scene, width, height);
+  constexpr double a_few_dots = 2e-5;
+  EXPECT_TRUE(shows_lit(image, rgb(0x0068a8), a_few_dots));  // stick
+  EXPECT_TRUE(shows_lit(image, rgb(0xd2580a), a_few_dots));  // slip
+  expect_baseline(image);
+}
+
+TEST(SceneImage, SmallTopViewWithHiddenBlocks) {
+  const BlockSystem boxes = two_boxes();
+  Scene scene(boxes);
+  scene.look(View::top);
+  scene.set_hidden({1});
+  const Image image = draw_image(scene, 320, 240);
+  EXPECT_FALSE(shows_lit(image, scene.block_colour(1)));
+  EXPECT_TRUE(shows_lit(image, scene.block_colour(2)));
+  expect_baseline(image);
+}
+
+TEST(SceneImage, CoarseDrawingForDragging) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings;
+  settings.fine = false;
+  Scene scene(slope, settings);
+  scene.look(135, 20);
+  expect_baseline(draw_image(scene, width, height));
+}
+
+TEST(SceneImage, IsTheSameTwice) {
+  const BlockSystem slope = jointed_slope();
+  const auto draw = [&] {
+    Scene scene(slope);
+    return draw_image(scene, 320, 240);
+  };
+  EXPECT_EQ(draw().rgb, draw().rgb);
+}
+
+TEST(SceneImage, FarFromTheOriginLooksTheSame) {
+  const BlockSystem near = two_boxes();
+  BlockSystem far = near;
+  for (Block& block : far.blocks)
+    for (Vec3& node : block.mesh.nodes) node += Vec3(512307.4, 3214880.1, 1214.6);
+  Scene near_scene(near), far_scene(far);
+  EXPECT_LT(difference(draw_image(near_scene, 320, 240), draw_image(far_scene, 320, 240)), tolerated_difference);
+}
+
+TEST(SceneImage, LegendAndRockDoNotMeet) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings;
+  settings.field = field_named("stress.min_principal");
+  Scene scene(slope, settings);
+  scene.set_frame(slid(slope, 5, 1));
+  for (const auto& [w, h] : {std::pair{800, 500}, {500, 500}, {1200, 400}}) {
+    OffscreenView view(scene, w, h);
+    const Image image = view.draw();
+    constexpr int drawn_for_each = 2;
+    int card = 0, rock_under_card = 0;
+    for (int y = 0; y < h; y += 5)
+      for (int x = 0; x < w / 3; x += 5) {
+        const Rgb seen = image.at(x, y);
+        if (std::min({seen.red, seen.green, seen.blue}) < 252) continue;  // only the card is as white as that
+        ++card;
+        rock_under_card += scene.pick(x * drawn_for_each, y * drawn_for_each).has_value();
+      }
+    EXPECT_GT(card, 50) << w << 'x' << h;
+    EXPECT_EQ(rock_under_card, 0) << w << 'x' << h;
+  }
+}
+
+TEST(SceneImage, KeepsTheWholeRunInView) {
+  const BlockSystem slope = jointed_slope();
+  Scene scene(slope);
+  const auto last = slid(slope, 60, 100);
+  scene.include_in_view(*last);
+  OffscreenView view(scene, 400, 300);
+  view.hold_camera();
+  const CameraPose pose = scene.pose();
+  const Image first = view.draw();
+  scene.set_frame(last);
+  const Image moved = view.draw();
+  EXPECT_TRUE(scene.pose().position.isApprox(pose.position));
+  EXPECT_GT(difference(first, moved), 0.01);
+  // No block colour touches the picture's edge.
+  for (int x = 0; x < moved.width; ++x)
+    for (const int y : {0, moved.height - 1}) {
+      const Rgb c = moved.at(x, y);
+      EXPECT_LT(std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}), 16);
+    }
+}
+
+TEST(Picking, FindsBlockPlaceNodeAndValue) {
+  const BlockSystem boxes = two_boxes();
+  SceneSettings settings;
+  settings.field = field_named("displacement.x");
+  settings.parallel_projection = true;
+  settings.legend = settings.triad = settings.scale_bar = settings.time_stamp = false;
+  Scene scene(boxes, settings);
+  EXPECT_FALSE(scene.pick(10, 10).has_value());  // in no window yet
+  auto frame = std::make_shared<Frame>();
+  std::size_t tetrahedra = 0;
+  for (const Block& block : boxes.blocks) {
+    for (const Vec3& node : block.mesh.nodes) frame->displacement.push_back({0.1 * node.z(), 0, 0});
+    tetrahedra += block.mesh.tetrahedra.size();
+  }
+  frame->velocity.resize(frame->displacement.size(), Vec3::Zero());
+  frame->stress.resize(tetrahedra, Voigt::Zero());
+  scene.set_frame(frame);
+  scene.look(View::front);
+  OffscreenView view(scene, 400, 300);
+  view.draw();
+  const auto hit = scene.pick(400, 300);  // the middle of what is drawn at twice the size
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_TRUE(hit->block == 1 || hit->block == 2);
+  EXPECT_NEAR(hit->position.y(), 0, 1e-6);
+  EXPECT_NEAR(hit->position.x(), 1.0, 0.15);
+  ASSERT_TRUE(hit->value.has_value());
+  EXPECT_NEAR(*hit->value, 0.1 * hit->position.z(), 1e-9);
+  const int first_node = static_cast<int>(boxes.blocks[0].mesh.nodes.size());
+  EXPECT_GE(hit->node, first_node);
+  EXPECT_GE(hit->tetrahedron, static_cast<int>(boxes.blocks[0].mesh.tetrahedra.size()));
+  EXPECT_FALSE(scene.pick(2, 2).has_value());
+  scene.set_hidden({0, 1, 2});
+  EXPECT_FALSE(scene.pick(400, 300).has_value());
+}
+
+TEST(SceneErrors, AreToldApart) {
+  const BlockSystem boxes = two_boxes();
+  Scene scene(boxes);
+  EXPECT_THROW(scene.set_frame(std::make_shared<Frame>()), std::invalid_argument);
+  EXPECT_THROW(draw_image(scene, 8193, 100), InputError);
+  EXPECT_THROW(draw_image(scene, 0, 100), InputError);
+  EXPECT_THROW(render_png(scene, "/nowhere/at/all.png", 64, 64), InputError);
+}
+
+TEST(EmptyScene, IsABackground) {
+  const BlockSystem nothing;
+  Scene scene(nothing);
+  const Image image = draw_image(scene, 200, 150);
+  EXPECT_EQ(image.width, 200);
+  EXPECT_EQ(image.rgb.size(), 200u * 150 * 3);
+}
+
+// The comparison itself: it must forgive rounding and must not forgive a block in another place.
+TEST(Comparison, ForgivesNoiseAndNothingElse) {
+  const BlockSystem boxes = two_boxes();
+  Scene scene(boxes);
+  const Image image = draw_image(scene, 320, 240);
+  Image noisy = image;
+  for (std::size_t i = 0; i < noisy.rgb.size(); i += 7) noisy.rgb[i] = static_cast<std::uint8_t>(noisy.rgb[i] ^ 3);
+  EXPECT_LE(difference(image, noisy), tolerated_difference);
+
+  BlockSystem moved = boxes;
+  for (Vec3& node : moved.blocks[2].mesh.nodes) node.x() += 0.1;
+  Scene moved_scene(moved);
+  moved_scene.set_pose(scene.pose());
+  EXPECT_GT(difference(image, draw_image(moved_scene, 320, 240)), 2 * tolerated_difference);
+
+  SceneSettings without_legend;
+  without_legend.scale_bar = false;
+  scene.set_settings(without_legend);
+  EXPECT_GT(difference(image, draw_image(scene, 320, 240)), tolerated_difference);
+}
+
+HistoryRow history_row(double time) {
+  const double s = std::max(0.0, time - 40);
+  const double u = s < 22 ? 0.36 * s * s : 174 + 12 * (s - 22) + 25 * std::sin((s - 22) / 6);
+  HistoryRow row;
+  row.time = time;
+  row.monitors = {{Vec3(-0.08 * u, u, -0.42 * u), Vec3(0, 0, 0)}};
+  return row;
+}
+
+TEST(ChartImage, HistoryWithEvents) {
+  std::vector<HistoryRow> history;
+  for (int i = 0; i <= 1000; ++i) history.push_back(history_row(0.1 * i));
+  HistoryPlot plot = monitor_plot("P1", 0, history, MonitorQuantity::displacement);
+  plot.marks = {{40, "strength lost"},   {44.2, "J2 opened"},       {45, "sliding starts", true},  {46.1, "J5 opened"},
+                {62, "B3 leaves", true}, {63.7, "B3 lost contact"}, {99, "at rest at the far end"}};
+  const Image image = draw_chart(plot, width, height);
+  for (int s = 0; s < 3; ++s) EXPECT_GT(count_of(image, curve_palette(Theme::light)[static_cast<std::size_t>(s)]), 100);
+  EXPECT_EQ(image.at(1, 1), rgb(0xffffff));
+  expect_baseline(image);
+}
+
+TEST(ChartImage, DarkWithGapsAndASmallRange) {
+  HistoryPlot plot;
+  plot.theme = Theme::dark;
+  plot.title = "Unbalanced force";
+  plot.y_title = "Force";
+  plot.y_unit = "kN";
+  Series series{.name = "residual", .x = {}, .y = {}};
+  for (int i = 0; i <= 400; ++i) {
+    series.x.push_back(0.01 * i);
+    series.y.push_back(i > 150 && i < 200 ? std::nan("") : 12000 + 300 * std::sin(0.1 * i) * std::exp(-0.01 * i));
+  }
+  plot.series = {series, {"target", {0, 4}, {12000, 12000}}};
+  const Image image = draw_chart(plot, width, height);
+  EXPECT_GT(count_of(image, curve_palette(Theme::dark)[0]), 100);
+  expect_baseline(image);
+}
+
+}  // namespace
+}  // namespace talus
