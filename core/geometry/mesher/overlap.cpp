@@ -33,8 +33,8 @@ std::vector<Candidate> all_volumes(const ImportedModel& model) {
 [[noreturn]] void refuse(const MesherSolid& a, const MesherSolid& b, const Measure& shared, const Vec3& origin) {
   const Vec3 where = shared.centroid + origin;
   std::ostringstream problem;
-  problem << "overlaps solid " << b.name << " by " << shared.volume << " m³ around (" << where.x() << ", " << where.y()
-          << ", " << where.z() << ")";
+  problem << "overlaps " << (&a == &b ? "itself: two bodies of its file share rock," : "solid " + b.name + " by") << " "
+          << shared.volume << " m³ around (" << where.x() << ", " << where.y() << ", " << where.z() << ")";
   throw InputError("solid " + a.name, problem.str(), "move or shape them so that they only touch");
 }
 

@@ -1,0 +1,74 @@
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <cstdlib>
+
+#include "rock.hpp"
+
+namespace talus {
+namespace {
+
+using namespace rock;
+using testing::HasSubstr;
+
+Project cube() {
+  Project p = project();
+  p.solids = {box("cube", {0, 0, 0}, {10, 10, 10}, 5)};
+  return p;
+}
+
+/// Sets TALUS_MESHER for one test.
+class MesherAt {
+ public:
+  explicit MesherAt(const std::string& path) { setenv("TALUS_MESHER", path.c_str(), 1); }
+  ~MesherAt() { unsetenv("TALUS_MESHER"); }
+  MesherAt(const MesherAt&) = delete;
+  MesherAt& operator=(const MesherAt&) = delete;
+};
+
+TEST(MesherProcess, ACrashOfTheMesherIsAMessage) {
+  const MesherAt dying("/bin/false");
+  EXPECT_THAT(error_of(cube()), AllOf(HasSubstr("the mesher crashed while starting"), HasSubstr("mesh_size")));
+}
+
+TEST(MesherProcess, AMissingMesherIsNotTheUsersFault) {
+  const MesherAt nowhere("/nonexistent/talus-mesher");
+  EXPECT_THROW(build(cube()), std::runtime_error);
+}
+
+/// Cancels once the work has said so many things.
+class Impatient : public Progress {
+ public:
+  explicit Impatient(int patience) : patience_(patience) {}
+  void report(double fraction, std::string_view what) override {
+    EXPECT_GE(fraction, last_);
+    EXPECT_LE(fraction, 1);
+    EXPECT_FALSE(what.empty());
+    last_ = fraction;
+    ++said_;
+  }
+  bool cancelled() const override { return said_ >= patience_; }
+
+ private:
+  double last_ = 0;
+  int patience_, said_ = 0;
+};
+
+TEST(MesherProcess, CancellingEndsTheMesherAtOnce) {
+  Project p = cube();
+  p.solids[0].mesh_size = 0.1;  // would take minutes
+  Impatient user(3);            // importing, cutting, meshing
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THROW(build_blocks(p, ".", user), Cancelled);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
+TEST(MesherProcess, ProgressRunsToOne) {
+  Impatient user(1000);
+  Project p = cube();
+  p.cuts = {cut("J1", 0, 0, {0, 0, 5})};
+  EXPECT_EQ(build_blocks(p, ".", user).blocks.size(), 2u);
+}
+
+}  // namespace
+}  // namespace talus
