@@ -16,8 +16,6 @@ configure
 build talus talus-cli
 cli=$build/app/talus-cli
 
-# A results folder that holds anything else is not written to: what an earlier call of this script put there goes first.
-rm -f "$picture" "$film" "$histories"
 # Exit code 1 says that the run did not converge or missed an expectation: what was computed is still worth a look.
 outcome=0
 report=$("$cli" solve "$project" --out "$results" --threads "$(nproc)") || outcome=$?

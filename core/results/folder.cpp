@@ -38,15 +38,14 @@ void prepare_results_folder(const fs::path& folder) {
   const fs::directory_iterator entries(folder, problem);
   if (problem) throw InputError(place, "cannot be read: " + problem.message(), "choose another --out");
   std::vector<fs::path> earlier;
-  bool only_ours = true, has_results = false;
+  bool empty = true, has_results = false;
   for (const fs::directory_entry& entry : entries) {
-    earlier.push_back(entry.path());
-    only_ours = only_ours && is_ours(entry.path()) && entry.is_regular_file();
+    empty = false;
+    if (is_ours(entry.path()) && entry.is_regular_file()) earlier.push_back(entry.path());
     has_results = has_results || entry.path().filename() == "results.h5";
   }
   // A folder with nothing but a project.talus may be the user's own.
-  if (!earlier.empty() && !(only_ours && has_results))
-    throw InputError(place, "holds files that are not results", "choose another --out");
+  if (!empty && !has_results) throw InputError(place, "holds files that are not results", "choose another --out");
   if (has_results) const FolderLock nobody_writes(folder);
   for (const fs::path& file : earlier) {
     fs::remove(file, problem);

@@ -15,8 +15,8 @@ namespace talus {
 /// and at the end summary.json. After every call what was written so far is readable, also after a kill.
 class ResultWriter {
  public:
-  /// Makes the folder, or empties one that holds earlier results; refuses (InputError) a folder that holds
-  /// anything else. `project_text` is kept beside the results as project.talus.
+  /// Makes the folder, or takes earlier results out of it; refuses (InputError) one that holds files but no results.
+  /// `project_text` is kept beside the results as project.talus.
   ResultWriter(const std::filesystem::path& folder, const Project& project, const BlockSystem& system,
                const std::string& project_text);
   ~ResultWriter();

@@ -200,12 +200,19 @@ TEST(ResultFolder, earlier_results_are_replaced) {
   EXPECT_FALSE(fs::exists(temporary.path / "summary.json"));
 }
 
-TEST(ResultFolder, a_folder_with_anything_else_is_refused_and_left_alone) {
+TEST(ResultFolder, pictures_beside_earlier_results_stay_when_these_are_replaced) {
   const TemporaryFolder temporary;
   { const ResultWriter writer(temporary.path, example_project(), example_system(), "{}"); }
+  std::ofstream(temporary.path / "picture.png") << "dear";
+  EXPECT_EQ(problem_with(temporary.path), "");
+  EXPECT_TRUE(fs::exists(temporary.path / "picture.png"));
+}
+
+TEST(ResultFolder, a_folder_without_results_is_refused_and_left_alone) {
+  const TemporaryFolder temporary;
   std::ofstream(temporary.path / "thesis.tex") << "dear";
   EXPECT_EQ(problem_with(temporary.path), "holds files that are not results");
-  EXPECT_TRUE(fs::exists(temporary.path / "results.h5"));
+  EXPECT_FALSE(fs::exists(temporary.path / "results.h5"));
   EXPECT_TRUE(fs::exists(temporary.path / "thesis.tex"));
 }
 
