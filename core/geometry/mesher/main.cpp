@@ -3,11 +3,9 @@
 
 #include <gmsh.h>
 #include <sys/prctl.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 
 #include "base/error.hpp"
 #include "geometry/mesher/block_names.hpp"
