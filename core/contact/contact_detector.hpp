@@ -34,19 +34,22 @@ class ContactDetector {
                   ContactSettings settings);
   ~ContactDetector();
 
-  /// Contact points at the positions x [m] (all bodies' nodes), for gaps up to `reach` [m]. The order is that of the
-  /// keys: the same for any number of threads. Points remember shear force, slip, bond and mode by key, or from
-  /// the nearest former point of the same pair of patches. At the first call all facing points are bonded.
+  /// Contact points at the positions x [m] (all bodies' nodes), for gaps up to `reach` [m]; bonded points also beyond
+  /// it. The order is that of the keys. Points remember shear force, slip, bond and mode by key, or from the nearest
+  /// former point of the same pair of patches. Until a step is accepted, facing points that touch are bonded if their
+  /// joint has cohesion or tension. May be called again with other positions before accept(): nothing is remembered but
+  /// by that.
   void detect(std::span<const Vec3> x, double reach, ContactSet& contacts);
 
-  /// Pairs of nodes (i < j, of movable bodies) that contacts between now and the next change of candidates may couple:
-  /// the sparse pattern is planned for them.
+  /// Pairs of nodes (i < j, of movable bodies; also of one body, where corners merge) that the contacts couple or may
+  /// soon: the sparse pattern is planned for them. Sorted.
   const std::vector<std::pair<int, int>>& coupled_nodes() const;
 
   /// Counts the changes of coupled_nodes(): while it stays the same, so does the pattern.
   std::uint64_t coupling_generation() const;
 
-  /// Takes the outcomes of an accepted step, one for each point of `contacts`.
+  /// Takes the outcomes of an accepted step, one for each point of `contacts`, which must be what detect() gave last,
+  /// with the modes of the last iterate. Throws std::logic_error if their numbers differ.
   void accept(const ContactSet& contacts, std::span<const ContactOutcome> outcomes);
 
   /// Strength changed between stages.

@@ -18,11 +18,14 @@ const ContactMemory::Memo* ContactMemory::recall(const FoundPoint& point, double
                                      [](const Memo& m, std::uint64_t key) { return m.key < key; });
   if (same != memos_.end() && same->key == point.key) return &*same;
 
-  const auto first = std::lower_bound(by_family_.begin(), by_family_.end(), point.family,
-                                      [&](int m, std::uint64_t family) { return memos_[m].family < family; });
+  const double from = point.position.x() - distance, to = point.position.x() + distance;
+  const auto first = std::lower_bound(by_family_.begin(), by_family_.end(), point.family, [&](int m, std::uint64_t f) {
+    return memos_[m].family != f ? memos_[m].family < f : memos_[m].position.x() < from;
+  });
   Memo* nearest = nullptr;
   double least = distance * distance;
   for (auto it = first; it != by_family_.end() && memos_[*it].family == point.family; ++it) {
+    if (memos_[*it].position.x() > to) break;
     Memo& memo = memos_[*it];
     if ((memo.area > 0) != (point.area > 0) || (memo.area == 0 && memo.claimed)) continue;
     const double squared = (memo.position - point.position).squaredNorm();
@@ -61,7 +64,9 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
   by_family_.resize(memos_.size());
   std::iota(by_family_.begin(), by_family_.end(), 0);
   std::sort(by_family_.begin(), by_family_.end(), [&](int a, int b) {
-    return memos_[a].family != memos_[b].family ? memos_[a].family < memos_[b].family : a < b;
+    const Memo &p = memos_[a], &q = memos_[b];
+    if (p.family != q.family) return p.family < q.family;
+    return p.position.x() != q.position.x() ? p.position.x() < q.position.x() : a < b;
   });
   started_ = true;
 }

@@ -46,7 +46,7 @@ class ContactMemory {
 
  private:
   std::vector<Memo> memos_;            // sorted by key
-  std::vector<int> by_family_;         // numbers of memos_, sorted by family
+  std::vector<int> by_family_;         // numbers of memos_, sorted by family and then along x
   std::vector<std::uint64_t> broken_;  // families, sorted
   bool started_ = false;
 };

@@ -87,6 +87,7 @@ class FacingSearch {
     Vec3 normal;
   };
   void overlap(const StepGeometry& step, const FacetPair& pair, FoundPoints& found);
+  void name(const StepGeometry& step, Corner& corner, FoundPoints& found);
   void merge(const StepGeometry& step, FoundPoints& found);
   std::vector<Corner> corners_;
 };

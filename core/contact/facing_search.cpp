@@ -123,23 +123,7 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
     }
     least_gap = std::min(least_gap, n.dot(apart));
 
-    const auto extreme = [&](int from, auto find_extreme) {
-      return static_cast<int>(find_extreme(c.shares.begin() + from, c.shares.begin() + from + 3) - c.shares.begin()) -
-             from;
-    };
-    const auto largest = [](auto begin, auto end) { return std::max_element(begin, end); };
-    const auto smallest = [](auto begin, auto end) { return std::min_element(begin, end); };
-    const int va = extreme(0, largest), vb = extreme(3, largest);
-    const bool at_a = c.shares[va] > 1 - vertex_snap, at_b = c.shares[3 + vb] > 1 - vertex_snap;
-    if (at_a) {
-      c.key = vertex_key(fa.nodes[va], fb.patch);
-      if (at_b) found.covered.push_back({vertex_key(fb.nodes[vb], fa.patch), fb.nodes[vb], pair.a, -n});
-    } else if (at_b) {
-      c.key = vertex_key(fb.nodes[vb], fa.patch);
-    } else {
-      c.key = crossing_key(step.features, fa.edges[extreme(0, smallest)], fa.patch, fb.edges[extreme(3, smallest)],
-                           fb.patch);
-    }
+    name(step, c, found);
     corners_.push_back(c);
   }
   // A strip between a rim of one body and a rim of the other that has just passed it: two bodies lie flush, or one has
@@ -152,6 +136,23 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
   if (least_gap > step.reach || least_gap < -step.settings.depth * size || between_rims()) {
     corners_.resize(first);
     found.covered.resize(first_covered);
+  }
+}
+
+/// The features whose meeting the corner is.
+void FacingSearch::name(const StepGeometry& step, Corner& c, FoundPoints& found) {
+  const ContactFacet &fa = step.features.facets[c.facets.a], &fb = step.features.facets[c.facets.b];
+  const auto a = c.shares.begin(), b = a + 3, end = c.shares.end();
+  const auto va = std::max_element(a, b) - a, vb = std::max_element(b, end) - b;
+  const bool at_a = a[va] > 1 - vertex_snap, at_b = b[vb] > 1 - vertex_snap;
+  if (at_a) {
+    c.key = vertex_key(fa.nodes[va], fb.patch);
+    if (at_b) found.covered.push_back({vertex_key(fb.nodes[vb], fa.patch), fb.nodes[vb], c.facets.a, -c.normal});
+  } else if (at_b) {
+    c.key = vertex_key(fb.nodes[vb], fa.patch);
+  } else {
+    const auto ea = std::min_element(a, b) - a, eb = std::min_element(b, end) - b;
+    c.key = crossing_key(step.features, fa.edges[ea], fa.patch, fb.edges[eb], fb.patch);
   }
 }
 

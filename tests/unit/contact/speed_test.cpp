@@ -27,7 +27,7 @@ namespace {
 using testing::box;
 using testing::Scene;
 
-/// A slope of Jiweishan's kind: fixed ground of 160 triangles and a side wall, a slab of 68 on it, a key block of 12
+/// A slope of Jiweishan's kind: fixed ground of 176 triangles and a side wall, a slab of 68 on it, a key block of 12
 /// before it.
 Scene slope() {
   Scene scene;
