@@ -89,6 +89,12 @@ Block make_block(const Project& project, MesherBlock meshed) {
   return block;
 }
 
+std::vector<std::string> names_of(const BlockSystem& system) {
+  std::vector<std::string> names;
+  for (const Block& block : system.blocks) names.push_back(block.name);
+  return names;
+}
+
 /// The mesher has gone without a word: what it did last tells where.
 InputError crashed(const std::string& last_words) {
   return InputError("geometry", "the mesher crashed while " + last_words,
@@ -125,6 +131,7 @@ BlockSystem build_blocks(const Project& project, const std::filesystem::path& fo
         break;
       case MessageKind::end:
         system.solids_volume = from_bytes<MesherEnd>(message->bytes).solids_volume;
+        validate_against_blocks(project, names_of(system));
         progress.report(1, "meshed");
         return system;
       case MessageKind::error: {
