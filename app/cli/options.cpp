@@ -60,10 +60,9 @@ void add_threads(CLI::App& command, int& threads) {
       ->capture_default_str();
 }
 
-void add_frame_choice(CLI::App& command, FrameChoice& choice, const std::string& otherwise) {
-  auto* time =
-      command.add_option("--time", choice.time, "Frame nearest to this model time in s (default: " + otherwise + ")")
-          ->type_name("T");
+void add_frame_choice(CLI::App& command, FrameChoice& choice) {
+  auto* time = command.add_option("--time", choice.time, "Frame nearest to this model time in s (default: the last)")
+                   ->type_name("T");
   command.add_option("--frame", choice.frame, "Frame by number, from 0")->type_name("K")->excludes(time);
 }
 
@@ -87,8 +86,11 @@ int frame_index(const ResultReader& results, const FrameChoice& choice) {
 void add_look(CLI::App& command, Look& look) {
   command.add_option("--field", look.field, "Colour by a field (default: a colour a block): " + field_names())
       ->type_name("NAME");
-  command.add_option("--view", look.view, "Where to look from: iso, front, back, left, right or top")
-      ->type_name("NAME")
+  command
+      .add_option("--view", look.view,
+                  "Where to look from: iso, front, back, left, right or top; or azimuth (clockwise from north) "
+                  "and elevation in degrees, like 300,25")
+      ->type_name("NAME|A,E")
       ->capture_default_str();
   const std::map<std::string, Edges> edges{{"none", Edges::none}, {"blocks", Edges::blocks}, {"mesh", Edges::mesh}};
   command
@@ -115,6 +117,16 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
   settings.title = results.project_name();
   if (!look.field.empty()) settings.field = field_named(look.field);
   return settings;
+}
+
+void point_camera(const Look& look, Scene& scene) {
+  double azimuth = 0, elevation = 0;
+  int read = 0;
+  const int numbers = std::sscanf(look.view.c_str(), "%lf,%lf%n", &azimuth, &elevation, &read);
+  if (numbers == 2 && static_cast<std::size_t>(read) == look.view.size())
+    scene.look(azimuth, elevation);
+  else
+    scene.look(view_named(look.view));
 }
 
 }  // namespace talus::cli

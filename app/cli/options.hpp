@@ -27,8 +27,7 @@ struct FrameChoice {
   std::optional<double> time;
   std::optional<int> frame;
 };
-/// `otherwise` says in the help what is taken when neither is given.
-void add_frame_choice(CLI::App& command, FrameChoice& choice, const std::string& otherwise);
+void add_frame_choice(CLI::App& command, FrameChoice& choice);
 /// Throws InputError when the results hold no such frame.
 int frame_index(const ResultReader& results, const FrameChoice& choice);
 
@@ -43,5 +42,7 @@ struct Look {
 void add_look(CLI::App& command, Look& look);
 /// Throws InputError for a field or a view there is not.
 SceneSettings scene_settings(const Look& look, const ResultReader& results);
+/// Points the camera of a scene. Throws InputError for a view there is not.
+void point_camera(const Look& look, Scene& scene);
 
 }  // namespace talus::cli

@@ -23,7 +23,7 @@ ExitCode render(const RenderOptions& options, bool json) {
   Scene scene(results.system(), scene_settings(options.look, results));
   scene.set_stage_names(results.stage_names());
   scene.set_frame(std::make_shared<const Frame>(results.frame(index)));
-  scene.look(view_named(options.look.view));
+  point_camera(options.look, scene);
   render_png(scene, options.out, options.size.width, options.size.height);
 
   const double time = results.frame_times()[static_cast<std::size_t>(index)];
@@ -47,7 +47,7 @@ void add_render(CLI::App& program, Invocation& invocation) {
   auto options = std::make_shared<RenderOptions>();
   add_results(*command, options->results);
   command->add_option("--out", options->out, "Picture to write")->required()->type_name("P.png");
-  add_frame_choice(*command, options->choice, "the last");
+  add_frame_choice(*command, options->choice);
   add_size(*command, options->size);
   add_look(*command, options->look);
   command->callback([&invocation, options] {

@@ -1,0 +1,247 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "process.hpp"
+
+// Every command on a small sample: what it prints, what it writes, how it ends.
+namespace talus::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Width and height from a PNG's header; zeros for what is no PNG.
+std::pair<int, int> png_size(const std::filesystem::path& file) {
+  const std::string bytes = text_of(file);
+  if (bytes.size() < 24 || bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) return {0, 0};
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+/// The results of free_fall, solved once for all tests.
+class Commands : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder = std::make_unique<Folder>();
+    solved = talus_cli({"solve", sample("free_fall"), "--out", results(), "--json"});
+  }
+  static void TearDownTestSuite() { folder.reset(); }
+
+  static std::string results() { return (*folder / "fall.results").string(); }
+  static std::string place(const std::string& name) { return (*folder / name).string(); }
+
+  static std::unique_ptr<Folder> folder;
+  static Ending solved;
+};
+
+std::unique_ptr<Folder> Commands::folder;
+Ending Commands::solved;
+
+TEST_F(Commands, SolvePrintsTheSummaryAsOneJsonObject) {
+  ASSERT_EQ(solved.exit_code, 0) << solved.err;
+  const Json summary = Json::parse(solved.out);
+  EXPECT_EQ(summary["status"], "completed");
+  EXPECT_EQ(summary["steps"], 100);
+  EXPECT_NEAR(summary["time"].get<double>(), 1, 1e-12);
+  EXPECT_EQ(summary["results"], results());
+  EXPECT_EQ(summary["expect"].size(), 5U);
+  for (const char* file : {"results.h5", "results.xdmf", "history.csv", "steps.csv", "summary.json", "project.talus"})
+    EXPECT_TRUE(std::filesystem::exists(*folder / "fall.results" / file)) << file;
+}
+
+TEST_F(Commands, SolveWithoutJsonIsForReaders) {
+  const Ending ending = talus_cli({"solve", sample("free_fall"), "--out", place("again.results")});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_EQ(ending.out.substr(0, 10), "completed\n");
+  EXPECT_THAT(ending.out, HasSubstr("P1.displacement.z"));
+  EXPECT_THAT(ending.out, HasSubstr("Effects off: "));
+}
+
+TEST_F(Commands, SolveEndsWithOneWhenAnExpectationIsMissed) {
+  Json project = Json::parse(text_of(sample("free_fall")));
+  project["expect"][0]["value"] = -1.3;
+  write_text(*folder / "wrong.talus", project.dump());
+  const Ending ending = talus_cli({"solve", place("wrong.talus"), "--out", place("wrong.results"), "--json"});
+  EXPECT_EQ(ending.exit_code, 1) << ending.err;
+  const Json summary = Json::parse(ending.out);
+  EXPECT_EQ(summary["expect"][0]["passed"], false);
+  EXPECT_EQ(summary["expect"][1]["passed"], true);
+}
+
+TEST_F(Commands, MeshTellsBlocks) {
+  const Ending ending = talus_cli({"mesh", sample("incline_slide"), "--json"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  const Json mesh = Json::parse(ending.out);
+  ASSERT_EQ(mesh["blocks"].size(), 2U);
+  EXPECT_EQ(mesh["blocks"][0]["name"], "slope");
+  EXPECT_EQ(mesh["blocks"][0]["body"], "fixed");
+  EXPECT_EQ(mesh["blocks"][1]["name"], "block");
+  EXPECT_NEAR(mesh["blocks"][1]["volume"].get<double>(), 0.5, 1e-9);
+  EXPECT_GT(mesh["blocks"][1]["tetrahedra"], 4);
+  EXPECT_GT(mesh["blocks"][1]["quality"]["worst"], 0.05);
+  EXPECT_LE(mesh["blocks"][1]["quality"]["mean"], 1.0);
+  EXPECT_THAT(talus_cli({"mesh", sample("incline_slide")}).out, HasSubstr("Volume [m³]"));
+}
+
+TEST_F(Commands, InfoOnAProjectSaysWhichEffectsAndWhy) {
+  const Ending ending = talus_cli({"info", sample("free_fall"), "--json"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  const Json info = Json::parse(ending.out);
+  std::vector<std::string> on;
+  for (const Json& effect : info["effects"]) {
+    EXPECT_FALSE(effect["reason"].get<std::string>().empty());
+    if (effect["active"]) on.push_back(effect["name"]);
+  }
+  EXPECT_THAT(on, ElementsAre("elasticity", "initial stress", "inertia", "body force"));
+  EXPECT_THAT(talus_cli({"info", sample("free_fall")}).out, HasSubstr("nothing can touch"));
+}
+
+TEST_F(Commands, InfoOnResultsSaysWhatIsInThem) {
+  const Ending ending = talus_cli({"info", results(), "--json"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  const Json info = Json::parse(ending.out);
+  EXPECT_EQ(info["status"], "completed");
+  EXPECT_EQ(info["steps"], 100);
+  EXPECT_EQ(info["frames"], 21) << "the start and every 0.05 s of 1 s";
+  EXPECT_EQ(info["monitors"], Json({"P1"}));
+  EXPECT_THAT(talus_cli({"info", results()}).out, HasSubstr("completed, 100 steps, 21 frames"));
+}
+
+TEST_F(Commands, RenderDrawsAPictureOfTheSizeAskedFor) {
+  const auto picture = place("p.png");
+  const Ending ending = talus_cli({"render", results(), "--out", picture, "--size", "320x240", "--field",
+                                   "displacement", "--time", "0.52", "--json"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_EQ(png_size(picture), std::pair(320, 240));
+  EXPECT_EQ(Json::parse(ending.out)["frame"], 10);
+}
+
+TEST_F(Commands, RenderShowsWhatItIsAskedFor) {
+  const auto draw = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"render", results(), "--out", place("q.png"), "--size", "200x150"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(talus_cli(words).exit_code, 0);
+    return text_of(place("q.png"));
+  };
+  const std::string last = draw({});
+  EXPECT_EQ(last, draw({"--frame", "20"})) << "the last frame is the default, and the same picture comes twice";
+  for (const std::vector<std::string>& other : std::vector<std::vector<std::string>>{
+           {"--frame", "0"}, {"--view", "top"}, {"--theme", "dark"}, {"--edges", "mesh"}, {"--field", "velocity.z"}})
+    EXPECT_NE(last, draw(other)) << other[0];
+}
+
+TEST_F(Commands, RenderRefusesWhatIsNotThere) {
+  const auto refused = [&](std::vector<std::string> more, const std::string& what) {
+    std::vector<std::string> words{"render", results(), "--out", place("none.png")};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ending ending = talus_cli(words);
+    EXPECT_EQ(ending.exit_code, 2);
+    EXPECT_EQ(std::count(ending.err.begin(), ending.err.end(), '\n'), 1) << ending.err;
+    EXPECT_THAT(ending.err, HasSubstr(what));
+    EXPECT_FALSE(std::filesystem::exists(place("none.png")));
+  };
+  refused({"--frame", "21"}, "frames 0 to 20");
+  refused({"--field", "temperature"}, "temperature");
+  refused({"--view", "below"}, "below");
+  refused({"--size", "4x4"}, "4");
+}
+
+TEST_F(Commands, AnimateWritesFilms) {
+  for (const auto& [name, magic] : {std::pair("film.gif", "GIF89a"), std::pair("film.mp4", "ftyp")}) {
+    const Ending ending = talus_cli({"animate", results(), "--out", place(name), "--size", "160x120", "--fps", "10",
+                                     "--field", "velocity", "--json"});
+    ASSERT_EQ(ending.exit_code, 0) << ending.err;
+    EXPECT_EQ(Json::parse(ending.out)["frames"], 21);
+    EXPECT_THAT(text_of(place(name)).substr(0, 12), HasSubstr(magic));
+  }
+}
+
+TEST_F(Commands, PlotDrawsAChartOfEachQuantityOrOneSheet) {
+  const Ending charts = talus_cli({"plot", results(), "--out", place("charts"), "--size", "640x400", "--json"});
+  ASSERT_EQ(charts.exit_code, 0) << charts.err;
+  EXPECT_EQ(png_size(place("charts/P1-displacement.png")), std::pair(640, 400));
+  EXPECT_EQ(png_size(place("charts/P1-velocity.png")), std::pair(640, 400));
+  const Ending sheet = talus_cli({"plot", results(), "--out", place("sheet.png"), "--size", "640x400"});
+  ASSERT_EQ(sheet.exit_code, 0) << sheet.err;
+  EXPECT_EQ(png_size(place("sheet.png")), std::pair(1280, 400));
+}
+
+TEST_F(Commands, PlotComparesWithPublishedEvents) {
+  // z = −½gt²: up to 1.22625 m of fall, upside down as an event that grows, at 0.5 s
+  write_text(*folder / "events.csv",
+             "time,event,quantity,minus,reaches\n0.4,half way,P1.displacement.magnitude,,1.22625\n"
+             "0.9,never,P1.displacement.x,,1\n");
+  const Ending ending =
+      talus_cli({"plot", results(), "--out", place("marked"), "--events", place("events.csv"), "--json"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  const Json result = Json::parse(ending.out);
+  EXPECT_NEAR(result["events"][0]["computed"].get<double>(), 0.5, 1e-6);
+  EXPECT_NEAR(result["events"][0]["value_at_published"].get<double>(), 0.7848, 1e-6);
+  EXPECT_TRUE(result["events"][1]["computed"].is_null());
+  EXPECT_EQ(result["in_published_order"], false);
+}
+
+TEST_F(Commands, ExportWritesFramesForOthers) {
+  const Ending vtu = talus_cli({"export", results(), "--out", place("vtu"), "--as", "vtu", "--json"});
+  ASSERT_EQ(vtu.exit_code, 0) << vtu.err;
+  EXPECT_EQ(Json::parse(vtu.out)["frames"], 21);
+  EXPECT_THAT(text_of(place("vtu/frame_00020.vtu")), HasSubstr("<VTKFile type=\"UnstructuredGrid\""));
+  EXPECT_THAT(text_of(place("vtu/frames.pvd")), HasSubstr("timestep=\"0.05"));
+
+  const Ending csv = talus_cli({"export", results(), "--out", place("csv"), "--as", "csv"});
+  ASSERT_EQ(csv.exit_code, 0) << csv.err;
+  const Json mesh = Json::parse(talus_cli({"mesh", sample("free_fall"), "--json"}).out);
+  const std::string nodes = text_of(place("csv/nodes_00003.csv"));
+  EXPECT_EQ(std::count(nodes.begin(), nodes.end(), '\n'), mesh["blocks"][0]["nodes"].get<int>() + 1);
+
+  const Ending again = talus_cli({"export", results(), "--out", place("csv"), "--as", "csv"});
+  EXPECT_EQ(again.exit_code, 2) << "a folder that is not empty is left alone";
+}
+
+TEST_F(Commands, VerifyRunsTheNamedCases) {
+  const Ending ending = talus_cli({"verify", "free_fall", "--json"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  const Json result = Json::parse(ending.out);
+  ASSERT_EQ(result["cases"].size(), 1U);
+  EXPECT_EQ(result["cases"][0]["checks"].size(), 5U);
+  EXPECT_LT(result["cases"][0]["checks"][1]["error"], 1e-10);
+  EXPECT_GT(result["cases"][0]["seconds"], 0);
+}
+
+TEST_F(Commands, VerifyEndsWithOneWhenACaseFails) {
+  std::filesystem::create_directories(*folder / "samples/wrong");
+  Json project = Json::parse(text_of(sample("free_fall")));
+  project["expect"][1]["value"] = -5;
+  write_text(*folder / "samples/wrong/wrong.talus", project.dump());
+  const Ending ending = talus_cli({"verify", "--samples", place("samples")});
+  EXPECT_EQ(ending.exit_code, 1) << ending.err;
+  EXPECT_THAT(ending.out, HasSubstr("0 of 1 cases passed"));
+}
+
+TEST_F(Commands, VerifyNamesTheCasesThereAre) {
+  const Ending ending = talus_cli({"verify", "perpetual_motion"});
+  EXPECT_EQ(ending.exit_code, 2);
+  EXPECT_THAT(ending.err, HasSubstr("free_fall"));
+}
+
+TEST(Help, OfEveryCommandNamesItsOptions) {
+  for (const char* command : {"mesh", "solve", "render", "animate", "plot", "verify", "info", "export"}) {
+    const Ending ending = talus_cli({command, "--help"});
+    EXPECT_EQ(ending.exit_code, 0);
+    EXPECT_THAT(ending.out, HasSubstr("--json")) << command;
+    EXPECT_EQ(ending.err, "");
+  }
+  EXPECT_THAT(talus_cli({"--help"}).out, HasSubstr("Exit codes"));
+  EXPECT_THAT(talus_cli({"--version"}).out, HasSubstr("talus-cli 0."));
+}
+
+}  // namespace
+}  // namespace talus::test

@@ -1,0 +1,30 @@
+#include <gmock/gmock.h>
+
+#include "study/verify.hpp"
+
+namespace talus {
+namespace {
+
+TEST(Jiweishan, ComesToThePapersEventsInTheirOrder) {
+  NoProgress progress;
+  const auto samples = find_samples(std::filesystem::path(TALUS_SOURCE_DIR) / "samples");
+  for (const Sample& sample : samples) {
+    if (sample.name != "jiweishan") continue;
+    const SampleOutcome outcome = verify(sample, 1, progress);
+    EXPECT_EQ(outcome.report.status, RunStatus::completed) << outcome.report.reason;
+    ASSERT_EQ(outcome.events.size(), 5U);
+    for (const EventComparison& event : outcome.events) {
+      EXPECT_TRUE(event.computed) << event.event.what << " did not happen";
+      if (event.computed) {
+        EXPECT_GT(*event.computed, 40) << event.event.what << " belongs to the dynamic stage";
+      }
+    }
+    EXPECT_TRUE(in_published_order(outcome.events));
+    EXPECT_LT(outcome.seconds, 100) << "more wall time than the 100 s that are simulated";
+    return;
+  }
+  FAIL() << "there is no such sample";
+}
+
+}  // namespace
+}  // namespace talus
