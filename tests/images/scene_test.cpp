@@ -10,6 +10,7 @@
 #include "render/charts.hpp"
 #include "render/colour_map.hpp"
 #include "render/offscreen.hpp"
+#include "render/offscreen_window.hpp"
 #include "render/scene.hpp"
 
 namespace talus {
@@ -118,6 +119,20 @@ TEST(SceneImage, IsTheSameTwice) {
     return draw_image(scene, 320, 240);
   };
   EXPECT_EQ(draw().rgb, draw().rgb);
+}
+
+TEST(SceneImage, IsTheSameByOsMesaAndByEgl) {
+  const BlockSystem boxes = two_boxes();
+  const auto draw = [&](OffscreenBackend backend) {
+    Scene scene(boxes);
+    OffscreenWindow window(320, 240, 1, backend);
+    window.add(*scene.renderer());
+    scene.fit();
+    Image image = window.draw();
+    window.remove(*scene.renderer());
+    return image;
+  };
+  EXPECT_LT(difference(draw(OffscreenBackend::osmesa), draw(OffscreenBackend::egl)), tolerated_difference);
 }
 
 TEST(SceneImage, FarFromTheOriginLooksTheSame) {

@@ -1,7 +1,12 @@
+#include <fcntl.h>
 #include <gif_lib.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -13,14 +18,19 @@ namespace talus {
 namespace {
 
 constexpr int palette_size = 256;
-constexpr int levels = 32;  ///< of each channel, in the table from colours to palette entries
+constexpr int levels = 64;  ///< of each channel, in the table from colours to palette entries
 
 class GifEncoder final : public MovieEncoder {
  public:
   GifEncoder(const std::filesystem::path& path, int width, int height, int fps)
       : width_(width), height_(height), hundredths_(std::max(2, (100 + fps / 2) / fps)) {
     int error = 0;
-    gif_ = EGifOpenFileName(path.c_str(), false, &error);
+    // Giflib's own way of opening makes files that only their owner can read.
+    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (file < 0)
+      throw std::runtime_error(std::string("the film cannot be opened for writing: ") + std::strerror(errno));
+    gif_ = EGifOpenFileHandle(file, &error);
+    if (!gif_) close(file);
     if (!gif_) throw std::runtime_error(message(error));
     EGifSetGifVersion(gif_, true);
     check(EGifPutScreenDesc(gif_, width, height, 8, 0, nullptr));
@@ -49,7 +59,7 @@ class GifEncoder final : public MovieEncoder {
     check(outcome);
     std::vector<GifPixelType> row(static_cast<std::size_t>(width_));
     for (int y = 0; y < height_; ++y) {
-      for (int x = 0; x < width_; ++x) row[static_cast<std::size_t>(x)] = nearest_[cell(image.at(x, y))];
+      for (int x = 0; x < width_; ++x) row[static_cast<std::size_t>(x)] = nearest_entry(dithered(image.at(x, y), x, y));
       check(EGifPutLine(gif_, row.data(), width_));
     }
   }
@@ -87,28 +97,40 @@ class GifEncoder final : public MovieEncoder {
     if (GifQuantizeBuffer(static_cast<unsigned>(width_), static_cast<unsigned>(height_), &size, red.data(),
                           green.data(), blue.data(), indices.data(), palette_.data()) != GIF_OK)
       throw std::runtime_error("writing the GIF: colours cannot be reduced");
-    for (int r = 0; r < levels; ++r)
-      for (int g = 0; g < levels; ++g)
-        for (int b = 0; b < levels; ++b)
-          nearest_[(static_cast<std::size_t>(r) * levels + g) * levels + b] = nearest_entry(r, g, b, size);
+    std::fill(nearest_.begin(), nearest_.end(), unknown);
   }
 
-  GifPixelType nearest_entry(int r, int g, int b, int size) const {
-    const auto middle = [](int level) { return (2 * level + 1) * 256 / (2 * levels); };
-    int best = 0, least = std::numeric_limits<int>::max();
-    for (int i = 0; i < size; ++i) {
+  /// Bayer's 4 × 4 pattern: a soft background shows no bands, and the pattern stands still from picture to picture.
+  static Rgb dithered(Rgb c, int x, int y) {
+    static constexpr int pattern[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+    const int shift = pattern[y % 4][x % 4] / 2 - 4;  // half the 8 of 255 between the steps of giflib's median cut
+    const auto moved = [shift](std::uint8_t channel) {
+      return static_cast<std::uint8_t>(std::clamp(channel + shift, 0, 255));
+    };
+    return {moved(c.red), moved(c.green), moved(c.blue)};
+  }
+
+  GifPixelType nearest_entry(Rgb colour) {
+    std::int16_t& known = nearest_[cell(colour)];
+    if (known != unknown) return static_cast<GifPixelType>(known);
+    int least = std::numeric_limits<int>::max();
+    for (int i = 0; i < palette_size; ++i) {
       const GifColorType& c = palette_[static_cast<std::size_t>(i)];
-      const int dr = middle(r) - c.Red, dg = middle(g) - c.Green, db = middle(b) - c.Blue;
+      const int dr = colour.red - c.Red, dg = colour.green - c.Green, db = colour.blue - c.Blue;
       const int distance = 2 * dr * dr + 4 * dg * dg + db * db;  // the eye sees green best
-      if (distance < least) least = distance, best = i;
+      if (distance >= least) continue;
+      least = distance;
+      known = static_cast<std::int16_t>(i);
     }
-    return static_cast<GifPixelType>(best);
+    return static_cast<GifPixelType>(known);
   }
 
+  static constexpr std::int16_t unknown = -1;
   int width_, height_, hundredths_;
   GifFileType* gif_ = nullptr;
   std::array<GifColorType, palette_size> palette_{};
-  std::array<GifPixelType, levels * levels * levels> nearest_{};
+  std::vector<std::int16_t> nearest_ =
+      std::vector<std::int16_t>(levels * levels * levels);  ///< a colour: its entry, once asked for
 };
 
 }  // namespace

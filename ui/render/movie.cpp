@@ -74,7 +74,7 @@ void render_film(Scene& scene, int count, const std::function<std::shared_ptr<co
   scene.include_in_view(*frame(0));
   scene.include_in_view(*frame(count - 1));
   MovieWriter writer(path, options.width, options.height, options.fps);
-  OffscreenView view(scene, options.width, options.height);
+  OffscreenView view(scene, options.width, options.height, Sampling::fast);
   scene.set_frame(frame(0));
   view.hold_camera();
   for (int i = 0; i < count; ++i) {

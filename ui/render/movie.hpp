@@ -32,7 +32,7 @@ class MovieWriter {
 };
 
 struct FilmOptions {
-  int width = 1280, height = 720;
+  int width = 1280, height = 720;  ///< pixels, drawn with Sampling::fast
   int fps = 25;
 };
 

@@ -17,13 +17,15 @@ constexpr int smallest_side = 16, largest_side = 8192;
 /// Up to here four pixels are drawn for each one of the picture; above, memory and time cost more than smoother edges.
 constexpr double most_pixels_drawn = 17e6;
 
-int supersampling(int width, int height) { return 4.0 * width * height <= most_pixels_drawn ? 2 : 1; }
+int supersampling(int width, int height, Sampling sampling) {
+  return sampling == Sampling::best && 4.0 * width * height <= most_pixels_drawn ? 2 : 1;
+}
 
 }  // namespace
 
 struct OffscreenView::State {
-  State(Scene& drawn, int width, int height)
-      : scene(drawn), scale(supersampling(width, height)), window(width, height, scale) {
+  State(Scene& drawn, int width, int height, Sampling sampling)
+      : scene(drawn), scale(supersampling(width, height, sampling)), window(width, height, scale) {
     window.add(*scene.renderer());
     scene.state_->pixel_scale = scale;
   }
@@ -39,12 +41,12 @@ struct OffscreenView::State {
   OffscreenWindow window;
 };
 
-OffscreenView::OffscreenView(Scene& scene, int width, int height) {
+OffscreenView::OffscreenView(Scene& scene, int width, int height, Sampling sampling) {
   for (const int side : {width, height})
     if (side < smallest_side || side > largest_side)
       throw InputError("size " + std::to_string(width) + "x" + std::to_string(height), "cannot be drawn",
                        "use 16 to 8192 pixels a side");
-  state_ = std::make_unique<State>(scene, width, height);
+  state_ = std::make_unique<State>(scene, width, height, sampling);
 }
 
 OffscreenView::~OffscreenView() = default;

@@ -27,8 +27,8 @@ Image reduced(const unsigned char* drawn, int width, int height, int scale) {
 
 }  // namespace
 
-OffscreenWindow::OffscreenWindow(int width, int height, int scale)
-    : width_(width), height_(height), scale_(scale), context_(make_offscreen_context()) {
+OffscreenWindow::OffscreenWindow(int width, int height, int scale, OffscreenBackend backend)
+    : width_(width), height_(height), scale_(scale), context_(make_offscreen_context(backend)) {
   window_->set_context(*context_);
   window_->SetSize(width * scale, height * scale);
 }

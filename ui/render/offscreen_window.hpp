@@ -16,7 +16,7 @@ namespace talus {
 class OffscreenWindow {
  public:
   /// `scale`² pixels are drawn for each pixel of the picture and averaged.
-  OffscreenWindow(int width, int height, int scale);
+  OffscreenWindow(int width, int height, int scale, OffscreenBackend backend = OffscreenBackend::automatic);
   ~OffscreenWindow();
   OffscreenWindow(const OffscreenWindow&) = delete;
   OffscreenWindow& operator=(const OffscreenWindow&) = delete;

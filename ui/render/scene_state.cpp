@@ -99,7 +99,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
   add_lights(*renderer);
 
   renderer->SetSSAORadius(0.05 * rock_size);
-  renderer->SetSSAOBias(0.0006 * rock_size);
+  renderer->SetSSAOBias(0.002 * rock_size);
   renderer->SetSSAOKernelSize(32);
   renderer->SSAOBlurOn();
 
@@ -175,10 +175,9 @@ void Scene::State::apply_lines() {
   const ThemeColours& c = colours(settings.theme);
   const double unit = text_height() / 14;
   const Rgb edge = mix(c.edge, c.rock, 0.25);
-  movable.draw_edges(settings.edges == Edges::none ? 0 : 0.9 * unit, settings.edges == Edges::mesh ? 0.45 * unit : 0,
-                     edge);
-  fixed.draw_edges(settings.edges == Edges::none ? 0 : 0.9 * unit, settings.edges == Edges::mesh ? 0.45 * unit : 0,
-                   edge);
+  const double thin = std::max(0.9 * unit, 1.2);  // thinner ones break up into dots
+  movable.draw_edges(settings.edges == Edges::none ? 0 : thin, settings.edges == Edges::mesh ? 0.45 * unit : 0, edge);
+  fixed.draw_edges(settings.edges == Edges::none ? 0 : thin, settings.edges == Edges::mesh ? 0.45 * unit : 0, edge);
   selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0);  // a tint would falsify a field's colours
   hover.style(c.pick, unit, 0);
   const bool with_contacts = settings.contacts && frame;
