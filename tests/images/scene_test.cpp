@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +135,25 @@ TEST(SceneImage, IsTheSameByOsMesaAndByEgl) {
     return image;
   };
   EXPECT_LT(difference(draw(OffscreenBackend::osmesa), draw(OffscreenBackend::egl)), tolerated_difference);
+}
+
+TEST(SceneImage, SurvivesANewContextAndASecondWindow) {
+  const BlockSystem boxes = two_boxes();
+  Scene scene(boxes);
+  const Image before = draw_image(scene, 320, 240);
+  {  // as when a floating view is docked: the window stays, its context goes and another one comes
+    const auto first = make_offscreen_context(), second = make_offscreen_context();
+    vtkNew<RenderWindow> window;
+    window->AddRenderer(scene.renderer());
+    for (const auto* context : {&first, &second}) {
+      window->set_context(**context);
+      window->SetSize(100, 100);
+      window->Render();
+      window->release_context();
+    }
+    window->RemoveRenderer(scene.renderer());
+  }
+  EXPECT_EQ(draw_image(scene, 320, 240).rgb, before.rgb);
 }
 
 TEST(SceneImage, FarFromTheOriginLooksTheSame) {

@@ -23,14 +23,16 @@ void ValueRange::include(const ValueRange& other) {
 }
 
 ValueRange field_range(const BlockSystem& system, const Frame& frame, const Field& field) {
-  const std::vector<double> all = values(frame, field);
-  const std::span<const double> span(all);
+  return field_range(system, std::span<const double>(values(frame, field)), field);
+}
+
+ValueRange field_range(const BlockSystem& system, std::span<const double> values, const Field& field) {
   const bool at_nodes = field.place() == FieldPlace::node;
   ValueRange range;
   std::size_t begin = 0;
   for (const Block& block : system.blocks) {
     const std::size_t count = at_nodes ? block.mesh.nodes.size() : block.mesh.tetrahedra.size();
-    if (block.body != BodyKind::fixed) range.include(span.subspan(begin, count));
+    if (block.body != BodyKind::fixed) range.include(values.subspan(begin, count));
     begin += count;
   }
   return range;

@@ -187,7 +187,7 @@ void Scene::State::apply_lines() {
 
 ValueRange Scene::State::colour_range() const {
   if (settings.range) return *settings.range;
-  return legend_range(*settings.field, field_range(system, *frame, *settings.field));
+  return legend_range(*settings.field, field_range(system, std::span<const double>(field_values), *settings.field));
 }
 
 void Scene::State::make_overlay() {
