@@ -99,7 +99,7 @@ TEST(Refusal, AMonitorOnABlockThatCuttingDidNotMake) {
   Project p = cube();
   p.cuts = {cut("J1", 0, 0, {0, 0, 5})};
   p.monitors = {{"P1", "cube.3", {1, 1, 1}}};
-  EXPECT_THAT(error_of(p), testing::AllOf(StartsWith("/monitors/0/block"), HasSubstr("cube.2")));
+  EXPECT_THAT(error_of(p), testing::AllOf(StartsWith("/monitors/0/block"), HasSubstr("'cube.1'")));
 }
 
 }  // namespace
