@@ -268,11 +268,11 @@ bool Simulation::try_step(double length, StepReport& report) {
 
 void Simulation::accept(double length, StepReport& report) {
   State& s = *state_;
-  const auto& points = s.contacts.points;
+  auto& points = s.contacts.points;
   s.forces.resize(points.size());
   s.outcomes.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const ContactPoint& point = points[i];
+    ContactPoint& point = points[i];
     const Vec3 u = relative_displacement(s.contacts, point, s.bodies, s.increment);
     ContactForces& force = s.forces[i];
     force.gap = point.gap + point.normal.dot(u);
@@ -285,6 +285,7 @@ void Simulation::accept(double length, StepReport& report) {
     const bool yields = point.bonded && point.tension > 0 && force.normal <= -point.tension;
     const bool touches = force.normal > 0 || (point.bonded && !pulled_off);
     force.mode = !touches ? ContactMode::open : slips ? ContactMode::slip : ContactMode::stick;
+    point.mode = force.mode;
     force.slip = force.mode == ContactMode::slip ? excess / point.shear_stiffness : 0;
     s.outcomes[i] = {force.normal, force.shear, force.gap, force.slip, point.bonded && (slips || pulled_off || yields)};
   }
