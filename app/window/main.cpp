@@ -1,0 +1,79 @@
+// talus [PROJECT|RESULTS]: the window.
+// talus --screenshot OUT.png [--size WxH] [--theme light|dark] [--step STEP] [PROJECT|RESULTS]: a picture of the window
+// and out, for regression tests; with QT_QPA_PLATFORM=offscreen it needs no display.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSettings>
+#include <cstdio>
+
+#include "screenshot.hpp"
+#include "widgets/main_window.hpp"
+#include "widgets/render_surface.hpp"
+#include "widgets/theme.hpp"
+
+namespace {
+
+constexpr int bad_usage = 2;
+
+int complain(const QString& sentence) {
+  std::fprintf(stderr, "talus: %s\n", qPrintable(sentence));
+  return bad_usage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  talus::setDefaultSurfaceFormat();
+  QApplication app(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("talus"));
+  QApplication::setOrganizationName(QStringLiteral("talus"));
+  QApplication::setApplicationVersion(QStringLiteral(TALUS_VERSION));
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral("Rock slopes that come apart along joints."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("A .talus project or a results folder."));
+  const QCommandLineOption themeOption(QStringLiteral("theme"), QStringLiteral("light or dark"),
+                                       QStringLiteral("name"));
+  const QCommandLineOption stepOption(
+      QStringLiteral("step"),
+      QStringLiteral("geometry, joints, blocks, mesh, materials, loads, stages, solve or results"),
+      QStringLiteral("name"));
+  const QCommandLineOption sizeOption(QStringLiteral("size"), QStringLiteral("Size of the window, pixels"),
+                                      QStringLiteral("WxH"), QStringLiteral("1280x800"));
+  const QCommandLineOption fieldOption(QStringLiteral("field"), QStringLiteral("Colours the blocks of results"),
+                                       QStringLiteral("name"));
+  const QCommandLineOption screenshotOption(
+      QStringLiteral("screenshot"), QStringLiteral("Write a picture of the window and leave"), QStringLiteral("PNG"));
+  parser.addOptions({themeOption, stepOption, sizeOption, fieldOption, screenshotOption});
+  parser.process(app);
+
+  QSettings settings;
+  QString themeName = settings.value(QStringLiteral("theme"), QStringLiteral("light")).toString();
+  if (parser.isSet(themeOption)) themeName = parser.value(themeOption);
+  if (themeName != QLatin1String("light") && themeName != QLatin1String("dark"))
+    return complain(QStringLiteral("--theme: there is no theme \"%1\"; give light or dark").arg(themeName));
+  if (parser.positionalArguments().size() > 1) return complain(QStringLiteral("one file at a time; see talus --help"));
+  talus::theme::install(themeName == QLatin1String("dark"));
+
+  talus::ScreenshotRequest request;
+  request.out = parser.value(screenshotOption);
+  request.file = parser.positionalArguments().value(0);
+  request.step = parser.value(stepOption);
+  request.field = parser.value(fieldOption);
+  if (const QString wrong = talus::readSize(parser.value(sizeOption), request.size); !wrong.isEmpty())
+    return complain(wrong);
+
+  talus::MainWindow window;
+  window.resize(request.size);
+  if (parser.isSet(screenshotOption)) return talus::takeScreenshot(window, request);
+  window.restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+  window.show();
+  if (!request.file.isEmpty()) window.open(request.file.toStdString());
+  const int status = QApplication::exec();
+  settings.setValue(QStringLiteral("theme"),
+                    talus::theme::now().dark ? QStringLiteral("dark") : QStringLiteral("light"));
+  return status;
+}

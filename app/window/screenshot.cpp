@@ -1,0 +1,83 @@
+#include "screenshot.hpp"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <cstdio>
+
+#include "base/error.hpp"
+#include "widgets/viewport.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int bad_input = 2, our_fault = 3;
+constexpr int settle_ms = 600;  // the fine drawing comes when the camera has rested
+constexpr int patience_ms = 600000;
+
+int complain(int code, const QString& sentence) {
+  std::fprintf(stderr, "talus: %s\n", qPrintable(sentence));
+  return code;
+}
+
+template <class Condition>
+bool waitFor(Condition condition, int limitMs) {
+  QElapsedTimer timer;
+  timer.start();
+  while (!condition() && timer.elapsed() < limitMs) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+  return condition();
+}
+
+void rest(int ms) {
+  QElapsedTimer timer;
+  timer.start();
+  while (timer.elapsed() < ms) QApplication::processEvents(QEventLoop::AllEvents, 20);
+}
+
+}  // namespace
+
+QString readSize(const QString& text, QSize& size) {
+  const auto parts = text.split(u'x');
+  bool goodWidth = false, goodHeight = false;
+  if (parts.size() == 2) size = {parts[0].toInt(&goodWidth), parts[1].toInt(&goodHeight)};
+  const bool good = goodWidth && goodHeight && size.width() >= 320 && size.height() >= 240 && size.width() <= 8192 &&
+                    size.height() <= 8192;
+  return good ? QString() : QStringLiteral("--size: \"%1\" is no size; give one such as 1280x800").arg(text);
+}
+
+int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
+  Workspace& workspace = window.workspace();
+  window.show();
+  if (!request.file.isEmpty()) {
+    if (!workspace.open(request.file.toStdString())) {
+      const Problem& problem = workspace.problems().back();
+      return complain(bad_input, QStringLiteral("%1: %2; %3").arg(problem.place, problem.problem, problem.remedy));
+    }
+    if (workspace.isLoadingResults()) waitFor([&] { return workspace.frame() != nullptr; }, patience_ms);
+    if (!workspace.system()) {
+      workspace.mesh();
+      waitFor([&] { return !workspace.job().isBusy(); }, patience_ms);
+    }
+  }
+  if (!request.field.isEmpty()) {
+    try {
+      SceneSettings display = workspace.display();
+      display.field = field_named(request.field.toStdString());
+      workspace.setDisplay(display);
+    } catch (const InputError& error) {
+      return complain(bad_input, QString::fromUtf8(error.what()));
+    }
+  }
+  for (const Step step : all_steps)
+    if (request.step == QLatin1String(stepKey(step))) workspace.goTo(step);
+  if (!request.step.isEmpty() && request.step != QLatin1String(stepKey(workspace.step())))
+    return complain(bad_input, QStringLiteral("--step: there is no step \"%1\"; see talus --help").arg(request.step));
+  window.viewport().look(View::iso);
+  window.resize(request.size);
+  rest(settle_ms);
+  if (!window.grab().save(request.out))
+    return complain(bad_input, QStringLiteral("%1: cannot be written; choose another place").arg(request.out));
+  return workspace.problems().empty() ? 0 : our_fault;
+}
+
+}  // namespace talus

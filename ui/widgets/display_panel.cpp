@@ -1,0 +1,86 @@
+#include "widgets/display_panel.hpp"
+
+#include <QSignalBlocker>
+
+namespace talus {
+
+namespace {
+constexpr double deformation_scales[] = {1, 10, 100, 1000};
+}
+
+DisplayPanel::DisplayPanel(Workspace& workspace) : workspace_(workspace), field_(new FieldChooser(workspace, this)) {
+  auto* column = new QVBoxLayout(this);
+  setMargins(column, 0, 0);
+  column->addWidget(new PanelHeader(tr("Display")));
+  auto* content = new QWidget;
+  auto* inner = new QVBoxLayout(content);
+  setMargins(inner, 0, 0);
+
+  auto* field = new Section(tr("Field"));
+  field->addRow(tr("Colour by"), field_->quantityBox());
+  field->addRow(tr("Component"), field_->componentBox());
+  range_ = makeCombo({tr("frames seen so far"), tr("this frame")}, tr("Range of the legend"));
+  connect(range_, &QComboBox::activated, this, [this](int index) { workspace_.setRangeFollowsRun(index == 0); });
+  field->addRow(tr("Range"), range_);
+  inner->addWidget(field);
+  inner->addWidget(makeLine(Qt::Horizontal));
+
+  auto* shape = new Section(tr("Shape"));
+  deformation_ = makeCombo({tr("true"), QStringLiteral("10 ×"), QStringLiteral("100 ×"), QStringLiteral("1000 ×")},
+                           tr("Deformation"));
+  connect(deformation_, &QComboBox::activated, this, [this](int index) {
+    SceneSettings display = workspace_.display();
+    display.deformation_scale = deformation_scales[index];
+    workspace_.setDisplay(display);
+  });
+  shape->addRow(tr("Deformation"), deformation_, tr("Displacements are drawn this many times as large"));
+  edges_ = makeCombo({tr("none"), tr("block edges"), tr("mesh")}, tr("Edges"));
+  connect(edges_, &QComboBox::activated, this, [this](int index) {
+    SceneSettings display = workspace_.display();
+    display.edges = static_cast<Edges>(index);
+    workspace_.setDisplay(display);
+  });
+  shape->addRow(tr("Edges"), edges_);
+  inner->addWidget(shape);
+  inner->addWidget(makeLine(Qt::Horizontal));
+
+  auto* overlays = new Section(tr("Overlays"));
+  addSwitch(overlays, tr("Contact points"), &SceneSettings::contacts)
+      ->setToolTip(tr("Open grey, stick blue, slip orange"));
+  addSwitch(overlays, tr("Legend"), &SceneSettings::legend);
+  addSwitch(overlays, tr("Time stamp"), &SceneSettings::time_stamp);
+  addSwitch(overlays, tr("Axes"), &SceneSettings::triad);
+  addSwitch(overlays, tr("Scale bar"), &SceneSettings::scale_bar);
+  inner->addWidget(overlays);
+  inner->addStretch();
+  column->addWidget(makeScrolled(content), 1);
+  connect(&workspace_, &Workspace::displayChanged, this, &DisplayPanel::show);
+  show();
+}
+
+QCheckBox* DisplayPanel::addSwitch(Section* section, const QString& name, bool SceneSettings::*member) {
+  auto* box = new QCheckBox(name);
+  connect(box, &QCheckBox::toggled, this, [this, member](bool on) {
+    SceneSettings display = workspace_.display();
+    display.*member = on;
+    workspace_.setDisplay(display);
+  });
+  section->addWide(box);
+  switches_.emplace_back(box, member);
+  return box;
+}
+
+void DisplayPanel::show() {
+  const SceneSettings& display = workspace_.display();
+  range_->setCurrentIndex(workspace_.rangeFollowsRun() ? 0 : 1);
+  range_->setEnabled(display.field.has_value());
+  edges_->setCurrentIndex(static_cast<int>(display.edges));
+  for (int i = 0; i < 4; ++i)
+    if (deformation_scales[i] == display.deformation_scale) deformation_->setCurrentIndex(i);
+  for (auto& [box, member] : switches_) {
+    const QSignalBlocker silent(box);
+    box->setChecked(display.*member);
+  }
+}
+
+}  // namespace talus

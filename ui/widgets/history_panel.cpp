@@ -1,0 +1,132 @@
+#include "widgets/history_panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/numbers.hpp"
+
+namespace talus {
+
+HistoryPanel::HistoryPanel(Workspace& workspace)
+    : workspace_(workspace),
+      displacement_(new Plot(tr("Displacement"))),
+      speed_(new Plot(tr("Speed"))),
+      energy_(new Plot(tr("Energy"))),
+      iterations_(new Plot(tr("Open–close iterations"))),
+      contacts_(new Plot(tr("Contacts"))) {
+  setProperty("plane", "surface");
+  auto* row = new QHBoxLayout(this);
+  setMargins(row, 0, 1);
+  auto* sentence = makeLabel(tr("Curves of monitors and energies appear here as soon as a run makes steps."), "muted");
+  sentence->setAlignment(Qt::AlignCenter);
+  empty_ = sentence;
+  row->addWidget(empty_, 1);
+  for (auto* plot : {displacement_, speed_, iterations_, contacts_, energy_}) {
+    row->addWidget(plot, 1);
+    connect(plot, &Plot::timeChosen, this, &HistoryPanel::goToTime);
+  }
+  connect(&workspace_, &Workspace::historyChanged, this, &HistoryPanel::refresh);
+  connect(&workspace_, &Workspace::stepChanged, this, &HistoryPanel::showPlotsOfStep);
+  connect(&workspace_, &Workspace::frameChanged, this, [this] {
+    const auto cursor = workspace_.frame() ? std::optional<double>(workspace_.time()) : std::nullopt;
+    for (auto* plot : {displacement_, speed_, iterations_, contacts_, energy_}) plot->setCursor(cursor);
+  });
+  refresh();
+}
+
+void HistoryPanel::showPlotsOfStep() {
+  const bool any = !workspace_.steps().empty();
+  const bool solving = workspace_.step() == Step::solve;
+  empty_->setVisible(!any);
+  displacement_->setVisible(any && !workspace_.monitorNames().empty());
+  speed_->setVisible(any && !solving && !workspace_.monitorNames().empty());
+  iterations_->setVisible(any && (solving || workspace_.monitorNames().empty()));
+  contacts_->setVisible(any && (solving || workspace_.monitorNames().empty()));
+  energy_->setVisible(any);
+}
+
+void HistoryPanel::refresh() {
+  showPlotsOfStep();
+  fillMonitors();
+  fillSolver();
+  fillEnergy();
+}
+
+void HistoryPanel::fillMonitors() {
+  std::vector<Curve> displacement, speed;
+  const auto& names = workspace_.monitorNames();
+  for (size_t m = 0; m < names.size(); ++m) {
+    Curve u{QString::fromStdString(names[m]), static_cast<int>(m), {}, {}};
+    Curve v = u;
+    for (const HistoryRow& row : workspace_.history()) {
+      if (m >= row.monitors.size()) continue;
+      u.x.push_back(row.time);
+      u.y.push_back(row.monitors[m].displacement.norm());
+      v.x.push_back(row.time);
+      v.y.push_back(row.monitors[m].velocity.norm());
+    }
+    displacement.push_back(std::move(u));
+    speed.push_back(std::move(v));
+  }
+  displacement_->setCurves(std::move(displacement), QStringLiteral("m"));
+  speed_->setCurves(std::move(speed), QStringLiteral("m/s"));
+}
+
+std::vector<double> HistoryPanel::stepTimes() const {
+  std::vector<double> times;
+  for (const StepReport& step : workspace_.steps()) times.push_back(step.time);
+  return times;
+}
+
+void HistoryPanel::fillSolver() {
+  const std::vector<double> times = stepTimes();
+  Curve iterations{{}, 1, times, {}}, open{tr("open"), 0, times, {}}, stick{tr("stick"), 2, times, {}},
+      slip{tr("slip"), 1, times, {}};
+  for (const StepReport& step : workspace_.steps()) {
+    iterations.y.push_back(step.iterations);
+    open.y.push_back(step.open);
+    stick.y.push_back(step.stick);
+    slip.y.push_back(step.slip);
+  }
+  iterations_->setCurves({std::move(iterations)}, tr("a step"));
+  contacts_->setCurves({std::move(open), std::move(stick), std::move(slip)}, {});
+}
+
+void HistoryPanel::fillEnergy() {
+  const std::vector<double> times = stepTimes();
+  struct Part {
+    QString name;
+    double EnergyLedger::*member;
+    int colour;
+  };
+  const Part parts[] = {{tr("kinetic"), &EnergyLedger::kinetic, 0},
+                        {tr("elastic"), &EnergyLedger::elastic, 2},
+                        {tr("friction"), &EnergyLedger::friction_dissipated, 1},
+                        {tr("loss"), &EnergyLedger::integration_loss, 3}};
+  double largest = 0;
+  for (const StepReport& step : workspace_.steps())
+    for (const Part& part : parts) largest = std::max(largest, std::abs(step.energy.*part.member));
+  const numbers::Scale scale = numbers::energyScale(largest);
+  std::vector<Curve> curves;
+  for (const Part& part : parts) {
+    Curve curve{part.name, part.colour, times, {}};
+    bool any = false;
+    for (const StepReport& step : workspace_.steps()) {
+      curve.y.push_back(step.energy.*part.member / scale.factor);
+      any = any || curve.y.back() != 0;
+    }
+    if (any) curves.push_back(std::move(curve));
+  }
+  energy_->setCurves(std::move(curves), scale.unit);
+}
+
+void HistoryPanel::goToTime(double seconds) {
+  const auto& times = workspace_.frameTimes();
+  if (times.empty()) return;
+  const auto after = std::lower_bound(times.begin(), times.end(), seconds);
+  auto number = static_cast<int>(after - times.begin());
+  if (after == times.end() || (after != times.begin() && seconds - *(after - 1) < *after - seconds)) --number;
+  workspace_.showFrame(number);
+}
+
+}  // namespace talus

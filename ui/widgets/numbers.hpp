@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QString>
+
+/// Numbers as the window writes them, on top of render/numbers.hpp, so that panels and pictures agree.
+namespace talus::numbers {
+
+QString fixed(double value, int decimals);
+QString whole(long long value);
+QString significant(double value, int figures = 3);
+/// With the prefix that suits it: "25 GPa", "0.2 MPa"; `unit` is SI.
+QString quantity(double value, const char* unit);
+/// J, kJ, MJ, GJ, TJ: the factor to divide by and its unit, for values up to `largest`.
+struct Scale {
+  double factor = 1;
+  QString unit;
+};
+Scale energyScale(double largest);
+/// "34/270", dip and three digits of dip direction, degrees.
+QString orientation(double dip, double dipDirection);
+/// "12 s", "4 min 10 s" (rounded to 5 s above a minute), "1 h 47 min".
+QString duration(double seconds);
+/// Parses what a user typed with point or comma, thin spaces and a true minus sign; false when it is no number.
+bool parse(const QString& text, double& value);
+
+}  // namespace talus::numbers

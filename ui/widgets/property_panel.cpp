@@ -1,0 +1,276 @@
+#include "widgets/property_panel.hpp"
+
+#include "base/error.hpp"
+#include "widgets/number_field.hpp"
+#include "widgets/numbers.hpp"
+
+namespace talus {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QString point(const Vec3& p) {
+  return QStringLiteral("%1, %2, %3")
+      .arg(numbers::significant(p.x(), 4), numbers::significant(p.y(), 4), numbers::significant(p.z(), 4));
+}
+
+QString bodyWord(BodyKind body) {
+  switch (body) {
+    case BodyKind::fixed:
+      return QObject::tr("fixed");
+    case BodyKind::rigid:
+      return QObject::tr("rigid");
+    case BodyKind::affine:
+      return QObject::tr("affine");
+    case BodyKind::tetrahedra:
+      return QObject::tr("tetrahedra");
+  }
+  return {};
+}
+
+}  // namespace
+
+PropertyPanel::PropertyPanel(Workspace& workspace)
+    : workspace_(workspace), header_(new PanelHeader(tr("Properties"))), column_(new QVBoxLayout(this)) {
+  setMargins(column_, 0, 0);
+  column_->addWidget(header_);
+  connect(&workspace_.selection(), &Selection::changed, this, &PropertyPanel::rebuild);
+  connect(&workspace_, &Workspace::projectOpened, this, &PropertyPanel::rebuild);
+  connect(&workspace_, &Workspace::systemChanged, this, &PropertyPanel::rebuild);
+  // The field that asked for the change still handles its event: it must not be deleted under itself.
+  connect(&workspace_.document(), &Document::projectChanged, this, &PropertyPanel::rebuild, Qt::QueuedConnection);
+  rebuild();
+}
+
+Section* PropertyPanel::addSection(const QString& title, const QString& note) {
+  auto* layout = static_cast<QVBoxLayout*>(content_->layout());
+  if (layout->count() > 0) layout->addWidget(makeLine(Qt::Horizontal));
+  auto* section = new Section(title, note);
+  layout->addWidget(section);
+  return section;
+}
+
+void PropertyPanel::rebuild() {
+  delete scrolled_;
+  content_ = new QWidget;
+  setMargins(new QVBoxLayout(content_), 0, 0);
+  const Item item = workspace_.selection().current();
+  const Project& project = workspace_.document().project();
+  const auto at = static_cast<size_t>(std::max(0, item.index));
+  switch (item.kind) {
+    case Item::Kind::none:
+      showProject();
+      break;
+    case Item::Kind::solid:
+      showSolid(project.solids.at(at));
+      break;
+    case Item::Kind::cut:
+      showCut(project.cuts.at(at));
+      break;
+    case Item::Kind::joint:
+      showJoint(item.index);
+      break;
+    case Item::Kind::block:
+      showBlock(item.index);
+      break;
+    case Item::Kind::material:
+      showMaterial(item.index);
+      break;
+    case Item::Kind::load:
+      showLoad(project.loads.at(at));
+      break;
+    case Item::Kind::constraint:
+      showConstraint(project.constraints.at(at));
+      break;
+    case Item::Kind::velocity:
+      showVelocity(project.velocities.at(at));
+      break;
+    case Item::Kind::stage:
+      showStage(project.stages.at(at));
+      break;
+    case Item::Kind::monitor:
+      showMonitor(item.index);
+      break;
+  }
+  static_cast<QVBoxLayout*>(content_->layout())->addStretch();
+  scrolled_ = makeScrolled(content_);
+  column_->addWidget(scrolled_, 1);
+}
+
+void PropertyPanel::showProject() {
+  const Project& project = workspace_.document().project();
+  header_->setTitle(tr("Project"), tr("nothing is selected"));
+  auto* general = addSection(tr("General"));
+  general->addFact(tr("Gravity, m/s²"), point(project.gravity));
+  general->addFact(tr("Default joint"), text(project.default_joint));
+  general->addFact(tr("A frame every"), tr("%1 s").arg(numbers::significant(project.output.every)));
+  auto* solver = addSection(tr("Solver"));
+  solver->addFact(tr("Strain"), text(project.solver.strain));
+  solver->addFact(tr("Integrator"), text(project.solver.integrator));
+  solver->addFact(tr("Contact stiffness"), numbers::significant(project.solver.contact_stiffness),
+                  tr("Normal penalty in units of the contact modulus over the mesh size"));
+  solver->addFact(tr("Open–close limit"), numbers::whole(project.solver.open_close_limit),
+                  tr("Iterations before a step is cut"));
+}
+
+void PropertyPanel::showSolid(const Solid& solid) {
+  header_->setTitle(text(solid.name), tr("solid"));
+  auto* shape = addSection(tr("Shape"));
+  if (const auto* box = std::get_if<BoxShape>(&solid.shape)) {
+    shape->addFact(tr("From, m"), point(box->min));
+    shape->addFact(tr("To, m"), point(box->max));
+  } else if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape)) {
+    shape->addFact(tr("Vertices"), numbers::whole(static_cast<long long>(polyhedron->vertices.size())));
+    shape->addFact(tr("Faces"), numbers::whole(static_cast<long long>(polyhedron->faces.size())));
+  } else if (const auto* file = std::get_if<FileShape>(&solid.shape)) {
+    shape->addFact(tr("File"), text(file->path));
+    shape->addFact(tr("Scale"), numbers::significant(file->scale, 6));
+  }
+  auto* rock = addSection(tr("Rock"));
+  rock->addFact(tr("Material"), text(solid.material));
+  rock->addFact(tr("Body"), bodyWord(solid.body));
+  rock->addFact(tr("Mesh size"),
+                solid.mesh_size ? tr("%1 m").arg(numbers::significant(*solid.mesh_size)) : tr("automatic"));
+}
+
+void PropertyPanel::showCut(const Cut& cut) {
+  header_->setTitle(tr("Cut"), text(cut.joint));
+  auto* orientation = addSection(tr("Orientation"));
+  orientation->addFact(tr("Dip"), tr("%1°").arg(numbers::significant(cut.dip, 4)),
+                       tr("Steepest inclination of the plane, 0° flat, 90° upright"));
+  orientation->addFact(tr("Dip direction"), tr("%1°").arg(numbers::significant(cut.dip_direction, 4)),
+                       tr("Azimuth of the steepest line, clockwise from north"));
+  auto* position = addSection(tr("Position and extent"));
+  position->addFact(tr("Through, m"), point(cut.through));
+  if (cut.spacing) position->addFact(tr("Spacing"), tr("%1 m").arg(numbers::significant(*cut.spacing)));
+  position->addFact(tr("Count"), numbers::whole(cut.count.value_or(1)));
+  QStringList names;
+  for (const auto& name : cut.solids) names << text(name);
+  position->addFact(tr("Divides"), names.isEmpty() ? tr("every solid") : names.join(QStringLiteral(", ")));
+}
+
+void PropertyPanel::addNumber(Section* section, const QString& name, const Quantity& quantity, double value,
+                              const std::function<void(double)>& change) {
+  auto* field = new NumberField(value, quantity.scale, quantity.unit);
+  field->setAccessibleName(name);
+  connect(field, &NumberField::committed, this, [field, change](double typed) {
+    try {
+      change(typed);
+    } catch (const InputError& error) {
+      field->setProblem(text(error.problem()) + u'\n' + text(error.remedy()));
+    }
+  });
+  section->addRow(name, field);
+}
+
+void PropertyPanel::showJoint(int index) {
+  const Joint& joint = workspace_.document().project().joints.at(static_cast<size_t>(index));
+  header_->setTitle(text(joint.name), tr("joint"));
+  auto* strength = addSection(tr("Strength"), tr("Mohr–Coulomb"));
+  auto editable = [&](const QString& name, const Quantity& quantity, double Joint::*member) {
+    addNumber(strength, name, quantity, joint.*member, [this, index, member](double value) {
+      Joint changed = workspace_.document().project().joints.at(static_cast<size_t>(index));
+      changed.*member = value;
+      workspace_.document().changeJoint(index, changed);
+    });
+  };
+  editable(tr("Friction angle φ"), {1, QStringLiteral("°")}, &Joint::friction_angle);
+  editable(tr("Cohesion c"), {1e6, QStringLiteral("MPa")}, &Joint::cohesion);
+  editable(tr("Tension"), {1e6, QStringLiteral("MPa")}, &Joint::tensile_strength);
+  if (joint.residual_friction_angle)
+    strength->addFact(tr("Residual φ"), tr("%1°").arg(numbers::significant(*joint.residual_friction_angle)));
+  auto* stiffness = addSection(tr("Stiffness"));
+  auto show = [](const std::optional<double>& value) {
+    return value ? numbers::significant(*value / 1e9) + QStringLiteral(" GPa/m") : QObject::tr("automatic");
+  };
+  stiffness->addFact(tr("Normal"), show(joint.normal_stiffness));
+  stiffness->addFact(tr("Shear"), show(joint.shear_stiffness));
+}
+
+void PropertyPanel::showBlock(int index) {
+  if (!workspace_.system()) return;
+  const BlockSystem& system = *workspace_.system();
+  const Block& block = system.blocks.at(static_cast<size_t>(index));
+  header_->setTitle(text(block.name), tr("block"));
+  auto* shape = addSection(tr("Shape"));
+  shape->addFact(tr("Volume"), tr("%1 m³").arg(numbers::significant(block.volume, 5)));
+  shape->addFact(tr("Body"), bodyWord(block.body));
+  const auto& materials = workspace_.document().project().materials;
+  if (static_cast<size_t>(block.material) < materials.size()) {
+    const Material& material = materials[static_cast<size_t>(block.material)];
+    shape->addFact(tr("Material"), text(material.name));
+    shape->addFact(tr("Mass"), tr("%1 t").arg(numbers::significant(block.volume * material.density / 1e3)));
+  }
+  auto* mesh = addSection(tr("Mesh"));
+  mesh->addFact(tr("Nodes"), numbers::whole(static_cast<long long>(block.mesh.nodes.size())));
+  mesh->addFact(tr("Tetrahedra"), numbers::whole(static_cast<long long>(block.mesh.tetrahedra.size())));
+  mesh->addFact(tr("Facets"), numbers::whole(static_cast<long long>(block.surface.size())));
+  std::vector<size_t> onJoint(system.joint_names.size());
+  for (const auto& triangle : block.surface)
+    if (triangle.joint >= 0) ++onJoint[static_cast<size_t>(triangle.joint)];
+  auto* joints = addSection(tr("Joints it touches"), tr("facets"));
+  for (size_t i = 0; i < onJoint.size(); ++i)
+    if (onJoint[i] > 0)
+      joints->addFact(text(system.joint_names[i]), numbers::whole(static_cast<long long>(onJoint[i])));
+}
+
+void PropertyPanel::showMaterial(int index) {
+  const Material& material = workspace_.document().project().materials.at(static_cast<size_t>(index));
+  header_->setTitle(text(material.name), tr("material"));
+  auto* constants = addSection(tr("Constants"), tr("isotropic, elastic"));
+  auto editable = [&](const QString& name, const Quantity& quantity, double Material::*member) {
+    addNumber(constants, name, quantity, material.*member, [this, index, member](double value) {
+      Material changed = workspace_.document().project().materials.at(static_cast<size_t>(index));
+      changed.*member = value;
+      workspace_.document().changeMaterial(index, changed);
+    });
+  };
+  editable(tr("Density ρ"), {1, QStringLiteral("kg/m³")}, &Material::density);
+  editable(tr("Young E"), {1e9, QStringLiteral("GPa")}, &Material::young);
+  editable(tr("Poisson ν"), {1, {}}, &Material::poisson);
+}
+
+void PropertyPanel::showLoad(const PointLoad& load) {
+  header_->setTitle(tr("Point load"), text(load.block));
+  auto* section = addSection(tr("Load"));
+  section->addFact(tr("At, m"), point(load.at));
+  section->addFact(tr("Force, kN"), point(load.force / 1e3));
+}
+
+void PropertyPanel::showConstraint(const Constraint& constraint) {
+  header_->setTitle(tr("Support"), text(constraint.block));
+  auto* section = addSection(tr("Displacement constraint"));
+  section->addFact(tr("At, m"), point(constraint.at));
+  const char* axes[] = {"East", "North", "Up"};
+  for (size_t i = 0; i < 3; ++i) {
+    const auto& component = constraint.displacement[i];
+    section->addFact(tr(axes[i]), component ? tr("%1 m").arg(numbers::significant(*component)) : tr("free"));
+  }
+}
+
+void PropertyPanel::showVelocity(const InitialVelocity& velocity) {
+  header_->setTitle(tr("Initial velocity"), text(velocity.block));
+  auto* section = addSection(tr("Velocity"));
+  section->addFact(tr("Linear, m/s"), point(velocity.linear));
+  section->addFact(tr("Angular, rad/s"), point(velocity.angular));
+}
+
+void PropertyPanel::showStage(const Stage& stage) {
+  header_->setTitle(text(stage.name), tr("stage"));
+  auto* section = addSection(tr("Stage"));
+  section->addFact(tr("Type"), stage.kind == StageKind::static_ ? tr("static") : tr("dynamic"));
+  section->addFact(tr("Time step"), tr("%1 s").arg(numbers::significant(stage.time_step)));
+  if (stage.steps) section->addFact(tr("Steps"), numbers::whole(*stage.steps));
+  if (stage.duration) section->addFact(tr("Duration"), tr("%1 s").arg(numbers::significant(*stage.duration, 4)));
+}
+
+void PropertyPanel::showMonitor(int index) {
+  const Monitor& monitor = workspace_.document().project().monitors.at(static_cast<size_t>(index));
+  header_->setTitle(text(monitor.name), tr("monitor"));
+  auto* section = addSection(tr("Place"));
+  section->addFact(tr("Block"), text(monitor.block));
+  section->addFact(tr("At, m"), point(monitor.at));
+}
+
+}  // namespace talus

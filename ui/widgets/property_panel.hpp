@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QVBoxLayout>
+#include <QWidget>
+#include <functional>
+
+#include "widgets/parts.hpp"
+#include "widgets/workspace.hpp"
+
+namespace talus {
+
+/// What the selected thing is, with units. Strengths of joints and the constants of materials can be typed over.
+class PropertyPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PropertyPanel(Workspace& workspace);
+
+ private:
+  void rebuild();
+  void showProject();
+  void showSolid(const Solid& solid);
+  void showCut(const Cut& cut);
+  void showJoint(int index);
+  void showBlock(int index);
+  void showMaterial(int index);
+  void showLoad(const PointLoad& load);
+  void showConstraint(const Constraint& constraint);
+  void showVelocity(const InitialVelocity& velocity);
+  void showStage(const Stage& stage);
+  void showMonitor(int index);
+
+  Section* addSection(const QString& title, const QString& note = {});
+  /// What a field shows is the SI value divided by `scale`, with `unit`.
+  struct Quantity {
+    double scale = 1;
+    QString unit;
+  };
+  /// A number that can be typed over; `change` may throw InputError, which the field then shows.
+  void addNumber(Section* section, const QString& name, const Quantity& quantity, double value,
+                 const std::function<void(double)>& change);
+
+  Workspace& workspace_;
+  PanelHeader* header_;
+  QVBoxLayout* column_;
+  QWidget* content_ = nullptr;
+  QWidget* scrolled_ = nullptr;
+};
+
+}  // namespace talus

@@ -1,0 +1,214 @@
+#include "widgets/run_panel.hpp"
+
+#include <QPainter>
+#include <cmath>
+
+#include "widgets/numbers.hpp"
+
+namespace talus {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+void clearLayout(QLayout& layout) {
+  while (auto* item = layout.takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+}
+
+QString stateWords(JobState state, const std::optional<RunReport>& report) {
+  switch (state) {
+    case JobState::meshing:
+      return QObject::tr("cutting and meshing");
+    case JobState::running:
+      return QObject::tr("running");
+    case JobState::paused:
+      return QObject::tr("paused");
+    case JobState::stopping:
+      return QObject::tr("stopping after this step");
+    case JobState::idle:
+      break;
+  }
+  if (!report) return {};
+  switch (report->status) {
+    case RunStatus::completed:
+      return QObject::tr("finished");
+    case RunStatus::stopped:
+      return QObject::tr("stopped");
+    case RunStatus::not_converged:
+      return QObject::tr("did not converge");
+  }
+  return {};
+}
+
+double totalSeconds(const std::vector<EffectOutcome>& effects) {
+  double sum = 0;
+  for (const auto& effect : effects) sum += effect.seconds;
+  return sum;
+}
+
+}  // namespace
+
+RunPanel::RunPanel(Workspace& workspace) : workspace_(workspace), header_(new PanelHeader(tr("Run"))) {
+  auto* column = new QVBoxLayout(this);
+  setMargins(column, 0, 0);
+  column->addWidget(header_);
+  auto* content = new QWidget;
+  auto* inner = new QVBoxLayout(content);
+  inner->setContentsMargins(12, 10, 12, 10);
+  inner->setSpacing(6);
+
+  auto* top = new QHBoxLayout;
+  percent_ = makeLabel({}, "display");
+  top->addWidget(percent_);
+  top->addStretch();
+  auto* times = new QVBoxLayout;
+  setMargins(times, 0, 0);
+  left_ = makeLabel({}, "strong");
+  spent_ = makeLabel({}, "small");
+  times->addWidget(left_, 0, Qt::AlignRight);
+  times->addWidget(spent_, 0, Qt::AlignRight);
+  top->addLayout(times);
+  inner->addLayout(top);
+  bar_ = new QProgressBar;
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(tr("Share of the run that is done"));
+  inner->addWidget(bar_);
+
+  auto* facts = new QGridLayout;
+  facts->setContentsMargins(0, 4, 0, 4);
+  facts->setVerticalSpacing(3);
+  facts->setHorizontalSpacing(12);
+  facts->setColumnStretch(1, 1);
+  time_ = addFact(*facts, tr("t"));
+  step_ = addFact(*facts, tr("Step"));
+  iterations_ = addFact(*facts, tr("Iterations"));
+  contacts_ = addFact(*facts, tr("Contacts"));
+  penetration_ = addFact(*facts, tr("Penetration"));
+  inner->addLayout(facts);
+  inner->addWidget(makeLine(Qt::Horizontal));
+  outcome_ = new QVBoxLayout;
+  setMargins(outcome_, 0, 4);
+  inner->addLayout(outcome_);
+  inner->addStretch();
+  column->addWidget(makeScrolled(content), 1);
+
+  connect(&workspace_, &Workspace::progressed, this, &RunPanel::refresh);
+  connect(&workspace_, &Workspace::historyChanged, this, &RunPanel::refresh);
+  connect(&workspace_.job(), &SolverJob::stateChanged, this, &RunPanel::refresh);
+  connect(&workspace_, &Workspace::reportChanged, this, &RunPanel::refreshOutcome);
+  refresh();
+  refreshOutcome();
+}
+
+QLabel* RunPanel::addFact(QGridLayout& grid, const QString& name) {
+  const int row = grid.rowCount();
+  grid.addWidget(makeLabel(name, "small"), row, 0);
+  auto* value = new ElidedLabel(QStringLiteral("–"));
+  grid.addWidget(value, row, 1);
+  return value;
+}
+
+void RunPanel::refresh() {
+  const SolverJob& job = workspace_.job();
+  const auto& report = workspace_.report();
+  header_->setTitle(tr("Run"), stateWords(job.state(), report));
+  const bool busy = job.isBusy();
+  const double fraction = busy ? workspace_.fraction() : report ? 1 : 0;
+  percent_->setText(busy || report ? tr("%1 %").arg(static_cast<int>(100 * fraction)) : QStringLiteral("–"));
+  if (!busy && report && report->status != RunStatus::completed)
+    percent_->setText(report->status == RunStatus::stopped ? tr("stopped") : tr("not converged"));
+  bar_->setValue(static_cast<int>(1000 * fraction));
+  const auto left = job.timeLeft().seconds();
+  if (busy) {
+    left_->setText(left && job.state() != JobState::paused ? tr("%1 left").arg(numbers::duration(*left)) : QString());
+    spent_->setText(tr("%1 spent").arg(numbers::duration(job.timeLeft().spent())));
+  } else {
+    left_->setText(report ? numbers::duration(report->wall_seconds) : QString());
+    spent_->setText(report ? tr("%n thread(s)", nullptr, report->threads) : tr("not run yet"));
+  }
+  if (workspace_.steps().empty()) {
+    for (auto* label : {time_, step_, contacts_, penetration_, iterations_}) label->setText(QStringLiteral("–"));
+    return;
+  }
+  const StepReport& step = workspace_.steps().back();
+  time_->setText(tr("%1 s").arg(numbers::fixed(step.time, 2)));
+  step_->setText(tr("%1, Δt %2 ms").arg(numbers::whole(step.step), numbers::significant(step.time_step * 1e3)));
+  contacts_->setText(tr("%1 open, %2 stick, %3 slip")
+                         .arg(numbers::whole(step.open), numbers::whole(step.stick), numbers::whole(step.slip)));
+  penetration_->setText(tr("%1 % of mesh size").arg(numbers::significant(100 * step.max_relative_penetration, 2)));
+  iterations_->setText(step.cuts > 0 ? tr("%1, step cut %n time(s)", nullptr, step.cuts).arg(step.iterations)
+                                     : numbers::whole(step.iterations));
+}
+
+void RunPanel::refreshOutcome() {
+  clearLayout(*outcome_);
+  const auto& report = workspace_.report();
+  if (!report || report->effects.empty()) {
+    auto* sentence = makeLabel(tr("Which effects the scene called for, and what each cost, is listed here when the "
+                                  "run has ended."),
+                               "small");
+    sentence->setWordWrap(true);
+    outcome_->addWidget(sentence);
+    refresh();
+    return;
+  }
+  const double total = totalSeconds(report->effects);
+  double largest = 0;
+  int active = 0;
+  for (const auto& effect : report->effects) {
+    largest = std::max(largest, effect.seconds);
+    active += effect.active ? 1 : 0;
+  }
+  auto* heading = new QWidget;
+  auto* row = new QHBoxLayout(heading);
+  setMargins(row, 0, 6);
+  row->addWidget(makeLabel(tr("Effects: %1 of %2 active").arg(active).arg(report->effects.size()), "section"));
+  row->addStretch();
+  row->addWidget(makeLabel(tr("share of time"), "faint"));
+  outcome_->addWidget(heading);
+  for (const auto& effect : report->effects)
+    addEffect(*outcome_, effect, total > 0 ? effect.seconds / total : 0, total > 0 ? largest / total : 1);
+  refresh();
+}
+
+void RunPanel::addEffect(QVBoxLayout& column, const EffectOutcome& effect, double share, double largest) {
+  auto* row = new QWidget;
+  auto* grid = new QGridLayout(row);
+  grid->setContentsMargins(0, 1, 0, 1);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(0);
+  grid->setColumnStretch(1, 1);
+  QString name = text(effect.name);
+  name.replace(u'_', u' ');
+  if (!name.isEmpty()) name[0] = name[0].toUpper();
+  grid->addWidget(new Glyph(effect.active ? QStringLiteral("check") : QStringLiteral("dash"),
+                            effect.active ? theme::Tone::ok : theme::Tone::muted, 14),
+                  0, 0);
+  grid->addWidget(new ElidedLabel(name, effect.active ? nullptr : "muted"), 0, 1);
+  grid->addWidget(new ElidedLabel(text(effect.reason), "small"), 1, 1, 1, 3);
+  grid->addWidget(new ShareBar(effect.active ? share / largest : 0), 0, 2);
+  auto* percent = makeLabel(tr("%1 %").arg(std::lround(100 * share)), effect.active ? nullptr : "faint");
+  percent->setFixedWidth(34);
+  percent->setAlignment(Qt::AlignRight);
+  grid->addWidget(percent, 0, 3);
+  column.addWidget(row);
+}
+
+ShareBar::ShareBar(double share) : share_(share) { setFixedSize(52, 4); }
+
+void ShareBar::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme::colours().pressed);
+  painter.drawRoundedRect(rect(), 2, 2);
+  if (share_ <= 0) return;
+  painter.setBrush(theme::colours().accent);
+  painter.drawRoundedRect(QRectF(0, 0, std::max(2.0, width() * share_), height()), 2, 2);
+}
+
+}  // namespace talus

@@ -1,0 +1,264 @@
+#include "widgets/step_table.hpp"
+
+#include <QHeaderView>
+#include <QPainter>
+
+#include "widgets/numbers.hpp"
+#include "widgets/theme.hpp"
+
+namespace talus {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+QString number(double value, int figures = 3) { return numbers::significant(value, figures); }
+QString count(size_t n) { return numbers::whole(static_cast<long long>(n)); }
+const QString none = QStringLiteral("–");
+
+Item item(Item::Kind kind, size_t index) { return {kind, static_cast<int>(index)}; }
+
+QString place(const Vec3& p) {
+  return QStringLiteral("%1, %2, %3").arg(number(p.x(), 4), number(p.y(), 4), number(p.z(), 4));
+}
+
+StepRows geometryRows(const Project& project) {
+  StepRows content{QObject::tr("Solids"),
+                   {QObject::tr("Solid"), QObject::tr("Shape"), QObject::tr("Material"), QObject::tr("Body"),
+                    QObject::tr("Mesh size m")},
+                   4,
+                   {},
+                   QObject::tr("The project has no solid.")};
+  const char* bodies[] = {"fixed", "rigid", "affine", "tetrahedra"};
+  for (size_t i = 0; i < project.solids.size(); ++i) {
+    const Solid& solid = project.solids[i];
+    QString shape = QObject::tr("box");
+    if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape))
+      shape = QObject::tr("polyhedron, %1 faces").arg(polyhedron->faces.size());
+    else if (const auto* file = std::get_if<FileShape>(&solid.shape))
+      shape = text(file->path);
+    content.rows.push_back(
+        {item(Item::Kind::solid, i),
+         {text(solid.name), shape, text(solid.material), QObject::tr(bodies[static_cast<size_t>(solid.body)]),
+          solid.mesh_size ? number(*solid.mesh_size) : QObject::tr("automatic")}});
+  }
+  return content;
+}
+
+StepRows jointRows(const Project& project) {
+  StepRows content{
+      QObject::tr("Joint table"),
+      {QObject::tr("Joint"), QObject::tr("Cut"), QObject::tr("Dip °"), QObject::tr("Dir °"), QObject::tr("Spacing m"),
+       QObject::tr("Count"), QObject::tr("φ °"), QObject::tr("c MPa"), QObject::tr("Tension MPa")},
+      2,
+      {},
+      QObject::tr("The project has no joint: its solids touch without being cut.")};
+  for (size_t j = 0; j < project.joints.size(); ++j) {
+    const Joint& joint = project.joints[j];
+    const QStringList strength{number(joint.friction_angle), number(joint.cohesion / 1e6),
+                               number(joint.tensile_strength / 1e6)};
+    bool cuts = false;
+    for (size_t i = 0; i < project.cuts.size(); ++i) {
+      const Cut& cut = project.cuts[i];
+      if (cut.joint != joint.name) continue;
+      cuts = true;
+      const QString direction = QStringLiteral("%1").arg(std::lround(cut.dip_direction), 3, 10, QLatin1Char('0'));
+      content.rows.push_back(
+          {item(Item::Kind::cut, i),
+           QStringList{text(joint.name), QString::number(i + 1), number(cut.dip), direction,
+                       cut.spacing ? number(*cut.spacing) : none, QString::number(cut.count.value_or(1))} +
+               strength});
+    }
+    if (!cuts)
+      content.rows.push_back(
+          {item(Item::Kind::joint, j), QStringList{text(joint.name), none, none, none, none, none} + strength});
+  }
+  return content;
+}
+
+StepRows blockRows(const Project& project, const BlockSystem* system) {
+  StepRows content{QObject::tr("Blocks"),
+                   {QObject::tr("Block"), QObject::tr("Body"), QObject::tr("Material"), QObject::tr("Volume m³"),
+                    QObject::tr("Mass t")},
+                   3,
+                   {},
+                   QObject::tr("Not cut yet.")};
+  if (!system) return content;
+  const char* bodies[] = {"fixed", "rigid", "affine", "tetrahedra"};
+  for (size_t i = 0; i < system->blocks.size(); ++i) {
+    const Block& block = system->blocks[i];
+    const auto m = static_cast<size_t>(block.material);
+    const bool known = m < project.materials.size();
+    content.rows.push_back({item(Item::Kind::block, i),
+                            {text(block.name), QObject::tr(bodies[static_cast<size_t>(block.body)]),
+                             known ? text(project.materials[m].name) : none, number(block.volume, 4),
+                             known ? number(block.volume * project.materials[m].density / 1e3, 4) : none}});
+  }
+  return content;
+}
+
+StepRows meshRows(const BlockSystem* system) {
+  StepRows content{QObject::tr("Mesh"),
+                   {QObject::tr("Block"), QObject::tr("Nodes"), QObject::tr("Tetrahedra"), QObject::tr("Facets")},
+                   1,
+                   {},
+                   QObject::tr("Not meshed yet.")};
+  if (!system) return content;
+  for (size_t i = 0; i < system->blocks.size(); ++i) {
+    const Block& block = system->blocks[i];
+    content.rows.push_back({item(Item::Kind::block, i),
+                            {text(block.name), count(block.mesh.nodes.size()), count(block.mesh.tetrahedra.size()),
+                             count(block.surface.size())}});
+  }
+  return content;
+}
+
+StepRows materialRows(const Project& project) {
+  StepRows content{QObject::tr("Materials"),
+                   {QObject::tr("Material"), QObject::tr("ρ kg/m³"), QObject::tr("E GPa"), QObject::tr("ν")},
+                   1,
+                   {},
+                   QObject::tr("The project has no material.")};
+  for (size_t i = 0; i < project.materials.size(); ++i) {
+    const Material& material = project.materials[i];
+    content.rows.push_back(
+        {item(Item::Kind::material, i),
+         {text(material.name), number(material.density, 4), number(material.young / 1e9), number(material.poisson)}});
+  }
+  return content;
+}
+
+StepRows loadRows(const Project& project) {
+  StepRows content{QObject::tr("Loads"),
+                   {QObject::tr("What"), QObject::tr("Block"), QObject::tr("At m"), QObject::tr("Value")},
+                   3,
+                   {},
+                   QObject::tr("Nothing but gravity acts.")};
+  for (size_t i = 0; i < project.loads.size(); ++i)
+    content.rows.push_back({item(Item::Kind::load, i),
+                            {QObject::tr("force, kN"), text(project.loads[i].block), place(project.loads[i].at),
+                             place(project.loads[i].force / 1e3)}});
+  for (size_t i = 0; i < project.constraints.size(); ++i) {
+    QStringList components;
+    for (const auto& component : project.constraints[i].displacement)
+      components << (component ? number(*component) : QObject::tr("free"));
+    content.rows.push_back({item(Item::Kind::constraint, i),
+                            {QObject::tr("support, m"), text(project.constraints[i].block),
+                             place(project.constraints[i].at), components.join(QStringLiteral(", "))}});
+  }
+  for (size_t i = 0; i < project.velocities.size(); ++i)
+    content.rows.push_back(
+        {item(Item::Kind::velocity, i),
+         {QObject::tr("velocity, m/s"), text(project.velocities[i].block), none, place(project.velocities[i].linear)}});
+  return content;
+}
+
+StepRows stageRows(const Project& project) {
+  StepRows content{QObject::tr("Stages"),
+                   {QObject::tr("Stage"), QObject::tr("Type"), QObject::tr("Δt ms"), QObject::tr("Steps"),
+                    QObject::tr("Duration s")},
+                   2,
+                   {},
+                   QObject::tr("The project has no stage: there is nothing to solve.")};
+  for (size_t i = 0; i < project.stages.size(); ++i) {
+    const Stage& stage = project.stages[i];
+    const double duration = stage.duration.value_or(stage.steps.value_or(0) * stage.time_step);
+    const long steps = stage.steps ? *stage.steps : std::lround(duration / stage.time_step);
+    content.rows.push_back(
+        {item(Item::Kind::stage, i),
+         {text(stage.name), stage.kind == StageKind::static_ ? QObject::tr("static") : QObject::tr("dynamic"),
+          number(stage.time_step * 1e3), numbers::whole(steps), number(duration, 4)}});
+  }
+  return content;
+}
+
+}  // namespace
+
+StepRows rowsOf(Step step, const Project& project, const BlockSystem* system) {
+  switch (step) {
+    case Step::geometry:
+      return geometryRows(project);
+    case Step::joints:
+      return jointRows(project);
+    case Step::blocks:
+      return blockRows(project, system);
+    case Step::mesh:
+      return meshRows(system);
+    case Step::materials:
+      return materialRows(project);
+    case Step::loads:
+      return loadRows(project);
+    case Step::stages:
+    case Step::solve:
+    case Step::results:
+      break;
+  }
+  return stageRows(project);
+}
+
+StepTable::StepTable(Workspace& workspace) : workspace_(workspace) {
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(theme::now().metrics.row);
+  verticalHeader()->setMinimumSectionSize(20);
+  setShowGrid(false);
+  setSelectionBehavior(QAbstractItemView::SelectRows);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setTextElideMode(Qt::ElideRight);
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  setAccessibleName(tr("What the project holds in this step"));
+  connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
+    if (row >= 0 && row < static_cast<int>(content_.rows.size()))
+      workspace_.selection().select(content_.rows[static_cast<size_t>(row)].item);
+  });
+  for (const auto signal : {&Workspace::stepChanged, &Workspace::projectOpened, &Workspace::systemChanged})
+    connect(&workspace_, signal, this, &StepTable::refresh);
+  connect(&workspace_.document(), &Document::projectChanged, this, &StepTable::refresh);
+  connect(&workspace_.selection(), &Selection::changed, this, &StepTable::showSelection);
+  refresh();
+}
+
+void StepTable::refresh() {
+  const QSignalBlocker silent(this);
+  content_ = rowsOf(workspace_.step(), workspace_.document().project(), workspace_.system().get());
+  clear();
+  setRowCount(static_cast<int>(content_.rows.size()));
+  setColumnCount(static_cast<int>(content_.heads.size()));
+  setHorizontalHeaderLabels(content_.heads);
+  auto alignment = [this](int column) {
+    return (column < content_.wordColumns ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
+  };
+  for (int column = 0; column < columnCount(); ++column) {
+    horizontalHeaderItem(column)->setTextAlignment(alignment(column));
+    for (int row = 0; row < rowCount(); ++row) {
+      auto* cell = new QTableWidgetItem(content_.rows[static_cast<size_t>(row)].cells.value(column));
+      cell->setTextAlignment(alignment(column));
+      setItem(row, column, cell);
+    }
+  }
+  showSelection();
+  blockSignals(false);
+  emit titleChanged(content_.title);
+}
+
+void StepTable::showSelection() {
+  const QSignalBlocker silent(this);
+  clearSelection();
+  const Item& current = workspace_.selection().current();
+  for (size_t row = 0; row < content_.rows.size(); ++row)
+    if (content_.rows[row].item == current) {
+      setCurrentCell(static_cast<int>(row), 0);
+      return;
+    }
+  setCurrentCell(-1, -1);
+}
+
+void StepTable::paintEvent(QPaintEvent* event) {
+  QTableWidget::paintEvent(event);
+  if (!content_.rows.empty()) return;
+  QPainter painter(viewport());
+  painter.setPen(theme::colours().textMuted);
+  painter.drawText(viewport()->rect(), Qt::AlignCenter, content_.empty);
+}
+
+}  // namespace talus

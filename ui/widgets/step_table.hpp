@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QTableWidget>
+#include <vector>
+
+#include "widgets/workspace.hpp"
+
+namespace talus {
+
+/// The project's content of one step as rows; a row is the thing that it selects.
+struct StepRows {
+  struct Row {
+    Item item;
+    QStringList cells;
+  };
+  QString title;
+  QStringList heads;
+  int wordColumns = 1;  ///< columns from the left that hold words; the others hold numbers
+  std::vector<Row> rows;
+  QString empty;  ///< what to say when there is no row
+};
+
+/// For the steps that set the project up.
+StepRows rowsOf(Step step, const Project& project, const BlockSystem* system);
+
+/// The table under the view: what the project holds in the step that is open.
+class StepTable : public QTableWidget {
+  Q_OBJECT
+ public:
+  explicit StepTable(Workspace& workspace);
+
+ signals:
+  void titleChanged(const QString& title);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void refresh();
+  void showSelection();
+  Workspace& workspace_;
+  StepRows content_;
+};
+
+}  // namespace talus

@@ -1,0 +1,246 @@
+#include "widgets/timeline.hpp"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+
+#include "widgets/field_chooser.hpp"
+#include "widgets/numbers.hpp"
+#include "widgets/parts.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int tick_ms = 40;
+constexpr double speeds[] = {0.1, 0.25, 0.5, 1, 2, 4, 8};
+constexpr int real_time = 3;  // index into speeds
+constexpr double inset = 8, track_y = 17;
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+int frameAt(const std::vector<double>& times, double time) {
+  const auto after = std::upper_bound(times.begin(), times.end(), time + 1e-9);
+  return std::max(0, static_cast<int>(after - times.begin()) - 1);
+}
+
+}  // namespace
+
+TimelineTrack::TimelineTrack(Workspace& workspace) : workspace_(workspace) {
+  setMinimumWidth(140);
+  setAccessibleName(tr("Timeline"));
+  for (const auto signal : {&Workspace::framesChanged, &Workspace::frameChanged, &Workspace::reportChanged})
+    connect(&workspace_, signal, this, qOverload<>(&QWidget::update));
+}
+
+double TimelineTrack::end() const {
+  const auto& times = workspace_.frameTimes();
+  double last = times.empty() ? 1 : times.back();
+  if (!workspace_.isLive()) return std::max(last, 1e-9);
+  double planned = 0;  // a run that goes on will get there
+  for (const Stage& stage : workspace_.document().project().stages)
+    planned += stage.duration.value_or(stage.steps.value_or(0) * stage.time_step);
+  return std::max(last, planned);
+}
+
+double TimelineTrack::xAt(double time) const { return inset + (width() - 2 * inset) * time / end(); }
+
+std::vector<TimelineTrack::Band> TimelineTrack::bands() const {
+  std::vector<Band> made;
+  for (const StepReport& step : workspace_.steps()) {
+    const auto stage = static_cast<size_t>(step.stage);
+    const QString name = stage < workspace_.stageNames().size() ? text(workspace_.stageNames()[stage]) : QString();
+    if (made.empty() || made.back().name != name) made.push_back({made.empty() ? 0 : made.back().end, step.time, name});
+    made.back().end = step.time;
+  }
+  if (made.empty()) made.push_back({0, end(), {}});
+  return made;
+}
+
+void TimelineTrack::paintEvent(QPaintEvent*) {
+  const Colours& c = theme::colours();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(c.pressed);
+  painter.drawRoundedRect(QRectF(xAt(0), track_y - 2, xAt(end()) - xAt(0), 4), 2, 2);
+  painter.setFont(theme::font(10, QFont::Medium));
+  const double now = workspace_.time();
+  for (const Band& band : bands()) {
+    const QRectF whole(xAt(band.begin) + 1, track_y - 2, std::max(1.0, xAt(band.end) - xAt(band.begin) - 2), 4);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(c.borderStrong);
+    painter.drawRoundedRect(whole, 2, 2);
+    if (now > band.begin) {
+      painter.setBrush(c.accent);
+      painter.drawRoundedRect(QRectF(whole.left(), whole.top(), std::min(whole.right(), xAt(now)) - whole.left(), 4), 2,
+                              2);
+    }
+    painter.setPen(c.textMuted);
+    painter.drawText(QRectF(whole.left() + 1, 0, whole.width(), 12), Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(band.name, Qt::ElideRight, static_cast<int>(whole.width())));
+  }
+  double free = -1;  // x up to which the labels reach: a crowded mark keeps its triangle and tells in its tooltip
+  painter.setFont(theme::font(10));
+  for (const Event& event : workspace_.events()) {
+    const QPointF tip(xAt(event.time), track_y + 9);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(c.textMuted);
+    painter.drawPolygon(QPolygonF{tip, tip + QPointF(-3.5, 5), tip + QPointF(3.5, 5)});
+    const double wide = painter.fontMetrics().horizontalAdvance(text(event.what)) + 8;
+    if (tip.x() < free || tip.x() + wide > width()) continue;
+    painter.setPen(c.textMuted);
+    painter.drawText(QRectF(tip.x() + 6, track_y + 8, wide, 13), Qt::AlignVCenter, text(event.what));
+    free = tip.x() + wide + 6;
+  }
+  if (!workspace_.frame()) return;
+  painter.setPen(QPen(c.accent, 2));
+  painter.setBrush(c.surface);
+  painter.drawEllipse(QPointF(xAt(now), track_y), 7, 7);
+}
+
+void TimelineTrack::scrubTo(double x) {
+  const auto& times = workspace_.frameTimes();
+  if (times.empty()) return;
+  const double time = std::clamp((x - inset) / std::max(1.0, width() - 2 * inset), 0.0, 1.0) * end();
+  const int before = frameAt(times, time);
+  const auto next = static_cast<size_t>(before) + 1;
+  const bool later = next < times.size() && times[next] - time < time - times[next - 1];
+  workspace_.showFrame(later ? before + 1 : before);
+}
+
+void TimelineTrack::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) scrubTo(event->position().x());
+}
+
+void TimelineTrack::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons().testFlag(Qt::LeftButton)) scrubTo(event->position().x());
+}
+
+bool TimelineTrack::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  for (const Event& mark : workspace_.events()) {
+    if (std::abs(xAt(mark.time) - help->pos().x()) > 6) continue;
+    QToolTip::showText(help->globalPos(), QStringLiteral("%1 s: %2").arg(numbers::fixed(mark.time, 2), text(mark.what)),
+                       this);
+    return true;
+  }
+  QToolTip::hideText();
+  return true;
+}
+
+Timeline::Timeline(Workspace& workspace) : workspace_(workspace) {
+  setProperty("plane", "bottom");
+  setFixedHeight(44);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 0, 10, 0);
+  row->setSpacing(1);
+  back_ = makeTool(QStringLiteral("step-back"), tr("Previous frame (Left)"));
+  play_ = makeTool(QStringLiteral("play"), tr("Play (Space)"));
+  forward_ = makeTool(QStringLiteral("step"), tr("Next frame (Right)"));
+  loop_ = makeTool(QStringLiteral("loop"), tr("Loop (L)"), true);
+  for (auto* tool : {back_, play_, forward_, loop_}) row->addWidget(tool);
+  row->addSpacing(6);
+  track_ = new TimelineTrack(workspace);
+  row->addWidget(track_, 1);
+  row->addSpacing(8);
+  time_ = makeLabel({}, "strong");
+  total_ = makeLabel({}, "small");
+  row->addWidget(time_);
+  row->addSpacing(4);
+  row->addWidget(total_);
+  row->addSpacing(8);
+  QStringList names;
+  for (double speed : speeds) names << tr("%1×").arg(speed);
+  names[real_time] = tr("1× real");
+  speed_ = makeCombo(names, tr("Speed of play"));
+  speed_->setCurrentIndex(real_time);
+  speed_->setFixedWidth(84);
+  row->addWidget(speed_);
+
+  timer_.setInterval(tick_ms);
+  connect(&timer_, &QTimer::timeout, this, &Timeline::tick);
+  connect(play_, &QToolButton::clicked, this, &Timeline::togglePlay);
+  connect(back_, &QToolButton::clicked, this, [this] { stepBy(-1); });
+  connect(forward_, &QToolButton::clicked, this, [this] { stepBy(1); });
+  connect(speed_, &QComboBox::currentIndexChanged, this, [this] {
+    playedFrom_ = workspace_.time();
+    clock_.restart();
+  });
+  connect(&workspace_, &Workspace::framesChanged, this, &Timeline::refresh);
+  connect(&workspace_, &Workspace::frameChanged, this, &Timeline::refresh);
+  refresh();
+}
+
+void Timeline::setPlaying(bool plays) {
+  if (plays == isPlaying()) return;
+  if (plays)
+    timer_.start();
+  else
+    timer_.stop();
+  play_->setIcon(theme::icon(plays ? QStringLiteral("pause") : QStringLiteral("play")));
+  play_->setToolTip(plays ? tr("Pause (Space)") : tr("Play (Space)"));
+}
+
+void Timeline::togglePlay() {
+  const auto& times = workspace_.frameTimes();
+  if (isPlaying() || times.size() < 2) {
+    setPlaying(false);
+    return;
+  }
+  if (workspace_.frameNumber() == static_cast<int>(times.size()) - 1) workspace_.showFrame(0);
+  playedFrom_ = times[static_cast<size_t>(std::max(0, workspace_.frameNumber()))];
+  clock_.start();
+  setPlaying(true);
+}
+
+void Timeline::tick() {
+  const auto& times = workspace_.frameTimes();
+  if (times.empty()) {
+    setPlaying(false);
+    return;
+  }
+  if (workspace_.isWaitingForFrame()) return;  // a slow disk plays with fewer pictures, not late
+  const double speed = speeds[std::max(0, speed_->currentIndex())];
+  const double time = playedFrom_ + speed * static_cast<double>(clock_.elapsed()) / 1000;
+  const int number = frameAt(times, time);
+  if (number != workspace_.frameNumber()) workspace_.showFrame(number);
+  if (time < times.back()) return;
+  if (loop_->isChecked()) {
+    playedFrom_ = times.front();
+    clock_.restart();
+  } else {
+    setPlaying(false);
+  }
+}
+
+void Timeline::stepBy(int frames) {
+  setPlaying(false);
+  workspace_.showFrame(workspace_.frameNumber() + frames);
+}
+
+void Timeline::goToFirst() {
+  setPlaying(false);
+  workspace_.showFrame(0);
+}
+
+void Timeline::goToLast() {
+  setPlaying(false);
+  workspace_.showFrame(static_cast<int>(workspace_.frameTimes().size()) - 1);
+}
+
+void Timeline::refresh() {
+  const auto& times = workspace_.frameTimes();
+  const bool any = !times.empty();
+  for (auto* tool : {back_, play_, forward_, loop_}) tool->setEnabled(any);
+  speed_->setEnabled(any);
+  if (!any) setPlaying(false);
+  time_->setText(any ? tr("%1 s").arg(numbers::fixed(workspace_.time(), 2)) : QStringLiteral("–"));
+  total_->setText(any ? tr("of %1 s").arg(numbers::significant(times.back(), 4)) : tr("no frames yet"));
+  track_->update();
+}
+
+}  // namespace talus

@@ -1,0 +1,377 @@
+#include "widgets/viewport.hpp"
+
+#include <vtkRenderer.h>
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/numbers.hpp"
+#include "widgets/parts.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int still_ms = 350;       // after that the view is drawn finely
+constexpr int live_pause_ms = 125;  // between drawings while a run goes on: eight a second at most
+constexpr double live_share = 0.2;  // of the window's time that drawing may take then
+constexpr int hover_ms = 40;
+constexpr double turn_per_pixel = 0.35;  // degrees
+constexpr double zoom_per_notch = 0.85;
+constexpr double click_slack = 4;  // pixels that a hand moves in a click
+
+}  // namespace
+
+Viewport::Viewport(Workspace& workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), surface_(makeRenderSurface(this)) {
+  setMinimumSize(280, 180);
+  QWidget* area = surface_->widget();
+  area->setMouseTracking(true);
+  area->setFocusPolicy(Qt::StrongFocus);
+  area->setAccessibleName(tr("3-D view"));
+  area->installEventFilter(this);
+  area->hide();
+
+  tools_ = makePlane("overlay");
+  tools_->setParent(this);
+  setMargins(new QVBoxLayout(tools_), 3, 1);
+
+  card_ = makePlane("overlay");
+  card_->setParent(this);
+  auto* cardLayout = new QVBoxLayout(card_);
+  cardLayout->setContentsMargins(10, 6, 10, 7);
+  cardLayout->setSpacing(1);
+  cardTitle_ = makeLabel({}, "strong");
+  cardText_ = makeLabel({}, "small");
+  cardLayout->addWidget(cardTitle_);
+  cardLayout->addWidget(cardText_);
+  card_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  card_->hide();
+
+  empty_ = new QWidget(this);
+  auto* emptyLayout = new QVBoxLayout(empty_);
+  setMargins(emptyLayout, 0, 12);
+  emptyText_ = makeLabel({}, "muted");
+  emptyText_->setAlignment(Qt::AlignCenter);
+  emptyButton_ = makeButton(tr("Cut and mesh"));
+  connect(emptyButton_, &QPushButton::clicked, this, [this] {
+    if (workspace_.document().isOpen()) workspace_.mesh();
+  });
+  emptyLayout->addWidget(emptyText_);
+  emptyLayout->addWidget(emptyButton_, 0, Qt::AlignHCenter);
+
+  stillTimer_.setSingleShot(true);
+  stillTimer_.setInterval(still_ms);
+  connect(&stillTimer_, &QTimer::timeout, this, &Viewport::becomeStill);
+  drawTimer_.setSingleShot(true);
+  connect(&drawTimer_, &QTimer::timeout, this, &Viewport::drawNow);
+  hoverTimer_.setSingleShot(true);
+  hoverTimer_.setInterval(hover_ms);
+  connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::pickForHover);
+
+  connect(&workspace_, &Workspace::systemChanged, this, &Viewport::rebuildScene);
+  connect(&workspace_, &Workspace::frameChanged, this, &Viewport::showFrame);
+  connect(&workspace_, &Workspace::displayChanged, this, &Viewport::applySettings);
+  connect(&workspace_, &Workspace::progressed, this, &Viewport::showEmptyState);
+  connect(&workspace_, &Workspace::projectOpened, this, &Viewport::showEmptyState);
+  connect(&workspace_.job(), &SolverJob::stateChanged, this, [this] {
+    showEmptyState();
+    stillTimer_.start();
+  });
+  connect(&workspace_.selection(), &Selection::changed, this, &Viewport::applySelection);
+  connect(&workspace_.selection(), &Selection::hoverChanged, this, [this] {
+    if (!scene_) return;
+    scene_->set_hovered(workspace_.selection().hoveredBlock());
+    render();
+  });
+  rebuildScene();
+}
+
+Viewport::~Viewport() {
+  if (!scene_) return;
+  surface_->makeContextCurrent();
+  surface_->window().RemoveRenderer(scene_->renderer());
+}
+
+void Viewport::rebuildScene() {
+  card_->hide();
+  hidden_.clear();
+  if (scene_) {
+    surface_->makeContextCurrent();  // the card's memory is freed as the renderer leaves
+    surface_->window().RemoveRenderer(scene_->renderer());
+    scene_.reset();
+  }
+  system_ = workspace_.system();
+  fitted_ = false;
+  surface_->widget()->setVisible(system_ != nullptr);
+  tools_->setVisible(system_ != nullptr);
+  showEmptyState();
+  if (!system_) return;
+  scene_ = std::make_unique<Scene>(*system_, workspace_.display());
+  scene_->set_stage_names(workspace_.stageNames());
+  surface_->window().AddRenderer(scene_->renderer());
+  applySettings();
+  applySelection();
+  showFrame();
+  stillTimer_.start();
+}
+
+void Viewport::showFrame() {
+  if (!scene_) return;
+  if (workspace_.frame() && workspace_.system() == system_)
+    scene_->set_frame(workspace_.frame());
+  else
+    scene_->clear_frame();
+  card_->hide();
+  applySettings();
+}
+
+void Viewport::applySettings() {
+  if (!scene_) return;
+  SceneSettings settings = workspace_.display();
+  const JobState state = workspace_.job().state();
+  const bool computing = state == JobState::running || state == JobState::meshing || state == JobState::stopping;
+  settings.fine = still_ && drag_ == Drag::none && !computing;
+  settings.text_height = theme::now().type.small * devicePixelRatioF();
+  settings.parallel_projection = scene_->settings().parallel_projection;
+  if (!workspace_.frame()) settings.field.reset();
+  scene_->set_settings(settings);
+  render();
+}
+
+void Viewport::applySelection() {
+  if (!scene_) return;
+  scene_->set_selected(workspace_.selection().blocks());
+  if (workspace_.selection().blocks().empty()) card_->hide();
+  render();
+}
+
+void Viewport::render() {
+  if (!scene_) return;
+  if (!workspace_.job().isBusy() || drag_ != Drag::none) {
+    drawNow();
+    return;
+  }
+  // While the solver works the window must stay free for the hand.
+  if (drawTimer_.isActive()) return;
+  const double pause = std::max<double>(live_pause_ms, surface_->lastSeconds() * 1000 / live_share);
+  const double since = sinceDrawing_.isValid() ? static_cast<double>(sinceDrawing_.elapsed()) : pause;
+  drawTimer_.start(static_cast<int>(std::max(0.0, pause - since)));
+}
+
+void Viewport::drawNow() {
+  sinceDrawing_.start();
+  surface_->requestRender();
+}
+
+void Viewport::becomeStill() {
+  still_ = true;
+  applySettings();
+}
+
+void Viewport::moveCamera(const CameraPose& pose) {
+  scene_->set_pose(pose);
+  card_->hide();
+  if (still_) {
+    still_ = false;
+    applySettings();
+  }
+  stillTimer_.start();
+  drawNow();
+}
+
+void Viewport::look(View view) {
+  if (!scene_) return;
+  scene_->look(view);
+  leaveRoomForTools();
+}
+
+/// The scene fits the rock between its own legend and texts; the tools stand over its right edge.
+void Viewport::leaveRoomForTools() {
+  const double taken = width() - tools_->x();
+  const QPointF centre(width() / 2.0, height() / 2.0);
+  scene_->set_pose(panned(zoomed(scene_->pose(), 1 / (1 - taken / width()), centre, size()), {-taken / 2, 0}, size()));
+  fitted_ = true;
+  render();
+}
+
+void Viewport::fit() {
+  if (!scene_) return;
+  scene_->fit();
+  card_->hide();
+  leaveRoomForTools();
+}
+
+void Viewport::toggleProjection() {
+  if (!scene_) return;
+  moveCamera(withOtherProjection(scene_->pose()));
+}
+
+void Viewport::hideSelected() {
+  if (!scene_) return;
+  const auto& chosen = workspace_.selection().blocks();
+  hidden_.insert(hidden_.end(), chosen.begin(), chosen.end());
+  scene_->set_hidden(hidden_);
+  workspace_.selection().clear();
+  render();
+}
+
+void Viewport::isolateSelected() {
+  if (!scene_ || workspace_.selection().blocks().empty()) return;
+  const auto& chosen = workspace_.selection().blocks();
+  hidden_.clear();
+  for (int block = 0; block < static_cast<int>(system_->blocks.size()); ++block)
+    if (!std::binary_search(chosen.begin(), chosen.end(), block)) hidden_.push_back(block);
+  scene_->set_hidden(hidden_);
+  render();
+}
+
+void Viewport::showAll() {
+  if (!scene_) return;
+  hidden_.clear();
+  scene_->set_hidden({});
+  render();
+}
+
+std::optional<CameraPose> Viewport::pose() const {
+  return scene_ ? std::optional<CameraPose>(scene_->pose()) : std::nullopt;
+}
+
+std::optional<Pick> Viewport::pickAt(QPointF point) const {
+  if (!scene_) return std::nullopt;
+  const double ratio = devicePixelRatioF();
+  return scene_->pick(point.x() * ratio, point.y() * ratio);
+}
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != surface_->widget() || !scene_) return QWidget::eventFilter(watched, event);
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      return mousePressed(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove:
+      return mouseMoved(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease:
+      return mouseReleased(*static_cast<QMouseEvent*>(event));
+    case QEvent::Wheel:
+      return wheelTurned(*static_cast<QWheelEvent*>(event));
+    case QEvent::Leave:
+      hoverTimer_.stop();
+      workspace_.selection().hoverBlock(std::nullopt);
+      return false;
+    default:
+      return false;
+  }
+}
+
+bool Viewport::mousePressed(const QMouseEvent& event) {
+  pressed_ = last_ = event.position();
+  moved_ = false;
+  const bool pans = event.button() == Qt::MiddleButton || event.modifiers().testFlag(Qt::ShiftModifier);
+  drag_ = pans ? Drag::pan : event.button() == Qt::LeftButton ? Drag::turn : Drag::none;
+  hoverTimer_.stop();
+  surface_->widget()->setFocus(Qt::MouseFocusReason);
+  return true;
+}
+
+bool Viewport::mouseMoved(const QMouseEvent& event) {
+  const QPointF by = event.position() - last_;
+  if (drag_ == Drag::none) {
+    last_ = event.position();
+    if (!workspace_.job().isBusy() && !hoverTimer_.isActive()) hoverTimer_.start();
+    return true;
+  }
+  moved_ = moved_ || (event.position() - pressed_).manhattanLength() > click_slack;
+  if (!moved_) return true;
+  last_ = event.position();
+  if (drag_ == Drag::turn)
+    moveCamera(turned(scene_->pose(), -by.x() * turn_per_pixel, by.y() * turn_per_pixel));
+  else
+    moveCamera(panned(scene_->pose(), by, size()));
+  return true;
+}
+
+bool Viewport::mouseReleased(const QMouseEvent& event) {
+  const bool clicked = drag_ != Drag::none && !moved_ && event.button() == Qt::LeftButton;
+  drag_ = Drag::none;
+  if (clicked) selectAt(event.position(), event.modifiers());
+  stillTimer_.start();
+  return true;
+}
+
+bool Viewport::wheelTurned(const QWheelEvent& event) {
+  const double notches = event.angleDelta().y() / 120.0;  // touch pads send fractions
+  if (notches != 0) moveCamera(zoomed(scene_->pose(), std::pow(zoom_per_notch, notches), event.position(), size()));
+  return true;
+}
+
+void Viewport::pickForHover() {
+  const auto pick = pickAt(last_);
+  workspace_.selection().hoverBlock(pick ? std::optional<int>(pick->block) : std::nullopt);
+}
+
+void Viewport::selectAt(QPointF point, Qt::KeyboardModifiers modifiers) {
+  const auto pick = pickAt(point);
+  if (!pick || pick->block < 0) {
+    workspace_.selection().clear();
+    return;
+  }
+  if (modifiers.testFlag(Qt::ControlModifier))
+    workspace_.selection().toggleBlock(pick->block);
+  else
+    workspace_.selection().select({Item::Kind::block, pick->block});
+  showCard(*pick, point);
+}
+
+void Viewport::showCard(const Pick& pick, QPointF point) {
+  cardTitle_->setText(workspace_.blockName(pick.block));
+  QString text = tr("E %1  N %2  Z %3 m")
+                     .arg(numbers::fixed(pick.position.x(), 1), numbers::fixed(pick.position.y(), 1),
+                          numbers::fixed(pick.position.z(), 1));
+  if (pick.value && workspace_.display().field) {
+    const Field& field = *workspace_.display().field;
+    const std::string unit(field.unit), title(field.title);
+    text = tr("%1 %2").arg(QString::fromStdString(title), numbers::quantity(*pick.value, unit.c_str())) + u'\n' + text;
+  }
+  cardText_->setText(text);
+  card_->adjustSize();
+  const int x = std::clamp(static_cast<int>(point.x()) + 16, 4, std::max(4, width() - card_->width() - 8));
+  const int y = std::clamp(static_cast<int>(point.y()) - 24, 4, std::max(4, height() - card_->height() - 8));
+  card_->move(x, y);
+  card_->show();
+  card_->raise();
+}
+
+void Viewport::showEmptyState() {
+  empty_->setVisible(!system_);
+  if (system_) return;
+  const JobState state = workspace_.job().state();
+  if (state == JobState::meshing || state == JobState::stopping) {
+    const int percent = static_cast<int>(100 * workspace_.fraction());
+    emptyText_->setText(tr("Cutting and meshing, %1 %\n%2").arg(percent).arg(workspace_.activity()));
+    emptyButton_->hide();
+  } else {
+    emptyText_->setText(tr("There are no blocks yet: cut the rock along its joints and mesh it to see them."));
+    emptyButton_->setVisible(true);
+    emptyButton_->setEnabled(workspace_.whyNotMesh().isEmpty());
+    emptyButton_->setToolTip(workspace_.whyNotMesh());
+  }
+  placeOverlays();
+}
+
+void Viewport::resizeEvent(QResizeEvent*) {
+  surface_->widget()->setGeometry(rect());
+  placeOverlays();
+  if (scene_ && !fitted_) look(View::iso);
+}
+
+void Viewport::placeOverlays() {
+  tools_->adjustSize();
+  tools_->move(width() - tools_->width() - 12, 12);
+  tools_->raise();
+  empty_->adjustSize();
+  empty_->setGeometry(0, (height() - empty_->height()) / 2, width(), empty_->height());
+}
+
+}  // namespace talus

@@ -1,0 +1,368 @@
+#include "widgets/workspace.hpp"
+
+#include <QThread>
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "io/project_file.hpp"
+#include "widgets/numbers.hpp"
+#include "widgets/theme.hpp"
+
+namespace talus {
+
+namespace {
+
+QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+Problem problemOf(const InputError& error) {
+  return {Problem::Severity::error, QString::fromStdString(error.place()), QString::fromStdString(error.problem()),
+          QString::fromStdString(error.remedy())};
+}
+
+/// The window keeps a core for itself.
+int solverThreads() { return std::max(1, QThread::idealThreadCount() - 1); }
+
+int nearest(const std::vector<double>& times, double time) {
+  const auto after = std::lower_bound(times.begin(), times.end(), time);
+  if (after == times.begin()) return 0;
+  if (after == times.end()) return static_cast<int>(times.size()) - 1;
+  const auto before = std::prev(after);
+  return static_cast<int>((time - *before < *after - time ? before : after) - times.begin());
+}
+
+}  // namespace
+
+Workspace::Workspace(SolverSteps steps, QObject* parent) : QObject(parent), job_(std::move(steps)) {
+  connect(&job_, &SolverJob::newsArrived, this, &Workspace::takeNews);
+  connect(&job_, &SolverJob::ended, this, &Workspace::takeEnd);
+  connect(&loader_, &ResultsLoader::opened, this, [this](const auto& index) { takeIndex(*index); });
+  connect(&loader_, &ResultsLoader::frameReady, this, &Workspace::takeFrame);
+  connect(&loader_, &ResultsLoader::failed, this,
+          [this](const QString& place, const QString& what, const QString& do_) {
+            waiting_ = false;
+            addProblem({Problem::Severity::error, place, what, do_});
+          });
+  connect(&document_, &Document::projectChanged, this, [this] {
+    resultsAreCurrent_ = false;
+    emit framesChanged();
+  });
+}
+
+bool Workspace::open(const std::filesystem::path& path) {
+  if (job_.isBusy()) {
+    addProblem(
+        {Problem::Severity::warning, text(path), tr("a run goes on"), tr("stop it before opening another file")});
+    return false;
+  }
+  return std::filesystem::is_directory(path) ? openResults(path) : openProject(path);
+}
+
+bool Workspace::openProject(const std::filesystem::path& file) {
+  try {
+    document_.open(file);
+  } catch (const InputError& error) {
+    Problem problem = problemOf(error);
+    problem.place = text(file.filename()) + QStringLiteral(": ") + problem.place;
+    addProblem(problem);
+    return false;
+  }
+  forgetResults();
+  setSystem(nullptr);
+  namesFromProject();
+  problems_.clear();
+  emit problemsChanged();
+  emit projectOpened();
+  log(tr("opened %1").arg(text(document_.file())));
+  const auto folder = document_.resultsFolder();
+  std::error_code ignored;
+  if (std::filesystem::exists(folder / "project.talus", ignored)) {
+    try {
+      resultsAreCurrent_ = read_project(folder / "project.talus") == document_.project();
+    } catch (const InputError&) {
+      resultsAreCurrent_ = false;  // results of an older program: they can still be opened as a folder
+    }
+  }
+  if (resultsAreCurrent_)
+    loadResults(folder);
+  else
+    goTo(Step::geometry);
+  return true;
+}
+
+bool Workspace::openResults(const std::filesystem::path& folder) {
+  try {
+    document_.show(read_project(folder / "project.talus"));
+  } catch (const InputError& error) {
+    Problem problem = problemOf(error);
+    problem.place = text(folder) + QStringLiteral(": ") + problem.place;
+    problem.remedy = tr("open a project file, or a folder that a run has written");
+    addProblem(problem);
+    return false;
+  }
+  forgetResults();
+  setSystem(nullptr);
+  namesFromProject();
+  problems_.clear();
+  resultsAreCurrent_ = true;
+  emit problemsChanged();
+  emit projectOpened();
+  log(tr("opened results in %1").arg(text(folder)));
+  loadResults(folder);
+  return true;
+}
+
+void Workspace::save() { saveAs(document_.file()); }
+
+bool Workspace::saveAs(const std::filesystem::path& file) {
+  try {
+    document_.saveAs(file);
+    log(tr("saved %1").arg(text(file)));
+    return true;
+  } catch (const InputError& error) {
+    addProblem(problemOf(error));
+    return false;
+  }
+}
+
+void Workspace::goTo(Step step) {
+  if (step == step_) return;
+  step_ = step;
+  emit stepChanged();
+}
+
+QString Workspace::whyNotMesh() const {
+  if (!document_.isOpen()) return tr("Open a project first");
+  if (job_.isBusy()) return tr("A run goes on");
+  if (document_.file().empty()) return tr("Save the project first: it came out of a results folder");
+  if (document_.project().solids.empty()) return tr("The project has no solid");
+  return {};
+}
+
+QString Workspace::whyNotSolve() const {
+  const QString mesh = whyNotMesh();
+  if (!mesh.isEmpty()) return mesh;
+  if (document_.project().stages.empty()) return tr("The project has no stage");
+  return {};
+}
+
+void Workspace::mesh() {
+  if (!whyNotMesh().isEmpty()) return;
+  setSystem(nullptr);
+  start(false);
+}
+
+void Workspace::solve() {
+  if (!whyNotSolve().isEmpty()) return;
+  start(true);
+  goTo(Step::solve);
+}
+
+void Workspace::start(bool solve) {
+  loader_.close();
+  forgetResults();
+  namesFromProject();
+  JobTask task;
+  task.project = document_.project();
+  task.folder = document_.folder();
+  task.options.out = document_.resultsFolder();
+  task.options.project_text = write_project(document_.project());
+  task.options.threads = solverThreads();
+  task.system = system_;
+  task.solve = solve;
+  live_ = solve;
+  resultsAreCurrent_ = solve;
+  following_ = true;
+  log(solve ? tr("run started with %n thread(s)", nullptr, task.options.threads) : tr("cutting and meshing"));
+  job_.start(std::move(task));
+}
+
+void Workspace::forgetResults() {
+  liveFrames_.clear();
+  frame_.reset();
+  times_.clear();
+  number_ = -1;
+  live_ = waiting_ = loading_ = resultsAreCurrent_ = false;
+  wantedTime_.reset();
+  resultsFolder_.clear();
+  steps_.clear();
+  history_.clear();
+  events_.clear();
+  report_.reset();
+  fraction_ = 0;
+  activity_.clear();
+  seen_ = {};
+  display_.range.reset();
+  emit framesChanged();
+  emit frameChanged();
+  emit historyChanged();
+  emit reportChanged();
+}
+
+void Workspace::namesFromProject() {
+  stageNames_.clear();
+  monitorNames_.clear();
+  for (const auto& stage : document_.project().stages) stageNames_.push_back(stage.name);
+  for (const auto& monitor : document_.project().monitors) monitorNames_.push_back(monitor.name);
+}
+
+void Workspace::setSystem(std::shared_ptr<const BlockSystem> system) {
+  if (system == system_) return;
+  if (selection().current().kind == Item::Kind::block) selection().clear();
+  selection().hoverBlock(std::nullopt);
+  system_ = std::move(system);
+  emit systemChanged();
+}
+
+QString Workspace::blockName(int block) const {
+  if (!system_ || block < 0 || block >= static_cast<int>(system_->blocks.size())) return {};
+  return QString::fromStdString(system_->blocks[static_cast<size_t>(block)].name);
+}
+
+void Workspace::takeNews(const JobNews& news) {
+  fraction_ = news.fraction;
+  activity_ = QString::fromStdString(news.what);
+  if (news.system) {
+    setSystem(news.system);
+    log(tr("%1 blocks cut and meshed").arg(numbers::whole(static_cast<long long>(news.system->blocks.size()))));
+  }
+  if (!news.frames.empty()) {
+    for (const auto& frame : news.frames) liveFrames_.add(frame);
+    times_.clear();
+    for (const auto& frame : liveFrames_.frames()) times_.push_back(frame->time);
+    emit framesChanged();
+    if (following_) showFrame(static_cast<int>(times_.size()) - 1);
+  }
+  if (!news.steps.empty()) {
+    steps_.insert(steps_.end(), news.steps.begin(), news.steps.end());
+    history_.insert(history_.end(), news.history.begin(), news.history.end());
+    emit historyChanged();
+  }
+  emit progressed();
+}
+
+void Workspace::takeEnd(const JobEnd& end) {
+  const bool failed = end.kind == JobEnd::Kind::failed;
+  switch (end.kind) {
+    case JobEnd::Kind::meshed:
+      break;
+    case JobEnd::Kind::completed:
+      log(tr("run finished"));
+      break;
+    case JobEnd::Kind::stopped:
+      log(tr("run stopped; its results stay"));
+      break;
+    case JobEnd::Kind::cancelled:
+      log(tr("cancelled"));
+      break;
+    case JobEnd::Kind::notConverged:
+      addProblem({Problem::Severity::warning, tr("run"),
+                  end.report ? QString::fromStdString(end.report->reason) : tr("did not converge"),
+                  tr("the results hold until then; try a smaller time step")});
+      break;
+    case JobEnd::Kind::failed:
+      addProblem({Problem::Severity::error, QString::fromStdString(end.place), QString::fromStdString(end.problem),
+                  QString::fromStdString(end.remedy)});
+      break;
+  }
+  if (end.report) {
+    report_ = end.report;
+    events_ = end.report->events;
+    emit reportChanged();
+  }
+  live_ = live_ && !failed && end.kind != JobEnd::Kind::cancelled;
+  if (!end.results.empty()) {
+    wantedTime_ = frame_ ? std::optional<double>(frame_->time) : std::nullopt;
+    loadResults(end.results);
+  }
+  emit progressed();
+}
+
+void Workspace::loadResults(const std::filesystem::path& folder) {
+  loading_ = true;
+  loader_.open(folder);
+}
+
+void Workspace::takeIndex(const ResultsIndex& index) {
+  const bool afterRun = wantedTime_.has_value();
+  live_ = loading_ = false;
+  liveFrames_.clear();
+  resultsFolder_ = index.folder;
+  if (!afterRun) setSystem(index.system);
+  times_ = index.frame_times;
+  stageNames_ = index.stage_names;
+  monitorNames_ = index.monitor_names;
+  steps_ = index.steps;
+  history_ = index.history;
+  events_ = index.events;
+  number_ = -1;
+  emit framesChanged();
+  emit historyChanged();
+  if (!times_.empty()) showFrame(afterRun ? nearest(times_, *wantedTime_) : static_cast<int>(times_.size()) - 1);
+  wantedTime_.reset();
+  if (!afterRun || step_ == Step::solve) goTo(Step::results);
+}
+
+void Workspace::showFrame(int number) {
+  if (times_.empty()) return;
+  number = std::clamp(number, 0, static_cast<int>(times_.size()) - 1);
+  following_ = number == static_cast<int>(times_.size()) - 1;
+  number_ = number;
+  if (live_) {
+    takeFrame(liveFrames_.frames()[static_cast<size_t>(number)]);
+  } else {
+    waiting_ = true;
+    loader_.requestFrame(number);
+  }
+}
+
+void Workspace::takeFrame(std::shared_ptr<const Frame> frame) {
+  waiting_ = false;
+  frame_ = std::move(frame);
+  if (display_.field && system_) {
+    seen_.include(field_range(*system_, *frame_, *display_.field));
+    display_.range = rangeFollowsRun_ && !seen_.empty() ? std::optional<ValueRange>(seen_) : std::nullopt;
+  }
+  emit frameChanged();
+}
+
+std::function<std::shared_ptr<const Frame>(int)> Workspace::frameSource() const {
+  if (live_) return [frames = liveFrames_.frames()](int number) { return frames.at(static_cast<size_t>(number)); };
+  const auto reader = std::make_shared<std::unique_ptr<ResultReader>>();  // opened on the thread that reads
+  return [reader, folder = resultsFolder_](int number) {
+    if (!*reader) *reader = std::make_unique<ResultReader>(folder);
+    return std::make_shared<const Frame>((*reader)->frame(number));
+  };
+}
+
+void Workspace::setDisplay(const SceneSettings& display) {
+  const bool anotherField = display.field != display_.field;
+  display_ = display;
+  if (anotherField) {
+    seen_ = {};
+    display_.range.reset();
+    if (frame_) takeFrame(frame_);
+  }
+  emit displayChanged();
+}
+
+void Workspace::setRangeFollowsRun(bool follows) {
+  rangeFollowsRun_ = follows;
+  if (frame_) takeFrame(frame_);
+  emit displayChanged();
+}
+
+void Workspace::setDark(bool dark) {
+  theme::install(dark);
+  display_.theme = dark ? Theme::dark : Theme::light;
+  emit themeChanged();
+  emit displayChanged();
+}
+
+void Workspace::addProblem(const Problem& problem) {
+  problems_.push_back(problem);
+  log(QStringLiteral("%1: %2; %3").arg(problem.place, problem.problem, problem.remedy));
+  emit problemAdded(problem);
+  emit problemsChanged();
+}
+
+}  // namespace talus
