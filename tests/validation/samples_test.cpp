@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "study/verify.hpp"
 
@@ -57,6 +58,24 @@ TEST(Samples, WedgeSlidesAlongTheLineOfIntersection) {
     if (block.name == "wedge") {
       EXPECT_GT(block.velocity.normalized().dot(line), 0.999391);
     }
+}
+
+/// No answer is known for the slope from a STEP file: it must come to its end, and nothing may tunnel.
+TEST(Samples, BlocksOfTheStepSlopeSlideOutAndNothingTunnels) {
+  NoProgress progress;
+  const Sample slope{"step_slope", folder / "step_slope" / "step_slope.talus", {}, false};
+  const RunReport report = verify(slope, 1, progress).report;
+  EXPECT_EQ(report.status, RunStatus::completed) << report.reason;
+  EXPECT_LT(report.max_relative_penetration, 1e-2);
+  int front = 0;
+  for (const BlockOutcome& block : report.blocks) {
+    EXPECT_LT(std::abs(block.relative_volume_change), 1e-2) << block.name;
+    if (!block.name.starts_with("front")) continue;
+    ++front;
+    EXPECT_GT(block.displacement.x(), 20) << block.name;
+    EXPECT_LT(block.displacement.z(), -15) << block.name;
+  }
+  EXPECT_EQ(front, 2);
 }
 
 }  // namespace
