@@ -65,7 +65,7 @@ void add_animate(CLI::App& program, Invocation& invocation) {
   add_results(*command, options->results);
   command->add_option("--out", options->out, "Film to write")->required()->type_name("F.mp4|F.gif");
   command->add_option("--fps", options->fps, "Pictures a second")
-      ->check(CLI::Range(1, 120))
+      ->check(CLI::Range(1, 120).description(""))
       ->type_name("N")
       ->capture_default_str();
   add_size(*command, options->size);

@@ -47,7 +47,7 @@ void add_export(CLI::App& program, Invocation& invocation) {
       ->type_name("DIR");
   command->add_option("--as", options->as, "Format")
       ->required()
-      ->check(CLI::IsMember({"vtu", "csv"}))
+      ->check(CLI::IsMember({"vtu", "csv"}).description(""))
       ->type_name("vtu|csv");
   command->callback([&invocation, options] {
     invocation.run = [&invocation, options] { return export_results(*options, invocation.json); };

@@ -28,10 +28,14 @@ void describe(CLI::App& program) {
   program.require_subcommand(1);
 }
 
-int usage_error(const CLI::App& program, const CLI::ParseError& error) {
+int usage_error(const CLI::App& program, const CLI::ParseError& error, const std::string& first_word) {
   const auto chosen = program.get_subcommands();
-  complain("usage: " + std::string(error.what()) + "; see talus-cli " +
-           (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help");
+  if (!chosen.empty())
+    complain("usage: " + std::string(error.what()) + "; see talus-cli " + chosen.front()->get_name() + " --help");
+  else if (first_word.empty())
+    complain("usage: a command is missing; see talus-cli --help");
+  else
+    complain("usage: there is no command or option '" + first_word + "'; see talus-cli --help");
   return bad_input;
 }
 
@@ -64,7 +68,7 @@ int main(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
-    return usage_error(program, error);
+    return usage_error(program, error, argc > 1 ? argv[1] : "");
   }
   return perform(invocation);
 }

@@ -32,7 +32,9 @@ std::string field_names() {
 }  // namespace
 
 void add_results(CLI::App& command, std::filesystem::path& results) {
-  command.add_option("RESULTS", results, "Results folder, also of a run that goes on or was killed")->required();
+  command.add_option("RESULTS", results, "Results folder, also of a run that goes on or was killed")
+      ->required()
+      ->type_name("DIR");
 }
 
 void add_size(CLI::App& command, PictureSize& size) {
@@ -48,14 +50,14 @@ void add_theme(CLI::App& command, Theme& theme) {
       .add_option_function<std::string>(
           "--theme", [&theme](const std::string& name) { theme = name == "dark" ? Theme::dark : Theme::light; },
           "Colours of the background and the writing")
-      ->check(CLI::IsMember({"light", "dark"}))
+      ->check(CLI::IsMember({"light", "dark"}).description(""))
       ->type_name("light|dark")
       ->default_str("light");
 }
 
 void add_threads(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "Threads; their number does not change a result")
-      ->check(CLI::Range(1, 1024))
+      ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N")
       ->capture_default_str();
 }
@@ -97,11 +99,11 @@ void add_look(CLI::App& command, Look& look) {
       .add_option_function<std::string>(
           "--edges", [&look, edges](const std::string& name) { look.edges = edges.at(name); },
           "Edges to draw: none, the blocks' or the whole mesh's")
-      ->check(CLI::IsMember(edges))
+      ->check(CLI::IsMember(edges).description(""))
       ->type_name("none|blocks|mesh")
       ->default_str("blocks");
   command.add_option("--scale", look.scale, "Draw displacements this many times too large")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Validator(CLI::PositiveNumber).description(""))
       ->type_name("N")
       ->capture_default_str();
   command.add_flag("--contacts", look.contacts, "Show contact points: open grey, stick blue, slip orange");

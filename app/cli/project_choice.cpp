@@ -9,7 +9,7 @@
 namespace talus::cli {
 
 void add_project(CLI::App& command, ProjectChoice& choice, const std::string& name, const std::string& help) {
-  command.add_option(name, choice.file, help)->required();
+  command.add_option(name, choice.file, help)->required()->type_name("PATH");
   command.add_flag("--allow-outside", choice.reading.allow_outside,
                    "Let the project name files outside its own folder");
 }

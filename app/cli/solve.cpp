@@ -38,11 +38,10 @@ class Watch final : public RunObserver {
   void on_step(const StepReport& step, const HistoryRow&, double fraction) override {
     ++steps_;
     iterations_ += step.iterations;
-    char text[120];
-    std::snprintf(text, sizeof text, "%s: %.2f of %.2f s, %.1f iterations a step, %d contacts",
-                  project_.stages[static_cast<std::size_t>(step.stage)].name.c_str(), step.time, end_,
-                  static_cast<double>(iterations_) / static_cast<double>(steps_), step.contacts);
-    progress_.report(fraction, text);
+    char text[80];
+    std::snprintf(text, sizeof text, "%.2f of %.2f s, %.1f iterations a step, ", step.time, end_,
+                  static_cast<double>(iterations_) / static_cast<double>(steps_));
+    progress_.report(fraction, text + project_.stages[static_cast<std::size_t>(step.stage)].name);
   }
   void on_frame(std::shared_ptr<const Frame>) override {}
   bool go_on() override { return !interrupted(); }

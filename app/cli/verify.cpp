@@ -131,8 +131,9 @@ void add_verify(CLI::App& program, Invocation& invocation) {
                                          "Run the shipped cases with a known answer: expected, computed, "
                                          "error, seconds");
   auto options = std::make_shared<VerifyOptions>();
-  command->add_option("NAME", options->names, "Cases to run (default: all that take seconds)");
-  command->add_flag("--all", options->all, "Also those that take minutes");
+  command->add_option("NAME", options->names, "Cases to run (default: all that are quick)")->type_name("");
+  command->add_flag("--all", options->all,
+                    "Also the long ones: more than " + std::to_string(quick_steps) + " time steps");
   command->add_option("--samples", options->samples, "Folder of the samples (default: the shipped ones)")
       ->type_name("DIR");
   add_threads(*command, options->threads);

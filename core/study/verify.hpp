@@ -18,7 +18,7 @@ struct Sample {
   bool takes_long = false;       ///< more than `quick_steps` time steps
 };
 
-/// Samples of more time steps than this run only when asked for: seconds here, minutes beyond.
+/// Samples of more time steps than this run only when asked for: the others take a second or two.
 inline constexpr int quick_steps = 5000;
 
 /// The samples in DIR/NAME/NAME.talus that have a known answer, by name. Throws InputError when `folder` is no folder

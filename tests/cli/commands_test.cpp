@@ -133,8 +133,12 @@ TEST_F(Commands, RenderShowsWhatItIsAskedFor) {
   };
   const std::string last = draw({});
   EXPECT_EQ(last, draw({"--frame", "20"})) << "the last frame is the default, and the same picture comes twice";
-  for (const std::vector<std::string>& other : std::vector<std::vector<std::string>>{
-           {"--frame", "0"}, {"--view", "top"}, {"--theme", "dark"}, {"--edges", "mesh"}, {"--field", "velocity.z"}})
+  for (const std::vector<std::string>& other : std::vector<std::vector<std::string>>{{"--frame", "0"},
+                                                                                     {"--view", "top"},
+                                                                                     {"--view", "20,40"},
+                                                                                     {"--theme", "dark"},
+                                                                                     {"--edges", "mesh"},
+                                                                                     {"--field", "velocity.z"}})
     EXPECT_NE(last, draw(other)) << other[0];
 }
 
