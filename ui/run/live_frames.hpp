@@ -25,7 +25,7 @@ class LiveFrames {
  private:
   void thin();
 
-  std::size_t budget_;
+  std::size_t budget_, bytes_ = 0;
   int stride_ = 1;  ///< kept frames have an index divisible by it, apart from the newest
   std::vector<std::shared_ptr<const Frame>> frames_;
 };

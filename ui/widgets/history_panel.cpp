@@ -47,10 +47,13 @@ void HistoryPanel::showPlotsOfStep() {
 
 void HistoryPanel::refresh() {
   showPlotsOfStep();
+  if (!isVisible()) return;  // filled when it is looked at
   fillMonitors();
   fillSolver();
   fillEnergy();
 }
+
+void HistoryPanel::showEvent(QShowEvent*) { refresh(); }
 
 void HistoryPanel::fillMonitors() {
   std::vector<Curve> displacement, speed;

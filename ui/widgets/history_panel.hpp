@@ -15,6 +15,9 @@ class HistoryPanel : public QWidget {
  public:
   explicit HistoryPanel(Workspace& workspace);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void refresh();
   void showPlotsOfStep();

@@ -35,6 +35,7 @@ Plot::Plot(const QString& title) : title_(title) {
 void Plot::setCurves(std::vector<Curve> curves, const QString& unit) {
   curves_ = std::move(curves);
   unit_ = unit;
+  fitArea();
   fitRanges();
   update();
 }
@@ -68,24 +69,20 @@ void Plot::fitRanges() {
   xTicks_ = nice_ticks(x_.low, x_.high, 5);
 }
 
-QRectF Plot::area() const {
+void Plot::fitArea() {
   double names = 12;
   const QFontMetricsF metrics(theme::font(theme::now().type.small, QFont::Medium));
   for (const Curve& curve : curves_) names = std::max(names, metrics.horizontalAdvance(curve.name) + 14);
   names = std::min(names, width() * 0.3);
-  return {left_margin, top_margin, std::max(20.0, width() - left_margin - names),
-          std::max(20.0, height() - top_margin - bottom_margin)};
+  area_ = {left_margin, top_margin, std::max(20.0, width() - left_margin - names),
+           std::max(20.0, height() - top_margin - bottom_margin)};
 }
 
-double Plot::xAt(double time) const {
-  const QRectF box = area();
-  return box.left() + (time - x_.low) / (x_.high - x_.low) * box.width();
-}
+void Plot::resizeEvent(QResizeEvent*) { fitArea(); }
 
-double Plot::yAt(double value) const {
-  const QRectF box = area();
-  return box.bottom() - (value - y_.low) / (y_.high - y_.low) * box.height();
-}
+double Plot::xAt(double time) const { return area_.left() + (time - x_.low) / (x_.high - x_.low) * area_.width(); }
+
+double Plot::yAt(double value) const { return area_.bottom() - (value - y_.low) / (y_.high - y_.low) * area_.height(); }
 
 void Plot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
@@ -116,25 +113,24 @@ void Plot::drawHeading(QPainter& painter) const {
 
 void Plot::drawAxes(QPainter& painter) const {
   const Colours& c = theme::colours();
-  const QRectF box = area();
   painter.setFont(theme::font(10));
   const auto yLabels = tick_labels(yTicks_);
-  const size_t every = box.height() < 18.0 * static_cast<double>(yTicks_.size()) ? 2 : 1;
+  const size_t every = area_.height() < 18.0 * static_cast<double>(yTicks_.size()) ? 2 : 1;
   for (size_t i = 0; i < yTicks_.size(); ++i) {
     const double y = yAt(yTicks_[i]);
     painter.setPen(QPen(std::abs(yTicks_[i]) < 1e-12 ? c.borderStrong : c.grid, 1));
-    painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
+    painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
     if (i % every != 0) continue;
     painter.setPen(c.textMuted);
     painter.drawText(QRectF(0, y - 8, left_margin - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
                      QString::fromStdString(yLabels[i]));
   }
   const auto xLabels = tick_labels(xTicks_);
-  const size_t skip = box.width() < 42.0 * static_cast<double>(xTicks_.size()) ? 2 : 1;
+  const size_t skip = area_.width() < 42.0 * static_cast<double>(xTicks_.size()) ? 2 : 1;
   for (size_t i = 0; i < xTicks_.size(); i += skip) {
     QString label = QString::fromStdString(xLabels[i]);
     if (i + skip >= xTicks_.size()) label += QStringLiteral(" s");
-    painter.drawText(QRectF(xAt(xTicks_[i]) - 30, box.bottom() + 4, 60, 14), Qt::AlignCenter, label);
+    painter.drawText(QRectF(xAt(xTicks_[i]) - 30, area_.bottom() + 4, 60, 14), Qt::AlignCenter, label);
   }
 }
 
@@ -182,11 +178,10 @@ void Plot::drawNames(QPainter& painter) const {
     right = std::max(right, xAt(curve.x.back()));
   }
   std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.y < b.y; });
-  const QRectF box = area();
   for (size_t i = 1; i < names.size(); ++i) names[i].y = std::max(names[i].y, names[i - 1].y + name_height);
-  const double over = names.empty() ? 0 : names.back().y - (box.bottom() + 4);
+  const double over = names.empty() ? 0 : names.back().y - (area_.bottom() + 4);
   for (size_t i = names.size(); over > 0 && i-- > 0;) {
-    const double limit = i + 1 < names.size() ? names[i + 1].y - name_height : box.bottom() + 4;
+    const double limit = i + 1 < names.size() ? names[i + 1].y - name_height : area_.bottom() + 4;
     names[i].y = std::min(names[i].y, limit);
   }
   painter.setFont(theme::font(theme::now().type.small, QFont::Medium));
@@ -198,11 +193,10 @@ void Plot::drawNames(QPainter& painter) const {
 
 void Plot::drawCursor(QPainter& painter) const {
   const Colours& c = theme::colours();
-  const QRectF box = area();
   const double x = xAt(*cursor_);
-  if (x < box.left() - 1 || x > box.right() + 1) return;
+  if (x < area_.left() - 1 || x > area_.right() + 1) return;
   painter.setPen(QPen(c.accent, 1));
-  painter.drawLine(QPointF(x, box.top() - 4), QPointF(x, box.bottom()));
+  painter.drawLine(QPointF(x, area_.top() - 4), QPointF(x, area_.bottom()));
   for (const Curve& curve : curves_) {
     const auto value = valueAt(curve, *cursor_);
     if (!value || !std::isfinite(*value)) continue;
@@ -212,18 +206,18 @@ void Plot::drawCursor(QPainter& painter) const {
   }
 }
 
-void Plot::mousePressEvent(QMouseEvent* event) {
-  const QRectF box = area();
-  if (curves_.empty() || event->button() != Qt::LeftButton) return;
-  const double share = std::clamp((event->position().x() - box.left()) / box.width(), 0.0, 1.0);
+void Plot::chooseTime(double x) {
+  if (curves_.empty()) return;
+  const double share = std::clamp((x - area_.left()) / area_.width(), 0.0, 1.0);
   emit timeChosen(x_.low + share * (x_.high - x_.low));
 }
 
+void Plot::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) chooseTime(event->position().x());
+}
+
 void Plot::mouseMoveEvent(QMouseEvent* event) {
-  if (!event->buttons().testFlag(Qt::LeftButton) || curves_.empty()) return;
-  const QRectF box = area();
-  const double share = std::clamp((event->position().x() - box.left()) / box.width(), 0.0, 1.0);
-  emit timeChosen(x_.low + share * (x_.high - x_.low));
+  if (event->buttons().testFlag(Qt::LeftButton)) chooseTime(event->position().x());
 }
 
 }  // namespace talus

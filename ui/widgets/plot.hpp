@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QRectF>
 #include <QString>
 #include <QWidget>
 #include <optional>
@@ -33,15 +34,17 @@ class Plot : public QWidget {
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Range {
     double low = 0, high = 1;
   };
-  QRectF area() const;
+  void fitArea();
   double xAt(double time) const;
   double yAt(double value) const;
   void fitRanges();
+  void chooseTime(double x);
   void drawHeading(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
   void drawCurve(QPainter& painter, const Curve& curve) const;
@@ -51,6 +54,7 @@ class Plot : public QWidget {
   QString title_, unit_;
   std::vector<Curve> curves_;
   Range x_, y_;
+  QRectF area_;  ///< between the axes, logical pixels
   std::vector<double> yTicks_, xTicks_;
   std::optional<double> cursor_;
 };

@@ -1,0 +1,94 @@
+#include "driven_window.hpp"
+
+#include <unistd.h>
+
+#include <QApplication>
+#include <fstream>
+
+namespace talus {
+
+Watchdog::Watchdog() {
+  timer_.setInterval(5);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    if (since_.isValid()) longest_ = std::max(longest_, static_cast<double>(since_.nsecsElapsed()) * 1e-6);
+    since_.restart();
+    ++beats_;
+  });
+  timer_.start();
+}
+
+void Watchdog::restart() {
+  longest_ = 0;
+  beats_ = 0;
+  since_.restart();
+}
+
+void DrivenWindow::SetUp() {
+  folder = std::filesystem::temp_directory_path() / ("talus_window_" + std::to_string(::getpid()) + "_" +
+                                                     ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::filesystem::create_directories(folder);
+  window = std::make_unique<MainWindow>();
+  workspace = &window->workspace();
+  window->resize(1280, 800);
+  window->show();
+  rest(50);
+}
+
+void DrivenWindow::TearDown() {
+  window.reset();
+  std::filesystem::remove_all(folder);
+}
+
+std::filesystem::path DrivenWindow::sample(const std::string& name) {
+  const std::filesystem::path source = std::filesystem::path(TALUS_SOURCE_DIR) / "samples" / name;
+  std::filesystem::copy(source, folder / name, std::filesystem::copy_options::recursive);
+  return folder / name / (name + ".talus");
+}
+
+std::filesystem::path DrivenWindow::write(const std::string& name, const std::string& text) {
+  std::ofstream(folder / name) << text;
+  return folder / name;
+}
+
+std::filesystem::path DrivenWindow::slidingCube(int steps) {
+  return write("cube.talus", R"({
+  "talus": 1, "name": "Sliding cube", "gravity": [4.905, 0, -8.496],
+  "materials": {"rock": {"density": 2600, "young": 1e9, "poisson": 0.25}},
+  "joints": {"J1": {"friction_angle": 10}},
+  "default_joint": "J1",
+  "solids": [
+    {"name": "base", "box": {"min": [0, 0, 0], "max": [40, 4, 1]}, "material": "rock", "body": "fixed", "mesh_size": 2},
+    {"name": "cube", "box": {"min": [1, 1, 1], "max": [3, 3, 3]}, "material": "rock", "mesh_size": 1}],
+  "stages": [{"name": "slide", "type": "dynamic", "time_step": 0.002, "steps": )" +
+                                 std::to_string(steps) + R"(}],
+  "monitors": [{"name": "P1", "block": "cube", "at": [2, 2, 3]}],
+  "output": {"every": 0.02}
+})");
+}
+
+void DrivenWindow::rest(int ms) {
+  QElapsedTimer timer;
+  timer.start();
+  while (timer.elapsed() < ms) QApplication::processEvents(QEventLoop::AllEvents, 5);
+}
+
+void DrivenWindow::openAndMesh(const std::filesystem::path& file) {
+  window->open(file);
+  ASSERT_TRUE(workspace->document().isOpen());
+  workspace->mesh();
+  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
+  ASSERT_NE(workspace->system(), nullptr);
+  rest(50);
+}
+
+QPointF DrivenWindow::pointOnBlock() {
+  const Viewport& view = window->viewport();
+  for (int y = 20; y < view.height(); y += 20)
+    for (int x = 20; x < view.width(); x += 20)
+      if (view.pickAt({static_cast<double>(x), static_cast<double>(y)}))
+        return {static_cast<double>(x), static_cast<double>(y)};
+  return {-1, -1};
+}
+
+}  // namespace talus

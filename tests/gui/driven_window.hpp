@@ -1,0 +1,64 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QTimer>
+#include <filesystem>
+
+#include "widgets/main_window.hpp"
+#include "widgets/viewport.hpp"
+
+namespace talus {
+
+/// Notes the longest time that an event had to wait: a timer that should fire every 5 ms says how late it came.
+class Watchdog : public QObject {
+ public:
+  Watchdog();
+  void restart();
+  /// ms
+  double longestWait() const { return longest_; }
+  int beats() const { return beats_; }
+
+ private:
+  QTimer timer_;
+  QElapsedTimer since_;
+  double longest_ = 0;
+  int beats_ = 0;
+};
+
+/// A window of 1280 × 800 on a folder of its own.
+class DrivenWindow : public ::testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  /// Copies samples/NAME into the folder and returns its project file.
+  std::filesystem::path sample(const std::string& name);
+  /// Two blocks, one fixed: a cube slides down a slope for `steps` steps.
+  std::filesystem::path slidingCube(int steps = 4000);
+  /// Writes a file into the folder.
+  std::filesystem::path write(const std::string& name, const std::string& text);
+
+  /// Works off events until the condition holds; false when it does not within the limit.
+  template <class Condition>
+  bool wait(Condition condition, int limit_ms = 60000) {
+    QElapsedTimer timer;
+    timer.start();
+    while (!condition() && timer.elapsed() < limit_ms) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 10);
+    return condition();
+  }
+  void rest(int ms);
+  /// Opens a project and waits for its blocks.
+  void openAndMesh(const std::filesystem::path& file);
+  /// A point of the view where a block lies.
+  QPointF pointOnBlock();
+
+  std::filesystem::path folder;
+  std::unique_ptr<MainWindow> window;
+  Workspace* workspace = nullptr;
+};
+
+}  // namespace talus

@@ -1,0 +1,21 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "widgets/render_surface.hpp"
+#include "widgets/theme.hpp"
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  talus::setDefaultSurfaceFormat();
+  QApplication app(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("talus-test"));
+  QApplication::setOrganizationName(QStringLiteral("talus-test"));
+  QTemporaryDir settings;  // the user's own recent files are no part of a test
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  talus::theme::install(false);
+  return RUN_ALL_TESTS();
+}

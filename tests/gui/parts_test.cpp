@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "widgets/camera_moves.hpp"
+#include "widgets/numbers.hpp"
+#include "widgets/plot.hpp"
+#include "widgets/samples.hpp"
+#include "widgets/step_table.hpp"
+#include "widgets/tokens.hpp"
+
+namespace talus {
+namespace {
+
+TEST(Numbers, TimesAreRoundedAsTheyAreRead) {
+  EXPECT_EQ(numbers::duration(3.14).toStdString(), "3.1 s");
+  EXPECT_EQ(numbers::duration(42.4).toStdString(), "42 s");
+  EXPECT_EQ(numbers::duration(59.8).toStdString(), "1 min");
+  EXPECT_EQ(numbers::duration(251).toStdString(), "4 min 10 s");
+  EXPECT_EQ(numbers::duration(6420).toStdString(), "1 h 47 min");
+  EXPECT_EQ(numbers::duration(NAN).toStdString(), "–");
+}
+
+TEST(Numbers, AreReadAsPeopleTypeThem) {
+  double value = 0;
+  EXPECT_TRUE(numbers::parse(QStringLiteral(" 12 500,5 "), value));
+  EXPECT_EQ(value, 12500.5);
+  EXPECT_TRUE(numbers::parse(QStringLiteral("−3e-2"), value));
+  EXPECT_EQ(value, -0.03);
+  value = 7;
+  for (const char* word : {"", "nan", "inf", "12 m", "1.2.3"})
+    EXPECT_FALSE(numbers::parse(QString::fromUtf8(word), value)) << word;
+  EXPECT_EQ(value, 7);
+}
+
+TEST(Numbers, OrientationHasThreeDigitsOfDirection) {
+  EXPECT_EQ(numbers::orientation(84, 12).toStdString(), "84/012");
+  EXPECT_EQ(numbers::orientation(34.4, 359.7).toStdString(), "34/000");
+}
+
+CameraPose southView() {
+  CameraPose pose;
+  pose.position = {0, -100, 50};
+  pose.focal_point = {0, 0, 0};
+  pose.view_up = {0, 0, 1};
+  return pose;
+}
+
+TEST(Camera, TurnsRoundTheFocalPointAndStopsAtThePole) {
+  const CameraPose pose = southView();
+  const CameraPose east = turned(pose, 90, 0);
+  EXPECT_NEAR((east.position - Vec3(100, 0, 50)).norm(), 0, 1e-9);
+  const CameraPose above = turned(pose, 0, 500);
+  EXPECT_NEAR(above.position.norm(), pose.position.norm(), 1e-9);
+  EXPECT_LT(std::hypot(above.position.x(), above.position.y()), 0.02 * above.position.norm());
+  EXPECT_GT(std::hypot(above.position.x(), above.position.y()), 0);
+}
+
+/// Where a point is drawn, pixels from the upper left corner.
+QPointF drawnAt(const CameraPose& pose, const Vec3& point, QSizeF view) {
+  const Vec3 forward = (pose.focal_point - pose.position).normalized();
+  const Vec3 right = forward.cross(pose.view_up).normalized(), up = right.cross(forward);
+  const Vec3 from = point - pose.position;
+  const double half = pose.parallel ? pose.parallel_scale : from.dot(forward) * std::tan(pose.view_angle * M_PI / 360);
+  const double scale = view.height() / 2 / half;
+  return {view.width() / 2 + from.dot(right) * scale, view.height() / 2 - from.dot(up) * scale};
+}
+
+TEST(Camera, ZoomKeepsWhatIsUnderThePointer) {
+  const QSizeF view(800, 600);
+  for (const bool parallel : {false, true}) {
+    CameraPose pose = southView();
+    pose.parallel = parallel;
+    pose.parallel_scale = 30;
+    const Vec3 right = (pose.focal_point - pose.position).cross(pose.view_up).normalized();
+    const Vec3 point = pose.focal_point + 12 * right;
+    const QPointF before = drawnAt(pose, point, view);
+    const QPointF after = drawnAt(zoomed(pose, 0.5, before, view), point, view);
+    EXPECT_NEAR(after.x(), before.x(), 1e-6);
+    EXPECT_NEAR(after.y(), before.y(), 1e-6);
+  }
+}
+
+TEST(Camera, PanMovesWhatIsAtTheFocalDepthWithTheHand) {
+  const QSizeF view(800, 600);
+  const CameraPose pose = southView();
+  const QPointF after = drawnAt(panned(pose, {35, -20}, view), pose.focal_point, view);
+  EXPECT_NEAR(after.x(), 435, 1e-6);
+  EXPECT_NEAR(after.y(), 280, 1e-6);
+}
+
+TEST(Camera, TheOtherProjectionShowsTheFocalPlaneInTheSameSize) {
+  const QSizeF view(800, 600);
+  const CameraPose pose = southView();
+  const Vec3 right = (pose.focal_point - pose.position).cross(pose.view_up).normalized();
+  const CameraPose other = withOtherProjection(pose);
+  EXPECT_TRUE(other.parallel);
+  EXPECT_NEAR(drawnAt(other, 5 * right, view).x(), drawnAt(pose, 5 * right, view).x(), 1e-6);
+  EXPECT_NEAR((withOtherProjection(other).position - pose.position).norm(), 0, 1e-9);
+}
+
+TEST(PlotTest, ReadsACurveBetweenItsPoints) {
+  const Curve curve{{}, 0, {0, 1, 3}, {0, 10, 30}};
+  EXPECT_DOUBLE_EQ(*valueAt(curve, 2), 20);
+  EXPECT_DOUBLE_EQ(*valueAt(curve, 0), 0);
+  EXPECT_DOUBLE_EQ(*valueAt(curve, 3), 30);
+  EXPECT_FALSE(valueAt(curve, 3.1));
+}
+
+TEST(PlotTest, DrawsItsCurvesAndNothingWithoutThem) {
+  Plot plot(QStringLiteral("Speed"));
+  plot.resize(300, 160);
+  plot.setCurves({{QStringLiteral("P1"), 0, {}, {}}}, QStringLiteral("m/s"));
+  plot.grab();
+  std::vector<double> x, y;
+  for (int i = 0; i < 20000; ++i) {
+    x.push_back(i * 0.01);
+    y.push_back(i == 12345 ? 5 : 1);  // one spike among many must stay visible
+  }
+  plot.setCurves({{QStringLiteral("P1"), 0, x, y}}, QStringLiteral("m/s"));
+  const QImage picture = plot.grab().toImage();
+  const QColor ink = seriesColours(false)[0];
+  int highest = picture.height();
+  for (int row = 0; row < picture.height(); ++row)
+    for (int column = 60; column < 240; ++column) {
+      const QColor at = picture.pixelColor(column, row);
+      if (std::abs(at.red() - ink.red()) + std::abs(at.green() - ink.green()) + std::abs(at.blue() - ink.blue()) < 60)
+        highest = std::min(highest, row);
+    }
+  EXPECT_LT(highest, 60);
+}
+
+TEST(Samples, AreFoundWithTheirNames) {
+  const auto samples = samplesIn(std::filesystem::path(TALUS_SOURCE_DIR) / "samples");
+  ASSERT_GE(samples.size(), 5u);
+  for (const Sample& sample : samples) EXPECT_FALSE(sample.name.isEmpty());
+  EXPECT_TRUE(samplesIn("/nowhere").empty());
+}
+
+TEST(StepTableTest, ListsEveryCutUnderItsJointAndJointsWithoutOne) {
+  Project project;
+  project.joints.resize(2);
+  project.joints[0].name = "J1";
+  project.joints[0].friction_angle = 30;
+  project.joints[0].cohesion = 2e6;
+  project.joints[1].name = "J2";
+  Cut cut;
+  cut.joint = "J1";
+  cut.dip = 34;
+  cut.dip_direction = 70;
+  cut.spacing = 2.5;
+  cut.count = 3;
+  project.cuts = {cut};
+  const StepRows rows = rowsOf(Step::joints, project, nullptr);
+  ASSERT_EQ(rows.rows.size(), 2u);
+  EXPECT_EQ(rows.rows[0].item, (Item{Item::Kind::cut, 0}));
+  EXPECT_EQ(rows.rows[0].cells.join(u'|').toStdString(), "J1|1|34.0|070|2.50|3|30.0|2.00|0");
+  EXPECT_EQ(rows.rows[1].item, (Item{Item::Kind::joint, 1}));
+  for (const auto& row : rows.rows) EXPECT_EQ(row.cells.size(), rows.heads.size());
+}
+
+}  // namespace
+}  // namespace talus
