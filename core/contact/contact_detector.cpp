@@ -33,6 +33,7 @@ struct ContactDetector::State {
   double bond_reach() const;
   void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach);
   void find_points(std::span<const Vec3> x, double reach);
+  double late_overlap(const FoundPoint& found) const;
   ContactPoint complete(const FoundPoint& found);
   void write(double reach, ContactSet& contacts);
 
@@ -85,13 +86,21 @@ void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, s
 
 void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
   keep_near_pairs(broad.find(x, reach), x, reach);
-  const StepGeometry step{features, broad, x, broad.normals(), penetration, settings, reach};
+  const StepGeometry step{features, broad, x, broad.normals(), penetration, settings, reach, memory.started()};
   found.clear();
   facing.find(step, near, found);
   vertices.find(step, near, found);
   edges.find(step, near, found);
   std::sort(found.points.begin(), found.points.end(),
             [](const FoundPoint& p, const FoundPoint& q) { return p.key < q.key; });
+}
+
+/// A contact that shows up deeper than any was in the last step was there before and was not seen, where features give
+/// way to one another. It pushes against what comes on top: pushing back all of it would make energy from nothing.
+double ContactDetector::State::late_overlap(const FoundPoint& f) const {
+  const double expected =
+      std::max(penetration[features.facets[f.facets[0]].body], penetration[features.facets[f.facets[1]].body]);
+  return std::max(0.0, -f.gap - expected);
 }
 
 ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
@@ -123,9 +132,13 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
     p.mode = memo->mode;
     p.shear_start = ContactMemory::shear_on(*memo, f);
     p.slip_start = memo->slip;
-  } else if (!memory.started() && f.area > 0) {
+    p.overlap = memo->overlap;
+  } else if (memory.started()) {
+    p.overlap = late_overlap(f);
+  } else if (f.area > 0) {
     p.bonded = (law.cohesion > 0 || law.tensile_strength > 0) && f.gap < bonded_gap * scale.size;
   }
+  p.gap = f.gap + p.overlap;
   p.friction = !p.bonded && memory.ever_broken(f.family) ? law.residual_friction : law.friction;
   p.cohesion = p.bonded ? law.cohesion * f.area : 0;
   p.tension = p.bonded ? law.tensile_strength * f.area : 0;

@@ -56,8 +56,8 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
     const bool bonded = p.bonded && !o.broke;
     if (o.broke) broken_.push_back(families[i]);
     if (p.mode == ContactMode::open && !bonded) continue;
-    memos_.push_back(
-        {p.key, families[i], p.position, o.shear_force, p.area, p.slip_start + o.slip, p.mode, bonded, false});
+    memos_.push_back({p.key, families[i], p.position, o.shear_force, p.area, p.slip_start + o.slip, p.overlap, p.mode,
+                      bonded, false});
   }
   std::sort(broken_.begin(), broken_.end());
   broken_.erase(std::unique(broken_.begin(), broken_.end()), broken_.end());

@@ -18,6 +18,7 @@ class ContactMemory {
     Vec3 position, shear;  ///< m; N on the first body
     double area;           ///< m²; 0 where the contact has none
     double slip;           ///< m
+    double overlap;        ///< m, as ContactPoint's
     ContactMode mode;
     bool bonded;
     bool claimed;  ///< a point of this detection goes on from it

@@ -31,6 +31,7 @@ struct ContactPoint {
   Vec3 position = Vec3::Zero();  ///< m, on the first body
   Vec3 normal = Vec3::Zero();    ///< unit, from the second body to the first
   double gap = 0;                ///< m, at the start of the step
+  double overlap = 0;            ///< m, by how much gap leaves out what was there when the contact was found, too late
   double size = 0;               ///< m, local mesh size: what lengths are measured against
   double area = 0;               ///< m², the share of contact area; 0 where a vertex or an edge touches
   double normal_stiffness = 0;   ///< N/m

@@ -10,6 +10,7 @@ namespace talus {
 namespace {
 
 constexpr double least_weight = 1e-6;  // a stencil's share below it is rounding, and would couple nodes for nothing
+constexpr double depth_per_penetration = 3;
 constexpr double rim_least = 1e-4, rim_most = 1e-2, rim_per_penetration = 3;  // of the size; of the size; –
 
 }  // namespace
@@ -56,8 +57,12 @@ void FoundPoints::close_stencil(FoundPoint& point, const ContactFeatures& featur
 
 double StepGeometry::rim(int body_a, int body_b) const {
   const double size = broad.scale(body_a, body_b).size;
-  const double deepest = std::max(penetration[body_a], penetration[body_b]);
-  return std::clamp(rim_per_penetration * deepest, rim_least * size, rim_most * size);
+  return std::clamp(rim_per_penetration * deepest(body_a, body_b), rim_least * size, rim_most * size);
+}
+
+double StepGeometry::depth(int body_a, int body_b) const {
+  const double most = settings.depth * broad.scale(body_a, body_b).size;
+  return begun ? std::min(reach + depth_per_penetration * deepest(body_a, body_b), most) : most;
 }
 
 int StepGeometry::common_joint(int facet_a, int facet_b) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -54,9 +55,15 @@ struct StepGeometry {
   std::span<const double> penetration;  ///< m, a body: the deepest of the last step
   const ContactSettings& settings;
   double reach;
+  bool begun;  ///< a step was taken: bodies cannot be deep in each other all of a sudden
 
+  /// The deepest that two bodies lay in each other at the end of the last step. [m]
+  double deepest(int body_a, int body_b) const { return std::max(penetration[body_a], penetration[body_b]); }
   /// How near the rim of a convex crease a contact is left to the facet beyond. [m]
   double rim(int body_a, int body_b) const;
+  /// How deep two bodies' features can lie in each other: what the last step left and this one may add, and never more
+  /// than the settings allow. A feature that seems to lie deeper came past from outside, beside the other body. [m]
+  double depth(int body_a, int body_b) const;
   /// Joint that both facets carry, or −1.
   int common_joint(int facet_a, int facet_b) const;
   Vec3 fresh_normal(int facet) const;

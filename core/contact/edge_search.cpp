@@ -74,7 +74,9 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, FoundPo
     if (!in_both_cones(n)) return;
   }
   const double gap = -n.dot(r);
-  if (!(gap <= step.reach) || gap < -step.settings.depth * size) return;
+  if (!(gap <= step.reach) ||
+      gap < -step.depth(step.features.facets[a.facets[0]].body, step.features.facets[b.facets[0]].body))
+    return;
   const double facing = std::cos(radians(step.settings.facing_angle));
   const bool a_faces = std::max(-n.dot(step.normals[a.facets[0]]), -n.dot(step.normals[a.facets[1]])) > facing;
   const bool b_faces = std::max(n.dot(step.normals[b.facets[0]]), n.dot(step.normals[b.facets[1]])) > facing;

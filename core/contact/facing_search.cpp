@@ -133,7 +133,7 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
     const RimsAlong rims(step, pair.a, a, polygon, rim, e1, e2);
     return rims.any() && rims.against(RimsAlong(step, pair.b, b, polygon, rim, e1, e2));
   };
-  if (least_gap > step.reach || least_gap < -step.settings.depth * size || between_rims()) {
+  if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) || between_rims()) {
     corners_.resize(first);
     found.covered.resize(first_covered);
   }

@@ -54,6 +54,19 @@ void beyond_rims(const StepGeometry& step, int facet, const Vec3& p, double rim,
   }
 }
 
+/// Is a point that lies below a facet outside the body all the same, beyond a convex crease of the facet? Where the
+/// crease is sharp, the point still projects onto the facet.
+bool beside_the_body(const StepGeometry& step, int facet, const Vec3& p) {
+  const ContactFacet& f = step.features.facets[facet];
+  return std::any_of(f.edges.begin(), f.edges.end(), [&](int edge) {
+    const ContactEdge& e = step.features.edges[edge];
+    const int beyond = e.facets[0] + e.facets[1] - facet;
+    if (step.features.facets[beyond].patch == f.patch) return false;
+    const Vec3 n = step.fresh_normal(beyond), on_crease = step.x[e.nodes[0]], across = centre(step, facet) - on_crease;
+    return n.dot(across) < -cone_tolerance(step.settings) * across.norm() && n.dot(p - on_crease) > 0;
+  });
+}
+
 /// The facet at a node that looks most against `normal`, or the one there with the facet's joint.
 struct OwnSide {
   int facet;
@@ -115,7 +128,7 @@ void VertexSearch::touch(const StepGeometry& step, int node, int facet, bool nod
   const double gap = n.dot(r);
   if (!(gap <= step.reach)) return;
   const int other = step.features.facets[step.features.facets_at(node)[0]].body;
-  if (gap < -step.settings.depth * step.broad.scale(f.body, other).size) return;
+  if (gap < -step.depth(f.body, other)) return;
 
   const Vec3 e1 = step.x[f.nodes[1]] - origin, e2 = step.x[f.nodes[2]] - origin, twice = e1.cross(e2);
   const double squared = twice.squaredNorm();
@@ -127,6 +140,7 @@ void VertexSearch::touch(const StepGeometry& step, int node, int facet, bool nod
   const std::uint64_t key = vertex_key(node, f.patch);
   if (std::binary_search(taken_.begin(), taken_.end(), key)) return;
   if (rise(step, node, n) < -cone_tolerance(step.settings)) return;
+  if (gap < 0 && beside_the_body(step, facet, step.x[node])) return;
   touches_.push_back({key, node, facet, node_is_first, {s0, s1, s2}, inside});
 }
 

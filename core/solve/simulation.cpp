@@ -309,8 +309,10 @@ void Simulation::summarise(StepReport& report) const {
     const ContactForces& force = s.forces[i];
     ++(force.mode == ContactMode::open ? report.open : force.mode == ContactMode::stick ? report.stick : report.slip);
     if (force.mode == ContactMode::open) continue;
-    report.max_penetration = std::max(report.max_penetration, -force.gap);
-    report.max_relative_penetration = std::max(report.max_relative_penetration, -force.gap / s.contacts.points[i].size);
+    const ContactPoint& point = s.contacts.points[i];
+    const double penetration = point.overlap - force.gap;
+    report.max_penetration = std::max(report.max_penetration, penetration);
+    report.max_relative_penetration = std::max(report.max_relative_penetration, penetration / point.size);
   }
 }
 

@@ -74,6 +74,39 @@ TEST(Memory, ContactsMadeLaterAreNotBonded) {
   }
 }
 
+TEST(Memory, WhatIsFoundLatePushesOnlyAgainstWhatComesOnTop) {
+  Scene scene = bonded_block(0.5);
+  scene.detect(reach);
+  scene.detector().accept(scene.contacts, {});
+  scene.move(1, {0, 0, -0.508});
+  scene.detect(reach);
+  ASSERT_FALSE(scene.contacts.points.empty());
+  for (const ContactPoint& p : scene.contacts.points) {
+    EXPECT_NEAR(p.overlap, 0.008, 1e-12);
+    EXPECT_NEAR(p.gap, 0, 1e-12);
+  }
+  // Pressed 0.001 deeper, it remembers what it left out; lifted off and met again at the surface, it starts anew.
+  auto all = outcomes(scene.contacts, Vec3::Zero(), ContactMode::stick, scene);
+  scene.detector().accept(scene.contacts, all);
+  scene.move(1, {0, 0, -0.001});
+  for (const ContactPoint& p : scene.detect(reach).points) EXPECT_NEAR(p.gap, -0.001, 1e-12);
+  scene.move(1, {0, 0, 0.011});
+  all = outcomes(scene.detect(reach), Vec3::Zero(), ContactMode::open, scene);
+  scene.detector().accept(scene.contacts, all);
+  scene.move(1, {0, 0, -0.002});
+  ASSERT_FALSE(scene.detect(reach).points.empty());
+  for (const ContactPoint& p : scene.contacts.points) EXPECT_NEAR(p.gap, 0, 1e-12);
+}
+
+TEST(Memory, NothingIsFoundDeeperThanAStepCanReach) {
+  // A corner that has come past beside a block is not in it, however its face's plane lies.
+  Scene scene = bonded_block(0.5);
+  scene.detect(reach);
+  scene.detector().accept(scene.contacts, {});
+  scene.move(1, {0, 0, -0.6});
+  EXPECT_TRUE(scene.detect(reach).points.empty());
+}
+
 TEST(Memory, ABrokenBondLeavesResidualFriction) {
   Scene scene = bonded_block();
   scene.detect(reach);
