@@ -1,6 +1,7 @@
 // talus [PROJECT|RESULTS]: the window.
-// talus --screenshot OUT.png [--size WxH] [--theme light|dark] [--step STEP] [PROJECT|RESULTS]: a picture of the window
-// and out, for regression tests; with QT_QPA_PLATFORM=offscreen it needs no display.
+// talus --screenshot OUT.png [--size WxH] [--theme light|dark] [--step STEP] [--field FIELD] [--time SECONDS]
+// [PROJECT|RESULTS]: a picture of the window and out, for regression tests; with QT_QPA_PLATFORM=offscreen it needs no
+// display.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSettings>
@@ -45,9 +46,11 @@ int main(int argc, char** argv) {
                                       QStringLiteral("WxH"), QStringLiteral("1280x800"));
   const QCommandLineOption fieldOption(QStringLiteral("field"), QStringLiteral("Colours the blocks of results"),
                                        QStringLiteral("name"));
+  const QCommandLineOption timeOption(QStringLiteral("time"), QStringLiteral("Shows the frame nearest to this moment"),
+                                      QStringLiteral("seconds"));
   const QCommandLineOption screenshotOption(
       QStringLiteral("screenshot"), QStringLiteral("Write a picture of the window and leave"), QStringLiteral("PNG"));
-  parser.addOptions({themeOption, stepOption, sizeOption, fieldOption, screenshotOption});
+  parser.addOptions({themeOption, stepOption, sizeOption, fieldOption, timeOption, screenshotOption});
   parser.process(app);
 
   QSettings settings;
@@ -63,6 +66,7 @@ int main(int argc, char** argv) {
   request.file = parser.positionalArguments().value(0);
   request.step = parser.value(stepOption);
   request.field = parser.value(fieldOption);
+  request.time = parser.value(timeOption);
   if (const QString wrong = talus::readSize(parser.value(sizeOption), request.size); !wrong.isEmpty())
     return complain(wrong);
 

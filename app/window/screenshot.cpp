@@ -68,6 +68,13 @@ int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
       return complain(bad_input, QString::fromUtf8(error.what()));
     }
   }
+  if (!request.time.isEmpty() && !workspace.frameTimes().empty()) {
+    bool good = false;
+    const double time = request.time.toDouble(&good);
+    if (!good) return complain(bad_input, QStringLiteral("--time: \"%1\" is no number of seconds").arg(request.time));
+    workspace.showTime(time);
+    waitFor([&] { return !workspace.isWaitingForFrame(); }, patience_ms);
+  }
   for (const Step step : all_steps)
     if (request.step == QLatin1String(stepKey(step))) workspace.goTo(step);
   if (!request.step.isEmpty() && request.step != QLatin1String(stepKey(workspace.step())))

@@ -9,7 +9,7 @@ namespace talus {
 
 /// What `talus --screenshot` was asked for; empty strings where nothing was said.
 struct ScreenshotRequest {
-  QString out, file, step, field;
+  QString out, file, step, field, time;  ///< time: s
   QSize size;
 };
 

@@ -3,7 +3,7 @@
 talus=$1 samples=$2
 folder=$(mktemp -d) && trap 'rm -rf "$folder"' EXIT
 fail() { echo "$1" >&2; exit 1; }
-export HOME=$folder XDG_CONFIG_HOME=$folder
+export HOME=$folder XDG_CONFIG_HOME=$folder XDG_RUNTIME_DIR=$folder  # Qt warns without the last one
 cp -r "$samples/free_fall" "$folder"
 
 "$talus" --screenshot "$folder/dark.png" --size 1280x720 --theme dark --step mesh "$folder/free_fall/free_fall.talus" ||

@@ -19,7 +19,7 @@ DisplayPanel::DisplayPanel(Workspace& workspace) : workspace_(workspace), field_
   auto* field = new Section(tr("Field"));
   field->addRow(tr("Colour by"), field_->quantityBox());
   field->addRow(tr("Component"), field_->componentBox());
-  range_ = makeCombo({tr("frames seen so far"), tr("this frame")}, tr("Range of the legend"));
+  range_ = makeCombo({tr("frames so far"), tr("this frame")}, tr("Range of the legend"));
   connect(range_, &QComboBox::activated, this, [this](int index) { workspace_.setRangeFollowsRun(index == 0); });
   field->addRow(tr("Range"), range_);
   inner->addWidget(field);

@@ -23,7 +23,7 @@ HistoryPanel::HistoryPanel(Workspace& workspace)
   row->addWidget(empty_, 1);
   for (auto* plot : {displacement_, speed_, iterations_, contacts_, energy_}) {
     row->addWidget(plot, 1);
-    connect(plot, &Plot::timeChosen, this, &HistoryPanel::goToTime);
+    connect(plot, &Plot::timeChosen, &workspace_, &Workspace::showTime);
   }
   connect(&workspace_, &Workspace::historyChanged, this, &HistoryPanel::refresh);
   connect(&workspace_, &Workspace::stepChanged, this, &HistoryPanel::showPlotsOfStep);
@@ -121,15 +121,6 @@ void HistoryPanel::fillEnergy() {
     if (any) curves.push_back(std::move(curve));
   }
   energy_->setCurves(std::move(curves), scale.unit);
-}
-
-void HistoryPanel::goToTime(double seconds) {
-  const auto& times = workspace_.frameTimes();
-  if (times.empty()) return;
-  const auto after = std::lower_bound(times.begin(), times.end(), seconds);
-  auto number = static_cast<int>(after - times.begin());
-  if (after == times.end() || (after != times.begin() && seconds - *(after - 1) < *after - seconds)) --number;
-  workspace_.showFrame(number);
 }
 
 }  // namespace talus

@@ -24,7 +24,6 @@ class HistoryPanel : public QWidget {
   void fillMonitors();
   void fillSolver();
   void fillEnergy();
-  void goToTime(double seconds);
   std::vector<double> stepTimes() const;
 
   Workspace& workspace_;

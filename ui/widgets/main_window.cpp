@@ -119,6 +119,7 @@ void MainWindow::makeDocks() {
   setMargins(column, 0, 0);
   column->addWidget(new PanelHeader(tr("Project")));
   column->addWidget(new ProjectTree(workspace_), 1);
+  project->setMinimumWidth(tree_width);
   left_ = addDock(Qt::LeftDockWidgetArea, QStringLiteral("project"), project);
   rightPages_ = new QStackedWidget;
   rightPages_->addWidget(new PropertyPanel(workspace_));
@@ -128,6 +129,7 @@ void MainWindow::makeDocks() {
   auto* rightColumn = new QVBoxLayout(right);
   setMargins(rightColumn, 0, 0);
   rightColumn->addWidget(rightPages_);
+  right->setMinimumWidth(right_width);
   right_ = addDock(Qt::RightDockWidgetArea, QStringLiteral("properties"), right);
   bottom_ = addDock(Qt::BottomDockWidgetArea, QStringLiteral("bottom"), new BottomPanel(workspace_));
 }
@@ -170,9 +172,8 @@ void MainWindow::showStart(bool start) {
   for (auto* bar : bars_) bar->setVisible(!start);
   for (auto* dock : {left_, right_, bottom_}) dock->setVisible(!start);
   if (!start && !docksSized_) {
-    docksSized_ = true;  // docks take sizes only once they are to be seen
-    resizeDocks({left_, right_}, {tree_width, right_width}, Qt::Horizontal);
-    resizeDocks({bottom_}, {bottom_height}, Qt::Vertical);
+    docksSized_ = true;
+    resizeDocks({bottom_}, {bottom_height}, Qt::Vertical);  // docks take sizes only once they are to be seen
   }
   centre_->currentWidget()->setFocus();  // or the first tool button would take it
 }

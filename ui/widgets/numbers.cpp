@@ -10,6 +10,10 @@ QString fixed(double value, int decimals) { return QString::fromStdString(format
 
 QString whole(long long value) { return fixed(static_cast<double>(value), 0); }
 
+QString counted(long long count, const char* noun) {
+  return whole(count) + u' ' + QLatin1String(noun) + (count == 1 ? QString() : QStringLiteral("s"));
+}
+
 QString significant(double value, int figures) { return QString::fromStdString(format_number(value, figures)); }
 
 QString quantity(double value, const char* unit) {

@@ -7,6 +7,8 @@ namespace talus::numbers {
 
 QString fixed(double value, int decimals);
 QString whole(long long value);
+/// "1 frame", "201 frames".
+QString counted(long long count, const char* noun);
 QString significant(double value, int figures = 3);
 /// With the prefix that suits it: "25 GPa", "0.2 MPa"; `unit` is SI.
 QString quantity(double value, const char* unit);

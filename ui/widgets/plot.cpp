@@ -125,6 +125,7 @@ void Plot::drawAxes(QPainter& painter) const {
     painter.drawText(QRectF(0, y - 8, left_margin - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
                      QString::fromStdString(yLabels[i]));
   }
+  painter.setPen(c.textMuted);
   const auto xLabels = tick_labels(xTicks_);
   const size_t skip = area_.width() < 42.0 * static_cast<double>(xTicks_.size()) ? 2 : 1;
   for (size_t i = 0; i < xTicks_.size(); i += skip) {
@@ -179,9 +180,9 @@ void Plot::drawNames(QPainter& painter) const {
   }
   std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.y < b.y; });
   for (size_t i = 1; i < names.size(); ++i) names[i].y = std::max(names[i].y, names[i - 1].y + name_height);
-  const double over = names.empty() ? 0 : names.back().y - (area_.bottom() + 4);
+  const double over = names.empty() ? 0 : names.back().y - (area_.bottom() - 6);
   for (size_t i = names.size(); over > 0 && i-- > 0;) {
-    const double limit = i + 1 < names.size() ? names[i + 1].y - name_height : area_.bottom() + 4;
+    const double limit = i + 1 < names.size() ? names[i + 1].y - name_height : area_.bottom() - 6;
     names[i].y = std::min(names[i].y, limit);
   }
   painter.setFont(theme::font(theme::now().type.small, QFont::Medium));

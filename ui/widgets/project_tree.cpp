@@ -31,7 +31,7 @@ QString solidFigure(const Solid& solid) {
 QString stageFigure(const Stage& stage) {
   const double seconds = stage.duration.value_or(stage.steps.value_or(0) * stage.time_step);
   const QString length = numbers::significant(seconds) + QStringLiteral(" s");
-  return stage.kind == StageKind::static_ ? QObject::tr("static, %1").arg(length) : length;
+  return stage.kind == StageKind::static_ ? QObject::tr("static %1").arg(length) : length;
 }
 
 }  // namespace

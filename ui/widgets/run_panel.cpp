@@ -128,7 +128,9 @@ void RunPanel::refresh() {
     spent_->setText(tr("%1 spent").arg(numbers::duration(job.timeLeft().spent())));
   } else {
     left_->setText(report ? numbers::duration(report->wall_seconds) : QString());
-    spent_->setText(report ? tr("%n thread(s)", nullptr, report->threads) : tr("not run yet"));
+    spent_->setText(report                       ? numbers::counted(report->threads, "thread")
+                    : workspace_.steps().empty() ? tr("not run yet")
+                                                 : tr("from results"));
   }
   if (workspace_.steps().empty()) {
     for (auto* label : {time_, step_, contacts_, penetration_, iterations_}) label->setText(QStringLiteral("–"));
@@ -140,8 +142,9 @@ void RunPanel::refresh() {
   contacts_->setText(tr("%1 open, %2 stick, %3 slip")
                          .arg(numbers::whole(step.open), numbers::whole(step.stick), numbers::whole(step.slip)));
   penetration_->setText(tr("%1 % of mesh size").arg(numbers::significant(100 * step.max_relative_penetration, 2)));
-  iterations_->setText(step.cuts > 0 ? tr("%1, step cut %n time(s)", nullptr, step.cuts).arg(step.iterations)
-                                     : numbers::whole(step.iterations));
+  iterations_->setText(step.cuts > 0
+                           ? tr("%1, step cut %2").arg(step.iterations).arg(numbers::counted(step.cuts, "time"))
+                           : numbers::whole(step.iterations));
 }
 
 void RunPanel::refreshOutcome() {

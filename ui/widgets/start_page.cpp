@@ -20,26 +20,30 @@ constexpr int cards_in_a_row = 4;
 class Preview : public QWidget {
  public:
   explicit Preview(const std::filesystem::path& picture) : picture_(QString::fromStdString(picture.string())) {
-    setMinimumHeight(96);
+    setMinimumHeight(128);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   }
 
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (picture_.isNull()) {
       painter.fillRect(rect(), theme::colours().window);
       const QRect sign(width() / 2 - 20, height() / 2 - 20, 40, 40);
       theme::icon(QStringLiteral("blocks")).paint(&painter, sign);
       return;
     }
-    const QSize size = picture_.size().scaled(this->size(), Qt::KeepAspectRatioByExpanding);
-    painter.drawPixmap(QRect(QPoint((width() - size.width()) / 2, (height() - size.height()) / 2), size), picture_);
+    const double ratio = devicePixelRatioF();
+    const QSize wanted = size() * ratio;
+    if (shown_.isNull() || shown_.size() != picture_.size().scaled(wanted, Qt::KeepAspectRatioByExpanding))
+      shown_ = picture_.scaled(wanted, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    shown_.setDevicePixelRatio(ratio);
+    const QSizeF drawn = QSizeF(shown_.size()) / ratio;
+    painter.drawPixmap(QPointF((width() - drawn.width()) / 2, (height() - drawn.height()) / 2), shown_);
   }
 
  private:
-  QPixmap picture_;
+  QPixmap picture_, shown_;  ///< as it is on disk; in the size of the card
 };
 
 QString inHome(const std::filesystem::path& folder) {
@@ -121,7 +125,7 @@ StartPage::StartPage() {
   auto* row = new QHBoxLayout(this);
   setMargins(row, 0, 0);
   row->addWidget(makeLeft());
-  row->addWidget(makeSamples(), 1);
+  row->addWidget(makeScrolled(makeSamples()), 1);
   refresh();
 }
 

@@ -10,6 +10,7 @@ namespace talus {
 namespace {
 
 QString count(size_t n) { return numbers::whole(static_cast<long long>(n)); }
+QString counted(size_t n, const char* noun) { return numbers::counted(static_cast<long long>(n), noun); }
 
 QHBoxLayout* makeRow(QWidget* page) {
   auto* row = new QHBoxLayout(page);
@@ -113,7 +114,7 @@ QString StepBar::runOutcome() const {
     const auto& report = workspace_.report();
     if (!report) return workspace_.whyNotSolve();
     const QString length =
-        tr("%1 steps in %2").arg(numbers::whole(report->steps), numbers::duration(report->wall_seconds));
+        tr("%1 in %2").arg(numbers::counted(report->steps, "step"), numbers::duration(report->wall_seconds));
     return workspace_.resultsAreCurrent() ? length : tr("edited since; %1").arg(length);
   }
   if (job.state() == JobState::meshing) return tr("Cutting and meshing");
@@ -136,14 +137,14 @@ QString StepBar::outcome() const {
   const auto& system = workspace_.system();
   switch (workspace_.step()) {
     case Step::geometry:
-      return tr("%n solid(s)", nullptr, static_cast<int>(project.solids.size()));
+      return counted(project.solids.size(), "solid");
     case Step::joints:
-      return tr("%1 joints, %2 cuts").arg(count(project.joints.size()), count(project.cuts.size()));
+      return counted(project.joints.size(), "joint") + QStringLiteral(", ") + counted(project.cuts.size(), "cut");
     case Step::blocks: {
       if (!system) return tr("not cut yet");
       double volume = 0;
       for (const auto& block : system->blocks) volume += block.volume;
-      return tr("%1 blocks, %2 m³").arg(count(system->blocks.size()), numbers::significant(volume, 4));
+      return tr("%1, %2 m³").arg(counted(system->blocks.size(), "block"), numbers::significant(volume, 4));
     }
     case Step::mesh: {
       if (!system) return tr("not meshed yet");
@@ -155,16 +156,16 @@ QString StepBar::outcome() const {
       return tr("%1 tetrahedra, %2 nodes").arg(count(tetrahedra), count(nodes));
     }
     case Step::materials:
-      return tr("%n material(s)", nullptr, static_cast<int>(project.materials.size()));
+      return counted(project.materials.size(), "material");
     case Step::loads:
-      return tr("gravity %1 m/s², %2 loads, %3 supports")
-          .arg(numbers::significant(project.gravity.norm()), count(project.loads.size()),
-               count(project.constraints.size()));
+      return tr("gravity %1 m/s², %2, %3")
+          .arg(numbers::significant(project.gravity.norm()), counted(project.loads.size(), "load"),
+               counted(project.constraints.size(), "support"));
     case Step::stages: {
       double seconds = 0;
       for (const auto& stage : project.stages)
         seconds += stage.duration.value_or(stage.steps.value_or(0) * stage.time_step);
-      return tr("%1 stages, %2 s").arg(count(project.stages.size()), numbers::significant(seconds, 4));
+      return tr("%1, %2 s").arg(counted(project.stages.size(), "stage"), numbers::significant(seconds, 4));
     }
     case Step::solve:
       return runOutcome();
@@ -172,7 +173,7 @@ QString StepBar::outcome() const {
       break;
   }
   if (workspace_.frameTimes().empty()) return tr("nothing has been solved yet");
-  const QString frames = tr("%n frame(s)", nullptr, static_cast<int>(workspace_.frameTimes().size()));
+  const QString frames = counted(workspace_.frameTimes().size(), "frame");
   return workspace_.resultsAreCurrent() ? frames : tr("%1, of the project before it was edited").arg(frames);
 }
 

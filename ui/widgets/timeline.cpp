@@ -82,18 +82,20 @@ void TimelineTrack::paintEvent(QPaintEvent*) {
     painter.drawText(QRectF(whole.left() + 1, 0, whole.width(), 12), Qt::AlignLeft | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(band.name, Qt::ElideRight, static_cast<int>(whole.width())));
   }
-  double free = -1;  // x up to which the labels reach: a crowded mark keeps its triangle and tells in its tooltip
   painter.setFont(theme::font(10));
-  for (const Event& event : workspace_.events()) {
-    const QPointF tip(xAt(event.time), track_y + 9);
+  const auto& events = workspace_.events();
+  for (size_t i = 0; i < events.size(); ++i) {
+    const QPointF tip(xAt(events[i].time), track_y + 9);
     painter.setPen(Qt::NoPen);
     painter.setBrush(c.textMuted);
     painter.drawPolygon(QPolygonF{tip, tip + QPointF(-3.5, 5), tip + QPointF(3.5, 5)});
-    const double wide = painter.fontMetrics().horizontalAdvance(text(event.what)) + 8;
-    if (tip.x() < free || tip.x() + wide > width()) continue;
+    // A crowded mark keeps its triangle and tells in its tooltip.
+    const QString what = text(events[i].what);
+    const double wide = painter.fontMetrics().horizontalAdvance(what) + 10;
+    const double limit = i + 1 < events.size() ? xAt(events[i + 1].time) - 6 : width();
+    if (tip.x() + wide > limit) continue;
     painter.setPen(c.textMuted);
-    painter.drawText(QRectF(tip.x() + 6, track_y + 8, wide, 13), Qt::AlignVCenter, text(event.what));
-    free = tip.x() + wide + 6;
+    painter.drawText(QRectF(tip.x() + 6, track_y + 8, wide, 13), Qt::AlignVCenter, what);
   }
   if (!workspace_.frame()) return;
   painter.setPen(QPen(c.accent, 2));
@@ -105,10 +107,7 @@ void TimelineTrack::scrubTo(double x) {
   const auto& times = workspace_.frameTimes();
   if (times.empty()) return;
   const double time = std::clamp((x - inset) / std::max(1.0, width() - 2 * inset), 0.0, 1.0) * end();
-  const int before = frameAt(times, time);
-  const auto next = static_cast<size_t>(before) + 1;
-  const bool later = next < times.size() && times[next] - time < time - times[next - 1];
-  workspace_.showFrame(later ? before + 1 : before);
+  workspace_.showTime(time);
 }
 
 void TimelineTrack::mousePressEvent(QMouseEvent* event) {

@@ -172,7 +172,8 @@ void Workspace::start(bool solve) {
   live_ = solve;
   resultsAreCurrent_ = solve;
   following_ = true;
-  log(solve ? tr("run started with %n thread(s)", nullptr, task.options.threads) : tr("cutting and meshing"));
+  log(solve ? tr("run started with %1").arg(numbers::counted(task.options.threads, "thread"))
+            : tr("cutting and meshing"));
   job_.start(std::move(task));
 }
 
@@ -223,7 +224,7 @@ void Workspace::takeNews(const JobNews& news) {
   activity_ = QString::fromStdString(news.what);
   if (news.system) {
     setSystem(news.system);
-    log(tr("%1 blocks cut and meshed").arg(numbers::whole(static_cast<long long>(news.system->blocks.size()))));
+    log(tr("%1 cut and meshed").arg(numbers::counted(static_cast<long long>(news.system->blocks.size()), "block")));
   }
   if (!news.frames.empty()) {
     for (const auto& frame : news.frames) liveFrames_.add(frame);
@@ -315,12 +316,18 @@ void Workspace::showFrame(int number) {
   }
 }
 
+void Workspace::showTime(double seconds) {
+  if (!times_.empty()) showFrame(nearest(times_, seconds));
+}
+
 void Workspace::takeFrame(std::shared_ptr<const Frame> frame) {
   waiting_ = false;
   frame_ = std::move(frame);
   if (display_.field && system_) {
     seen_.include(field_range(*system_, *frame_, *display_.field));
-    display_.range = rangeFollowsRun_ && !seen_.empty() ? std::optional<ValueRange>(seen_) : std::nullopt;
+    display_.range = rangeFollowsRun_ && !seen_.empty()
+                         ? std::optional<ValueRange>(legend_range(*display_.field, seen_))
+                         : std::nullopt;
   }
   emit frameChanged();
 }

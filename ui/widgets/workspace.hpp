@@ -63,6 +63,8 @@ class Workspace : public QObject {
   std::shared_ptr<const Frame> frame() const { return frame_; }
   /// Shows a frame as soon as it is read; the newest of a live run is followed from then on.
   void showFrame(int number);
+  /// The frame nearest to this moment, s.
+  void showTime(double seconds);
   /// A results folder is being opened.
   bool isLoadingResults() const { return loading_; }
   /// A frame has been asked for and is not there yet.
