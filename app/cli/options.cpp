@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "render/motion_view.hpp"
 
 namespace talus::cli {
 
@@ -89,9 +90,10 @@ void add_look(CLI::App& command, Look& look) {
   command.add_option("--field", look.field, "Colour by a field (default: a colour a block): " + field_names())
       ->type_name("NAME");
   command
-      .add_option("--view", look.view,
-                  "Where to look from: iso, front, back, left, right or top; or azimuth (clockwise from north) "
-                  "and elevation in degrees, like 300,25")
+      .add_option(
+          "--view", look.view,
+          "Where to look from: auto (before what moves, iso where nothing does), iso, front, back, left, right or "
+          "top; or azimuth (clockwise from north) and elevation in degrees, like 300,25")
       ->type_name("NAME|A,E")
       ->capture_default_str();
   const std::map<std::string, Edges> edges{{"none", Edges::none}, {"blocks", Edges::blocks}, {"mesh", Edges::mesh}};
@@ -121,7 +123,11 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
   return settings;
 }
 
-void point_camera(const Look& look, Scene& scene) {
+void point_camera(const Look& look, const ResultReader& results, Scene& scene) {
+  if (look.view == "auto") {
+    look_at_motion(scene, results.system(), results.frame(static_cast<int>(results.frame_times().size()) - 1));
+    return;
+  }
   double azimuth = 0, elevation = 0;
   int read = 0;
   const int numbers = std::sscanf(look.view.c_str(), "%lf,%lf%n", &azimuth, &elevation, &read);

@@ -33,7 +33,7 @@ int frame_index(const ResultReader& results, const FrameChoice& choice);
 
 /// What a picture or a film shows and from where.
 struct Look {
-  std::string field, view = "iso";
+  std::string field, view = "auto";
   Theme theme = Theme::light;
   Edges edges = Edges::blocks;
   bool contacts = false;
@@ -42,7 +42,7 @@ struct Look {
 void add_look(CLI::App& command, Look& look);
 /// Throws InputError for a field or a view there is not.
 SceneSettings scene_settings(const Look& look, const ResultReader& results);
-/// Points the camera of a scene. Throws InputError for a view there is not.
-void point_camera(const Look& look, Scene& scene);
+/// Points the camera of a scene that shows `results`. Throws InputError for a view there is not.
+void point_camera(const Look& look, const ResultReader& results, Scene& scene);
 
 }  // namespace talus::cli

@@ -23,7 +23,7 @@ ExitCode render(const RenderOptions& options, bool json) {
   Scene scene(results.system(), scene_settings(options.look, results));
   scene.set_stage_names(results.stage_names());
   scene.set_frame(std::make_shared<const Frame>(results.frame(index)));
-  point_camera(options.look, scene);
+  point_camera(options.look, results, scene);
   render_png(scene, options.out, options.size.width, options.size.height);
 
   const double time = results.frame_times()[static_cast<std::size_t>(index)];
