@@ -32,9 +32,11 @@ void ExportJob::start(ExportTask task) {
   connect(thread_.get(), &QThread::finished, this, [this] {
     thread_->wait();
     thread_.reset();
+    emit busyChanged(false);
     std::exchange(outcome_, {})();
   });
   thread_->start(QThread::LowPriority);
+  emit busyChanged(true);
 }
 
 void ExportJob::work(const ExportTask& task) {

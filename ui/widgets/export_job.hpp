@@ -39,6 +39,7 @@ class ExportJob : public QObject {
   void cancel() { cancelled_ = true; }
 
  signals:
+  void busyChanged(bool busy);
   void progressed(double fraction);
   void finished(const QString& path);
   void cancelledByUser();

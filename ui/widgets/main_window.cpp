@@ -151,6 +151,7 @@ void MainWindow::makeStatusBar() {
     const auto frames = workspace_.frameTimes().size();
     place_->setText(frames == 0 ? QString() : tr("Frame %1 of %2").arg(workspace_.frameNumber() + 1).arg(frames));
   });
+  connect(&exporter_, &ExportJob::busyChanged, &workspace_, &Workspace::setExporting);
   connect(&exporter_, &ExportJob::finished, this,
           [this](const QString& path) { workspace_.log(tr("wrote %1").arg(path)); });
   connect(&exporter_, &ExportJob::cancelledByUser, this, [this] { workspace_.log(tr("cancelled; no file was left")); });

@@ -54,7 +54,8 @@ bool Workspace::open(const std::filesystem::path& path) {
         {Problem::Severity::warning, text(path), tr("a run goes on"), tr("stop it before opening another file")});
     return false;
   }
-  return std::filesystem::is_directory(path) ? openResults(path) : openProject(path);
+  std::error_code unreadable;  // is said by whoever opens it
+  return std::filesystem::is_directory(path, unreadable) ? openResults(path) : openProject(path);
 }
 
 bool Workspace::openProject(const std::filesystem::path& file) {
@@ -133,6 +134,7 @@ void Workspace::goTo(Step step) {
 QString Workspace::whyNotMesh() const {
   if (!document_.isOpen()) return tr("Open a project first");
   if (job_.isBusy()) return tr("A run goes on");
+  if (exporting_) return tr("A picture or film is being written");  // it reads the results that a run would replace
   if (document_.file().empty()) return tr("Save the project first: it came out of a results folder");
   if (document_.project().solids.empty()) return tr("The project has no solid");
   return {};
@@ -363,6 +365,11 @@ void Workspace::setDark(bool dark) {
   display_.theme = dark ? Theme::dark : Theme::light;
   emit themeChanged();
   emit displayChanged();
+}
+
+void Workspace::setExporting(bool exporting) {
+  exporting_ = exporting;
+  emit framesChanged();
 }
 
 void Workspace::addProblem(const Problem& problem) {

@@ -84,6 +84,9 @@ class Workspace : public QObject {
   /// Reads frames for a film on another thread: from disk, or those of the live run that are kept.
   std::function<std::shared_ptr<const Frame>(int)> frameSource() const;
 
+  /// While a picture or film is written no run may start.
+  void setExporting(bool exporting);
+
   const SceneSettings& display() const { return display_; }
   void setDisplay(const SceneSettings& display);
   /// Whether the legend spans the frames seen so far or the one in view alone.
@@ -134,7 +137,8 @@ class Workspace : public QObject {
   std::shared_ptr<const Frame> frame_;
   std::vector<double> times_;
   int number_ = -1;
-  bool live_ = false, following_ = true, waiting_ = false, loading_ = false, resultsAreCurrent_ = false;
+  bool live_ = false, following_ = true, waiting_ = false, loading_ = false, resultsAreCurrent_ = false,
+       exporting_ = false;
   std::optional<double> wantedTime_;  ///< to go on looking at when results take the place of live frames
   std::filesystem::path resultsFolder_;
 
