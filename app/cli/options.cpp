@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "base/error.hpp"
-#include "render/motion_view.hpp"
+#include "render/slope_view.hpp"
 
 namespace talus::cli {
 
@@ -90,10 +90,9 @@ void add_look(CLI::App& command, Look& look) {
   command.add_option("--field", look.field, "Colour by a field (default: a colour a block): " + field_names())
       ->type_name("NAME");
   command
-      .add_option(
-          "--view", look.view,
-          "Where to look from: auto (before what moves, iso where nothing does), iso, front, back, left, right or "
-          "top; or azimuth (clockwise from north) and elevation in degrees, like 300,25")
+      .add_option("--view", look.view,
+                  "Where to look from: auto (before the slope or what moves), iso, front, back, left, right or "
+                  "top; or azimuth (clockwise from north) and elevation in degrees, like 300,25")
       ->type_name("NAME|A,E")
       ->capture_default_str();
   const std::map<std::string, Edges> edges{{"none", Edges::none}, {"blocks", Edges::blocks}, {"mesh", Edges::mesh}};
@@ -125,7 +124,8 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
 
 void point_camera(const Look& look, const ResultReader& results, Scene& scene) {
   if (look.view == "auto") {
-    look_at_motion(scene, results.system(), results.frame(static_cast<int>(results.frame_times().size()) - 1));
+    const Frame last = results.frame(static_cast<int>(results.frame_times().size()) - 1);
+    look_at_slope(scene, results.system(), &last);
     return;
   }
   double azimuth = 0, elevation = 0;

@@ -79,7 +79,7 @@ int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
     if (request.step == QLatin1String(stepKey(step))) workspace.goTo(step);
   if (!request.step.isEmpty() && request.step != QLatin1String(stepKey(workspace.step())))
     return complain(bad_input, QStringLiteral("--step: there is no step \"%1\"; see talus --help").arg(request.step));
-  window.viewport().look(View::iso);
+  window.viewport().fit();
   window.resize(request.size);
   rest(settle_ms);
   if (!window.grab().save(request.out))

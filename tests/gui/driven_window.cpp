@@ -7,11 +7,27 @@
 
 namespace talus {
 
+namespace {
+
+/// ms that this thread could have run but other programs had the processor, by the kernel's count; 0 where it keeps
+/// none.
+double waitedForTheProcessor() {
+  std::ifstream counts("/proc/thread-self/schedstat");
+  double ran = 0, waited = 0;
+  counts >> ran >> waited;
+  return waited * 1e-6;
+}
+
+}  // namespace
+
 Watchdog::Watchdog() {
   timer_.setInterval(5);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] {
-    if (since_.isValid()) longest_ = std::max(longest_, static_cast<double>(since_.nsecsElapsed()) * 1e-6);
+    const double waited = waitedForTheProcessor();
+    if (since_.isValid())
+      longest_ = std::max(longest_, static_cast<double>(since_.nsecsElapsed()) * 1e-6 - (waited - waited_));
+    waited_ = waited;
     since_.restart();
     ++beats_;
   });
@@ -21,6 +37,7 @@ Watchdog::Watchdog() {
 void Watchdog::restart() {
   longest_ = 0;
   beats_ = 0;
+  waited_ = waitedForTheProcessor();
   since_.restart();
 }
 

@@ -13,7 +13,8 @@
 
 namespace talus {
 
-/// Notes the longest time that an event had to wait: a timer that should fire every 5 ms says how late it came.
+/// Notes the longest time that an event had to wait: a timer that should fire every 5 ms says how late it came. The
+/// time that other programs had the processor is not counted: a busy machine is not the window's doing.
 class Watchdog : public QObject {
  public:
   Watchdog();
@@ -25,7 +26,7 @@ class Watchdog : public QObject {
  private:
   QTimer timer_;
   QElapsedTimer since_;
-  double longest_ = 0;
+  double longest_ = 0, waited_ = 0;
   int beats_ = 0;
 };
 

@@ -51,6 +51,8 @@ void set_points(vtkPoints& points, std::span<const Vec3> positions, const Vec3& 
   points.Modified();
 }
 
+constexpr double thinnest_line = 1.05;  // pixels; a thinner one passes between their centres and looks dashed
+
 /// Lines lie on faces: they are drawn as if a little nearer, `lift` depth steps, or half of each would vanish.
 void add_lines(vtkRenderer& renderer, vtkPolyData& lines, vtkActor& actor, int lift) {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -146,8 +148,8 @@ void BlockActors::colour_by_values(std::span<const double> values, bool at_nodes
 void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour) {
   crease_actor_->SetVisibility(block_edges > 0);
   mesh_actor_->SetVisibility(mesh_edges > 0);
-  crease_actor_->GetProperty()->SetLineWidth(static_cast<float>(block_edges));
-  mesh_actor_->GetProperty()->SetLineWidth(static_cast<float>(mesh_edges));
+  crease_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, block_edges)));
+  mesh_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, mesh_edges)));
   for (vtkActor* actor : {crease_actor_.Get(), mesh_actor_.Get()}) set_colour(*actor->GetProperty(), colour);
 }
 

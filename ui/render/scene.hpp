@@ -33,6 +33,8 @@ struct SceneSettings {
   bool contacts = false;         ///< contact points, coloured open grey, stick blue, slip orange
   bool parallel_projection = false;
   bool fine = true;  ///< ambient occlusion and smooth edges; off while the user drags
+  /// Smooths outlines of pictures that are drawn at their own size. On a screen it would break thin edges into dashes.
+  bool smooth_outlines = true;
 
   std::string title;  ///< top left; empty: none
   bool legend = true, time_stamp = true, triad = true, scale_bar = true;

@@ -228,7 +228,7 @@ void Scene::State::reset_extent() {
 
 void Scene::State::prepare_drawing() {
   renderer->SetUseSSAO(settings.fine);
-  renderer->SetUseFXAA(settings.fine && pixel_scale == 1);
+  renderer->SetUseFXAA(settings.fine && settings.smooth_outlines && pixel_scale == 1);
   overlay.text_height = text_height();
   apply_lines();
   const auto [width, height] = size();

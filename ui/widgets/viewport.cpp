@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/slope_view.hpp"
 #include "widgets/numbers.hpp"
 #include "widgets/parts.hpp"
 
@@ -112,6 +113,7 @@ void Viewport::rebuildScene() {
   scene_ = std::make_unique<Scene>(*system_, workspace_.display());
   scene_->set_stage_names(workspace_.stageNames());
   surface_->window().AddRenderer(scene_->renderer());
+  look_at_slope(*scene_, *system_, nullptr);
   applySettings();
   applySelection();
   showFrame();
@@ -133,6 +135,7 @@ void Viewport::applySettings() {
   SceneSettings settings = workspace_.display();
   const JobState state = workspace_.job().state();
   const bool computing = state == JobState::running || state == JobState::meshing || state == JobState::stopping;
+  settings.smooth_outlines = false;
   settings.fine = still_ && drag_ == Drag::none && !computing;
   settings.text_height = theme::now().type.small * devicePixelRatioF();
   settings.parallel_projection = scene_->settings().parallel_projection;
@@ -363,7 +366,7 @@ void Viewport::showEmptyState() {
 void Viewport::resizeEvent(QResizeEvent*) {
   surface_->widget()->setGeometry(rect());
   placeOverlays();
-  if (scene_ && !fitted_) look(View::iso);
+  if (scene_ && !fitted_) leaveRoomForTools();
 }
 
 void Viewport::placeOverlays() {
