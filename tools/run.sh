@@ -18,7 +18,7 @@ cli=$build/app/talus-cli
 
 # Exit code 1 says that the run did not converge or missed an expectation: what was computed is still worth a look.
 outcome=0
-report=$("$cli" solve "$project" --out "$results" --threads "$(nproc)") || outcome=$?
+report=$("$cli" solve "$project" --out "$results") || outcome=$?
 [[ $outcome -le 1 ]] || exit "$outcome"
 echo "$report"
 "$cli" render "$results" --out "$picture"

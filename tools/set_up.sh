@@ -3,7 +3,7 @@
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/release
 jobs=${TALUS_JOBS:-$(nproc)}
-# A step's matrices are too small for BLAS threads to pay; Talus has threads of its own.
+# A step's matrices are too small for BLAS threads to pay.
 export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}
 
 # The names in packages.txt, without comments.

@@ -1,6 +1,5 @@
 #include "widgets/workspace.hpp"
 
-#include <QThread>
 #include <algorithm>
 
 #include "base/error.hpp"
@@ -18,9 +17,6 @@ Problem problemOf(const InputError& error) {
   return {Problem::Severity::error, QString::fromStdString(error.place()), QString::fromStdString(error.problem()),
           QString::fromStdString(error.remedy())};
 }
-
-/// The window keeps a core for itself.
-int solverThreads() { return std::max(1, QThread::idealThreadCount() - 1); }
 
 int nearest(const std::vector<double>& times, double time) {
   const auto after = std::lower_bound(times.begin(), times.end(), time);
@@ -168,14 +164,12 @@ void Workspace::start(bool solve) {
   task.folder = document_.folder();
   task.options.out = document_.resultsFolder();
   task.options.project_text = write_project(document_.project());
-  task.options.threads = solverThreads();
   task.system = system_;
   task.solve = solve;
   live_ = solve;
   resultsAreCurrent_ = solve;
   following_ = true;
-  log(solve ? tr("run started with %1").arg(numbers::counted(task.options.threads, "thread"))
-            : tr("cutting and meshing"));
+  log(solve ? tr("run started") : tr("cutting and meshing"));
   job_.start(std::move(task));
 }
 
