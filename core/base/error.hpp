@@ -12,7 +12,9 @@ class InputError : public std::runtime_error {
  public:
   InputError(std::string place, std::string problem, std::string remedy)
       : std::runtime_error(place + ": " + problem + "; " + remedy),
-        place_(std::move(place)), problem_(std::move(problem)), remedy_(std::move(remedy)) {}
+        place_(std::move(place)),
+        problem_(std::move(problem)),
+        remedy_(std::move(remedy)) {}
 
   /// Line or JSON pointer in the file, or the name of the thing ("/materials/rock/density", "cut 3 (J2)").
   const std::string& place() const { return place_; }

@@ -20,11 +20,11 @@ struct Surface {
   std::vector<SurfaceTriangle> triangles;
   std::vector<std::array<int, 3>> triangle_edges;  ///< edge opposite to each of the triangle's nodes
   std::vector<SurfaceEdge> edges;
-  std::vector<int> patch;                          ///< a triangle: flat patch it belongs to (edges of less than 2° are crossed)
+  std::vector<int> patch;  ///< a triangle: flat patch it belongs to (edges of less than 2° are crossed)
   int patch_count = 0;
-  std::vector<std::vector<int>> ring;              ///< a node: its neighbours along surface edges
-  std::vector<bool> corner;                        ///< a node where creases do not pass straight through
-  double size = 0;                                 ///< m, √(2 · mean triangle area)
+  std::vector<std::vector<int>> ring;  ///< a node: its neighbours along surface edges
+  std::vector<bool> corner;            ///< a node where creases do not pass straight through
+  double size = 0;                     ///< m, √(2 · mean triangle area)
 };
 
 /// Throws std::invalid_argument when the triangles do not form a closed, consistently oriented surface.

@@ -10,7 +10,7 @@ namespace talus {
 /// Four-node tetrahedra; nodes 0,1,2 run counter-clockwise seen from node 3's far side, so that the volume
 /// (p1−p0)×(p2−p0)·(p3−p0)/6 is positive.
 struct TetMesh {
-  std::vector<Vec3> nodes;                       ///< m
+  std::vector<Vec3> nodes;  ///< m
   std::vector<std::array<int, 4>> tetrahedra;
 };
 

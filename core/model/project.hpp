@@ -19,10 +19,14 @@ enum class BodyKind { fixed, rigid, affine, tetrahedra };
 /// The word the project file and the results use.
 constexpr std::string_view to_string(BodyKind kind) {
   switch (kind) {
-    case BodyKind::fixed: return "fixed";
-    case BodyKind::rigid: return "rigid";
-    case BodyKind::affine: return "affine";
-    case BodyKind::tetrahedra: break;
+    case BodyKind::fixed:
+      return "fixed";
+    case BodyKind::rigid:
+      return "rigid";
+    case BodyKind::affine:
+      return "affine";
+    case BodyKind::tetrahedra:
+      break;
   }
   return "tetrahedra";
 }
@@ -37,9 +41,9 @@ struct Material {
 
 struct Joint {
   std::string name;
-  double friction_angle = 0;    ///< degrees
-  double cohesion = 0;          ///< Pa
-  double tensile_strength = 0;  ///< Pa
+  double friction_angle = 0;                      ///< degrees
+  double cohesion = 0;                            ///< Pa
+  double tensile_strength = 0;                    ///< Pa
   std::optional<double> residual_friction_angle;  ///< degrees; friction_angle when absent
   std::optional<double> normal_stiffness;         ///< Pa/m; automatic when absent
   std::optional<double> shear_stiffness;          ///< Pa/m
@@ -77,9 +81,9 @@ struct Cut {
   std::string joint;
   double dip = 0, dip_direction = 0;  ///< degrees
   Vec3 through = Vec3::Zero();
-  std::optional<double> spacing;      ///< m
+  std::optional<double> spacing;  ///< m
   std::optional<int> count;
-  std::vector<std::string> solids;    ///< names it is limited to; all when empty
+  std::vector<std::string> solids;  ///< names it is limited to; all when empty
   bool operator==(const Cut&) const = default;
 };
 
@@ -128,17 +132,17 @@ constexpr std::string_view to_string(StageKind kind) { return kind == StageKind:
 struct Stage {
   std::string name;
   StageKind kind = StageKind::dynamic;
-  double time_step = 0;               ///< s
-  std::optional<int> steps;           ///< one of steps and duration is given
-  std::optional<double> duration;     ///< s
+  double time_step = 0;            ///< s
+  std::optional<int> steps;        ///< one of steps and duration is given
+  std::optional<double> duration;  ///< s
   bool operator==(const Stage&) const = default;
 };
 
 struct SolverSettings {
   std::string strain = "incremental";
   std::string integrator = "constant-acceleration";
-  double contact_stiffness = 10;      ///< normal penalty in units of E*/h (METHOD §3), dimensionless
-  int open_close_limit = 20;          ///< iterations before the step is cut
+  double contact_stiffness = 10;  ///< normal penalty in units of E*/h (METHOD §3), dimensionless
+  int open_close_limit = 20;      ///< iterations before the step is cut
   bool operator==(const SolverSettings&) const = default;
 };
 

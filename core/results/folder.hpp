@@ -5,8 +5,9 @@
 
 namespace talus {
 
-/// Makes the folder, or removes earlier results from one that holds them; other files there, pictures for example, stay.
-/// Throws InputError when it holds files but no results, is a file, cannot be made, or when a run still writes there.
+/// Makes the folder, or removes earlier results from one that holds them; other files there, pictures for example,
+/// stay. Throws InputError when it holds files but no results, is a file, cannot be made, or when a run still writes
+/// there.
 void prepare_results_folder(const std::filesystem::path& folder);
 
 /// Held while a run writes into the folder, so that no second one does. Goes with the process, however it ends.

@@ -52,62 +52,91 @@ std::string describe(const StepReport& step) {
   return line;
 }
 
+/// What a run leaves behind: frames, histories and steps as it goes, the report at its end.
+class Recording {
+ public:
+  Recording(const Project& project, const BlockSystem& system, const RunOptions& options, const Simulation& simulation,
+            RunObserver& observer)
+      : project_(project),
+        system_(system),
+        simulation_(simulation),
+        observer_(observer),
+        events_(system),
+        expectations_(project, system),
+        writer_(options.out, project, system, options.project_text),
+        next_frame_(project.output.every) {
+    expectations_.look(simulation_);
+    writer_.add_history(simulation_.history());
+    write_frame();
+  }
+
+  void take(StepReport step) {
+    {
+      const Stopwatch watch(step.phases.write);
+      const HistoryRow row = simulation_.history();
+      writer_.add_history(row);
+      expectations_.look(simulation_);
+      events_.look(simulation_, simulation_.contacts());
+      const bool due = simulation_.time() >= next_frame_ - 1e-9 * step.time_step;
+      if (due || simulation_.stage_ended() || simulation_.finished()) {
+        write_frame();
+        next_frame_ = project_.output.every * (std::floor(simulation_.time() / project_.output.every + 1e-9) + 1);
+      }
+      observer_.on_step(step, row, simulation_.time() / simulation_.end_time());
+    }
+    writer_.add_step(step);
+    if (step.cuts > 0) writer_.log(describe(step));
+    add_step(report_, step);
+  }
+
+  /// `wall`: seconds spent, without pauses.
+  RunReport finish(double wall) {
+    if (!simulation_.converged()) {
+      report_.status = RunStatus::not_converged;
+      report_.reason = simulation_.failure();
+    } else if (!simulation_.finished()) {
+      report_.status = RunStatus::stopped;
+      report_.reason = "stopped by the user";
+    }
+    report_.time = simulation_.time();
+    report_.wall_seconds = wall;
+    report_.blocks = block_outcomes(system_, simulation_.bodies());
+    report_.effects = simulation_.effects();
+    report_.events = events_.events();
+    report_.expect = expectations_.outcomes();
+    writer_.finish(report_);
+    return report_;
+  }
+
+ private:
+  void write_frame() {
+    const auto frame = std::make_shared<const Frame>(simulation_.frame(report_.frames++));
+    writer_.add_frame(*frame);
+    observer_.on_frame(frame);
+  }
+
+  const Project& project_;
+  const BlockSystem& system_;
+  const Simulation& simulation_;
+  RunObserver& observer_;
+  EventWatch events_;
+  ExpectationWatch expectations_;
+  ResultWriter writer_;
+  double next_frame_;  ///< s
+  RunReport report_;
+};
+
 }  // namespace
 
 RunReport run(const Project& project, const BlockSystem& system, const RunOptions& options, RunObserver& observer) {
-  RunReport report;
   Simulation simulation(project, system);
-  EventWatch events(system);
-  ExpectationWatch expectations(project, system);
-  ResultWriter writer(options.out, project, system, options.project_text);
-
-  double wall = 0, next_frame = 0;
-  const auto write_frame = [&] {
-    const auto frame = std::make_shared<const Frame>(simulation.frame(report.frames++));
-    writer.add_frame(*frame);
-    observer.on_frame(frame);
-  };
-  {
+  Recording recording(project, system, options, simulation, observer);
+  double wall = 0;
+  while (!simulation.finished() && observer.go_on()) {
     const Stopwatch watch(wall);
-    expectations.look(simulation);
-    writer.add_history(simulation.history());
-    write_frame();
-    next_frame = project.output.every;
-    bool wanted = observer.go_on();
-    while (wanted && !simulation.finished()) {
-      StepReport step = simulation.step();
-      {
-        const Stopwatch writing(step.phases.write);
-        const HistoryRow row = simulation.history();
-        writer.add_history(row);
-        expectations.look(simulation);
-        events.look(simulation, simulation.contacts());
-        const bool due = simulation.time() >= next_frame - 1e-9 * step.time_step;
-        if (due || simulation.stage_ended() || simulation.finished()) {
-          write_frame();
-          next_frame = project.output.every * (std::floor(simulation.time() / project.output.every + 1e-9) + 1);
-        }
-        observer.on_step(step, row, simulation.time() / simulation.end_time());
-      }
-      writer.add_step(step);
-      if (step.cuts > 0) writer.log(describe(step));
-      add_step(report, step);
-      wanted = observer.go_on();
-    }
-    if (!simulation.finished()) report.reason = "stopped by the user";
+    recording.take(simulation.step());
   }
-  report.status = !simulation.converged() ? RunStatus::not_converged
-                  : simulation.finished() ? RunStatus::completed
-                                          : RunStatus::stopped;
-  if (!simulation.converged()) report.reason = simulation.failure();
-  report.time = simulation.time();
-  report.wall_seconds = wall;
-  report.blocks = block_outcomes(system, simulation.bodies());
-  report.effects = simulation.effects();
-  report.events = events.events();
-  report.expect = expectations.outcomes();
-  writer.finish(report);
-  return report;
+  return recording.finish(wall);
 }
 
 }  // namespace talus

@@ -18,8 +18,7 @@ const QString recent_key = QStringLiteral("recent");
 
 /// Markdown's words without its marks.
 QString plainWords(QString text) {
-  static const QRegularExpression link(QStringLiteral("\\[([^\\]]*)\\]\\([^)]*\\)")),
-      marks(QStringLiteral("[*`]"));
+  static const QRegularExpression link(QStringLiteral("\\[([^\\]]*)\\]\\([^)]*\\)")), marks(QStringLiteral("[*`]"));
   return text.replace(link, QStringLiteral("\\1")).remove(marks);
 }
 

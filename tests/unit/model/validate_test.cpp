@@ -46,7 +46,8 @@ Project slope() {
   stage.duration = 2;
   project.stages = {stage};
   project.monitors = {{"P1", "top", {5, 5, 10}}};
-  project.expect = {{"P1.displacement.z", 1, -4.9, 1e-6, std::nullopt, "known"}, {"top.velocity.magnitude", 2, 1, 0.1, 0.5, ""}};
+  project.expect = {{"P1.displacement.z", 1, -4.9, 1e-6, std::nullopt, "known"},
+                    {"top.velocity.magnitude", 2, 1, 0.1, 0.5, ""}};
   return project;
 }
 
@@ -244,7 +245,8 @@ TEST(ValidateAgainstBlocks, NamesTheReferenceThatIsMissing) {
 
 TEST(ValidateAgainstBlocks, AnExpectationMayNameAMonitor) {
   Project project = slope();
-  project.expect = {{"P1.displacement.z", 1, 0, 1, std::nullopt, ""}, {"slope.9.displacement.z", 1, 0, 1, std::nullopt, ""}};
+  project.expect = {{"P1.displacement.z", 1, 0, 1, std::nullopt, ""},
+                    {"slope.9.displacement.z", 1, 0, 1, std::nullopt, ""}};
   try {
     validate_against_blocks(project, {"slope.1", "top"});
     FAIL();
