@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "results/frame_tables.hpp"
 #include "results/hdf5.hpp"
 #include "results/result_file.hpp"
 #include "results/stored_contact.hpp"
@@ -84,27 +85,13 @@ BlockSystem read_system(hid_t file) {
 
 }  // namespace
 
-struct ResultFileReader::State {
+struct ResultFileReader::State : FrameTables {
   std::filesystem::path path;
   hsize_t node_count = 0, tetrahedron_count = 0;
-  Handle file, contact_type;
-  Table displacement, velocity, stress, contacts, contact_ends, index, stage;
+  Handle file;
 
-  /// Opens what frames are read from; the count of frames must be known before.
-  void open_tables();
   Frame read(int number, double time) const;
 };
-
-void ResultFileReader::State::open_tables() {
-  displacement = Table(file, "/VTKHDF/PointData/displacement", H5T_NATIVE_DOUBLE);
-  velocity = Table(file, "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE);
-  stress = Table(file, "/VTKHDF/CellData/stress", H5T_NATIVE_DOUBLE);
-  contact_type = stored_contact_type();
-  contacts = Table(file, "/Talus/contacts", contact_type);
-  contact_ends = Table(file, "/Talus/contact_end", H5T_NATIVE_INT64);
-  index = Table(file, "/Talus/frame_index", H5T_NATIVE_INT32);
-  stage = Table(file, "/Talus/frame_stage", H5T_NATIVE_INT32);
-}
 
 Frame ResultFileReader::State::read(int number, double time) const {
   const auto row = static_cast<hsize_t>(number);
@@ -144,7 +131,7 @@ ResultFileReader::ResultFileReader(const std::filesystem::path& file) : state_(s
     const Table times(state_->file, "/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE);
     frame_times.resize(times.rows());
     times.read(frame_times.data(), 0, times.rows());
-    state_->open_tables();
+    state_->open_in(state_->file);
   } catch (const std::exception& error) {
     state_.reset();
     throw InputError(file.string(), error.what(), "choose a results folder written by Talus");

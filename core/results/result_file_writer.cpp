@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "results/frame_tables.hpp"
 #include "results/hdf5.hpp"
 #include "results/result_file.hpp"
 #include "results/stored_contact.hpp"
@@ -167,13 +168,13 @@ Handle create_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-struct ResultFileWriter::State {
+struct ResultFileWriter::State : FrameTables {
   std::filesystem::path path;
   std::vector<double> nodes;
   hsize_t node_count = 0, tetrahedron_count = 0;
   std::int64_t frames = 0, contact_end = 0;
-  Handle file, contact_type, steps, step_count;
-  Table points, displacement, velocity, stress, contacts, contact_ends, index, stage, parts, times;
+  Handle file, steps, step_count;
+  Table points, parts, times;
   std::vector<Table> offsets;
 
   void open_growing();
@@ -184,14 +185,7 @@ struct ResultFileWriter::State {
 
 void ResultFileWriter::State::open_growing() {
   points = Table(file, "/VTKHDF/Points", H5T_NATIVE_DOUBLE);
-  displacement = Table(file, "/VTKHDF/PointData/displacement", H5T_NATIVE_DOUBLE);
-  velocity = Table(file, "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE);
-  stress = Table(file, "/VTKHDF/CellData/stress", H5T_NATIVE_DOUBLE);
-  contact_type = stored_contact_type();
-  contacts = Table(file, "/Talus/contacts", contact_type);
-  contact_ends = Table(file, "/Talus/contact_end", H5T_NATIVE_INT64);
-  index = Table(file, "/Talus/frame_index", H5T_NATIVE_INT32);
-  stage = Table(file, "/Talus/frame_stage", H5T_NATIVE_INT32);
+  open_in(file);
   parts = Table(file, "/VTKHDF/Steps/NumberOfParts", H5T_NATIVE_INT64);
   times = Table(file, "/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE);
   for (const OffsetTable& table : offset_tables)

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "results/stored_contact.hpp"
+
+namespace talus {
+
+/// The tables of results.h5 that a frame's values lie in, the same for who writes and who reads them.
+struct FrameTables {
+  hdf5::Handle contact_type;
+  hdf5::Table displacement, velocity, stress, contacts, contact_ends, index, stage;
+
+  /// Opens them in a file that has them.
+  void open_in(const hdf5::Handle& file);
+};
+
+}  // namespace talus
