@@ -2,7 +2,8 @@
 
 namespace talus {
 
-Vec3 ShearContact::spring_force(const ContactPoint& point, const Increment& d) const {
+Vec3 ShearContact::spring_force(std::size_t i, const Increment& d) const {
+  const ContactPoint& point = contacts_.points[i];
   const Vec3 u = relative_displacement(contacts_, point, set_, d);
   return point.shear_start - point.shear_stiffness * (u - point.normal * point.normal.dot(u));
 }
@@ -18,7 +19,7 @@ void ShearContact::update_strength(const Increment& d) {
 
 Vec3 ShearContact::force(std::size_t i, const Increment& d) const {
   if (strength_[i] == 0) return Vec3::Zero();
-  const Vec3 spring = spring_force(contacts_.points[i], d);
+  const Vec3 spring = spring_force(i, d);
   const double length = spring.norm();
   return length <= strength_[i] ? spring : Vec3(strength_[i] / length * spring);
 }
@@ -26,7 +27,7 @@ Vec3 ShearContact::force(std::size_t i, const Increment& d) const {
 double ShearContact::energy(const Increment& d) const {
   double sum = 0;
   for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
-    const double length = spring_force(contacts_.points[i], d).norm(), strength = strength_[i];
+    const double length = spring_force(i, d).norm(), strength = strength_[i];
     const double k = contacts_.points[i].shear_stiffness;
     sum += length <= strength ? length * length / (2 * k) : strength * length / k - strength * strength / (2 * k);
   }
@@ -43,7 +44,7 @@ void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
     const ContactPoint& point = contacts_.points[i];
     if (strength_[i] == 0) continue;
     Mat3 spring = Mat3::Identity() - point.normal * point.normal.transpose();
-    const Vec3 trial = spring_force(point, d);
+    const Vec3 trial = spring_force(i, d);
     const double length = trial.norm();
     if (length > strength_[i])
       spring = strength_[i] / length * (spring - trial * trial.transpose() / (length * length));

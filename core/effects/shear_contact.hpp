@@ -24,12 +24,13 @@ class ShearContact final : public Effect {
 
   /// Takes the strength of every point from the normal forces at D, paper (36).
   void update_strength(const Increment& d);
+  /// Force on the first body that the spring would bear if the contact could not slide, τ* [N].
+  Vec3 spring_force(std::size_t point, const Increment& d) const;
   /// Shear force on the first body at D [N].
   Vec3 force(std::size_t point, const Increment& d) const;
   double strength(std::size_t point) const { return strength_[point]; }
 
  private:
-  Vec3 spring_force(const ContactPoint& point, const Increment& d) const;
   const BodySet& set_;
   const ContactSet& contacts_;
   std::vector<double> strength_;  ///< N, a point

@@ -49,9 +49,8 @@ void ExpectationWatch::follow(Watched& watched, const Vec3& value, double time) 
   watched.last = value;
 }
 
-void ExpectationWatch::look(const Simulation& simulation) {
+void ExpectationWatch::look(const Simulation& simulation, const HistoryRow& row) {
   const double time = simulation.time();
-  const HistoryRow row = simulation.history();
   const auto moves = [](const Watched& watched) { return watched.quantity.field == Quantity::Field::velocity; };
   for (Watched& watched : watched_) {
     Vec3 value;

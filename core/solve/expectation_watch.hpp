@@ -17,8 +17,8 @@ class ExpectationWatch {
  public:
   ExpectationWatch(const Project& project, const BlockSystem& system);
 
-  /// At the start of the run and after every step.
-  void look(const Simulation& simulation);
+  /// At the start of the run and after every step, with the history of that moment.
+  void look(const Simulation& simulation, const HistoryRow& row);
   std::vector<ExpectationOutcome> outcomes() const;
 
  private:

@@ -65,8 +65,9 @@ class Recording {
         expectations_(project, system),
         writer_(options.out, project, system, options.project_text),
         next_frame_(project.output.every) {
-    expectations_.look(simulation_);
-    writer_.add_history(simulation_.history());
+    const HistoryRow row = simulation_.history();
+    expectations_.look(simulation_, row);
+    writer_.add_history(row);
     write_frame();
   }
 
@@ -75,7 +76,7 @@ class Recording {
       const Stopwatch watch(step.phases.write);
       const HistoryRow row = simulation_.history();
       writer_.add_history(row);
-      expectations_.look(simulation_);
+      expectations_.look(simulation_, row);
       events_.look(simulation_, simulation_.contacts());
       const bool due = simulation_.time() >= next_frame_ - 1e-9 * step.time_step;
       if (due || simulation_.stage_ended() || simulation_.finished()) {

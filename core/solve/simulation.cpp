@@ -107,6 +107,10 @@ Simulation::~Simulation() = default;
 
 bool Simulation::finished() const { return !converged() || state_->clock.finished(); }
 bool Simulation::stage_ended() const { return state_->clock.stage_ended(); }
+int Simulation::stage() const {
+  const StageClock& clock = state_->clock;
+  return clock.stage_ended() ? clock.stage() - 1 : clock.stage();
+}
 double Simulation::time() const { return state_->clock.time(); }
 double Simulation::end_time() const { return state_->clock.end(); }
 long Simulation::total_steps() const { return state_->clock.total_steps(); }
@@ -278,9 +282,9 @@ void Simulation::accept(double length, StepReport& report) {
     force.gap = point.gap + point.normal.dot(u);
     force.normal = normal_force(point, force.gap);
     force.shear = s.composition.shear ? s.composition.shear->force(i, s.increment) : Vec3(Vec3::Zero());
-    const Vec3 spring = point.shear_start - point.shear_stiffness * (u - point.normal * point.normal.dot(u));
-    const double excess = spring.norm() - force.shear.norm();
-    const bool slips = s.composition.shear && excess > 1e-12 * spring.norm();
+    const double spring = s.composition.shear ? s.composition.shear->spring_force(i, s.increment).norm() : 0;
+    const double excess = spring - force.shear.norm();
+    const bool slips = excess > 1e-12 * spring;
     const bool pulled_off = point.bonded && force.gap > opening_tolerance * point.size;
     const bool yields = point.bonded && point.tension > 0 && force.normal <= -point.tension;
     const bool touches = force.normal > 0 || (point.bonded && !pulled_off);
@@ -321,8 +325,7 @@ Frame Simulation::frame(int index) const {
   Frame frame;
   frame.index = index;
   frame.time = time();
-  frame.stage = std::min(s.clock.stage_ended() ? s.clock.stage() - 1 : s.clock.stage(),
-                         static_cast<int>(s.project.stages.size()) - 1);
+  frame.stage = stage();
   for (std::size_t n = 0; n < s.bodies.nodes.position.size(); ++n)
     frame.displacement.push_back(s.bodies.nodes.position[n] - s.bodies.nodes.reference[n]);
   frame.velocity = s.bodies.nodes.velocity;
@@ -361,8 +364,7 @@ HistoryRow Simulation::history() const {
   const State& s = *state_;
   HistoryRow row;
   row.time = time();
-  row.stage = std::min(s.clock.stage_ended() ? s.clock.stage() - 1 : s.clock.stage(),
-                       static_cast<int>(s.project.stages.size()) - 1);
+  row.stage = stage();
   for (const MaterialPoint& point : s.monitors)
     row.monitors.push_back(
         {point.at(s.bodies.nodes.position) - point.at(s.bodies.nodes.reference), point.at(s.bodies.nodes.velocity)});

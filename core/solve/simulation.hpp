@@ -21,6 +21,7 @@ class Simulation {
   bool stage_ended() const;  ///< the last step was the last of its stage
   bool converged() const { return failure_.empty(); }
   const std::string& failure() const { return failure_; }  ///< contact, place and joint where the last step failed
+  int stage() const;                                       ///< index into Project::stages, of the last step
   double time() const;                                     ///< s
   double end_time() const;                                 ///< s
   long total_steps() const;

@@ -60,14 +60,15 @@ TEST(Samples, WedgeSlidesAlongTheLineOfIntersection) {
     }
 }
 
-/// No answer is known for the slope from a STEP file: it must come to its end, and nothing may tunnel. What moves
-/// with 20 m/s goes 0.1 m in a step of 0.005 s; a tenth of the mesh size is deeper than any of it goes.
+/// No answer is known for the slope from a STEP file: it must come to its end, and nothing may tunnel. Blocks that
+/// strike the bench at 20 m/s go 0.1 m in a step of 0.005 s; they were seen to enter it by 2.5 % of the mesh size, 0.18
+/// m.
 TEST(Samples, BlocksOfTheStepSlopeSlideOutAndNothingTunnels) {
   NoProgress progress;
   const Sample slope{"step_slope", folder / "step_slope" / "step_slope.talus", {}, false};
   const RunReport report = verify(slope, 1, progress).report;
   EXPECT_EQ(report.status, RunStatus::completed) << report.reason;
-  EXPECT_LT(report.max_relative_penetration, 0.1);
+  EXPECT_LT(report.max_relative_penetration, 0.03);
   std::vector<std::string> moved;
   for (const BlockOutcome& block : report.blocks) {
     EXPECT_LT(std::abs(block.relative_volume_change), 1e-2) << block.name;
