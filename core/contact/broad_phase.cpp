@@ -16,17 +16,23 @@ constexpr double margin_factor = 0.05;
 
 BroadPhase::BroadPhase(const ContactFeatures& features, std::span<const ContactBody> bodies,
                        const ContactSettings& settings)
-    : features_(features), bodies_(bodies.begin(), bodies.end()), settings_(settings) {
+    : features_(features), settings_(settings) {
   boxes_.resize(features.facets.size());
   normals_.resize(features.facets.size(), Vec3::Zero());
   is_touched_.resize(features.facets.size(), 0);
   sweep_.resize(bodies.size());
   std::iota(sweep_.begin(), sweep_.end(), 0);
+  set_bodies(bodies);
+}
+
+void BroadPhase::set_bodies(std::span<const ContactBody> bodies) {
+  bodies_.assign(bodies.begin(), bodies.end());
+  searched_at_.clear();
   double smallest = std::numeric_limits<double>::infinity();
   for (const ContactBody& b : bodies) {
     if (!b.fixed) smallest = std::min(smallest, b.surface->size);
   }
-  if (std::isfinite(smallest)) margin_ = margin_factor * smallest;
+  margin_ = std::isfinite(smallest) ? margin_factor * smallest : 0;
 }
 
 PairScale BroadPhase::scale(int body_a, int body_b) const {

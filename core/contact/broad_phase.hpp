@@ -28,6 +28,9 @@ class BroadPhase {
  public:
   BroadPhase(const ContactFeatures& features, std::span<const ContactBody> bodies, const ContactSettings& settings);
 
+  /// Some bodies are held from now on, or no longer.
+  void set_bodies(std::span<const ContactBody> bodies);
+
   /// Sorted pairs of facets whose boxes are within the search distance of their bodies at positions x. What is found
   /// does not depend on earlier calls.
   std::span<const FacetPair> find(std::span<const Vec3> x, double reach);

@@ -28,7 +28,8 @@ struct ContactDetector::State {
         features(bodies),
         broad(features, bodies, settings),
         coupling(features),
-        penetration(bodies.size(), 0.0) {}
+        penetration(bodies.size(), 0.0),
+        moved(bodies.size(), 0) {}
 
   double bond_reach() const;
   void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach);
@@ -49,6 +50,7 @@ struct ContactDetector::State {
   ContactMemory memory;
   Coupling coupling;
   std::vector<double> penetration;  // m, a movable body: the deepest of the last step
+  std::vector<char> moved;          // a body: it took part in a step and was not fixed
 
   std::vector<FacetPair> near;
   FoundPoints found;
@@ -86,7 +88,7 @@ void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, s
 
 void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
   keep_near_pairs(broad.find(x, reach), x, reach);
-  const StepGeometry step{features, broad, x, broad.normals(), penetration, settings, reach, memory.started()};
+  const StepGeometry step{features, broad, x, broad.normals(), penetration, settings, reach, moved};
   found.clear();
   facing.find(step, near, found);
   vertices.find(step, near, found);
@@ -131,9 +133,10 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
     p.bonded = memo->bonded && f.area > 0;
     p.mode = memo->mode;
     p.shear_start = ContactMemory::shear_on(*memo, f);
+    p.multiplier = ContactMemory::share_of(*memo, f) * memo->multiplier;
     p.slip_start = memo->slip;
     p.overlap = memo->overlap;
-  } else if (memory.started()) {
+  } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {
     p.overlap = late_overlap(f);
   } else if (f.area > 0) {
     p.bonded = (law.cohesion > 0 || law.tensile_strength > 0) && f.gap < bonded_gap * scale.size;
@@ -181,7 +184,8 @@ void ContactDetector::accept(const ContactSet& contacts, std::span<const Contact
   if (contacts.points.size() != s.families.size() || outcomes.size() != s.families.size()) {
     throw std::logic_error("ContactDetector::accept: outcomes of another set of contacts");
   }
-  s.memory.accept(contacts.points, s.families, outcomes);
+  s.memory.accept(contacts.points, s.families, outcomes, [&](int body) { return s.bodies[body].fixed; });
+  for (std::size_t b = 0; b < s.bodies.size(); ++b) s.moved[b] = s.moved[b] || !s.bodies[b].fixed;
   std::fill(s.penetration.begin(), s.penetration.end(), 0.0);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     for (int body : contacts.points[i].bodies) {
@@ -191,5 +195,16 @@ void ContactDetector::accept(const ContactSet& contacts, std::span<const Contact
 }
 
 void ContactDetector::set_laws(std::vector<JointLaw> laws) { state_->laws = std::move(laws); }
+
+void ContactDetector::set_fixed(const std::vector<bool>& fixed) {
+  State& s = *state_;
+  if (fixed.size() != s.bodies.size()) throw std::logic_error("ContactDetector::set_fixed: not one entry a body");
+  for (std::size_t b = 0; b < fixed.size(); ++b) {
+    s.bodies[b].fixed = fixed[b];
+    s.features.set_movable(s.bodies[b], !fixed[b]);
+  }
+  s.broad.set_bodies(s.bodies);
+  s.coupling.clear();
+}
 
 }  // namespace talus

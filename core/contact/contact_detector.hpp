@@ -36,9 +36,9 @@ class ContactDetector {
 
   /// Contact points at the positions x [m] (all bodies' nodes), for gaps up to `reach` [m]; bonded points also beyond
   /// it. The order is that of the keys. Points remember shear force, slip, bond and mode by key, or from the nearest
-  /// former point of the same pair of patches. Until a step is accepted, facing points that touch are bonded if their
-  /// joint has cohesion or tension. May be called again with other positions before accept(): nothing is remembered but
-  /// by that.
+  /// former point of the same pair of patches. Until a step is accepted in which one of the two bodies could move,
+  /// their facing points that touch are bonded if the joint has cohesion or tension. May be called again with other
+  /// positions before accept(): nothing is remembered but by that.
   void detect(std::span<const Vec3> x, double reach, ContactSet& contacts);
 
   /// Pairs of nodes (i < j, of movable bodies; also of one body, where corners merge) that the contacts couple or may
@@ -54,6 +54,11 @@ class ContactDetector {
 
   /// Strength changed between stages.
   void set_laws(std::vector<JointLaw> laws);
+
+  /// Bodies are held or released between stages: `fixed` has an entry a body; throws std::logic_error if it has not.
+  /// Two held bodies make no contacts, and theirs are remembered until one is released; what a pair's size and
+  /// stiffness are measured by changes, and so does the plan of coupled_nodes().
+  void set_fixed(const std::vector<bool>& fixed);
 
  private:
   struct State;

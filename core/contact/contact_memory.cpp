@@ -35,12 +35,15 @@ const ContactMemory::Memo* ContactMemory::recall(const FoundPoint& point, double
   return nearest;
 }
 
+double ContactMemory::share_of(const Memo& memo, const FoundPoint& point) {
+  return memo.area > 0 && point.area > 0 ? point.area / memo.area : 1;
+}
+
 Vec3 ContactMemory::shear_on(const Memo& memo, const FoundPoint& point) {
-  const double scale = memo.area > 0 && point.area > 0 ? point.area / memo.area : 1;
   const double length = memo.shear.norm();
   const Vec3 turned = memo.shear - point.normal * point.normal.dot(memo.shear);
   const double left = turned.norm();
-  return left > 1e-6 * length ? Vec3(turned * (scale * length / left)) : Vec3(Vec3::Zero());
+  return left > 1e-6 * length ? Vec3(turned * (share_of(memo, point) * length / left)) : Vec3(Vec3::Zero());
 }
 
 bool ContactMemory::ever_broken(std::uint64_t family) const {
@@ -48,17 +51,28 @@ bool ContactMemory::ever_broken(std::uint64_t family) const {
 }
 
 void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const std::uint64_t> families,
-                           std::span<const ContactOutcome> outcomes) {
-  memos_.clear();
+                           std::span<const ContactOutcome> outcomes, const std::function<bool(int body)>& held) {
+  std::erase_if(memos_, [&](const Memo& m) { return !held(m.bodies[0]) || !held(m.bodies[1]); });
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ContactPoint& p = points[i];
     const ContactOutcome& o = outcomes[i];
     const bool bonded = p.bonded && !o.broke;
     if (o.broke) broken_.push_back(families[i]);
     if (p.mode == ContactMode::open && !bonded) continue;
-    memos_.push_back({p.key, families[i], p.position, o.shear_force, p.area, p.slip_start + o.slip, p.overlap, p.mode,
-                      bonded, false});
+    memos_.push_back({p.key,
+                      families[i],
+                      p.position,
+                      o.shear_force,
+                      p.area,
+                      o.multiplier,
+                      p.slip_start + o.slip,
+                      p.overlap,
+                      p.mode,
+                      {p.bodies[0], p.bodies[1]},
+                      bonded,
+                      false});
   }
+  std::sort(memos_.begin(), memos_.end(), [](const Memo& p, const Memo& q) { return p.key < q.key; });
   std::sort(broken_.begin(), broken_.end());
   broken_.erase(std::unique(broken_.begin(), broken_.end()), broken_.end());
   by_family_.resize(memos_.size());
@@ -68,7 +82,6 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
     if (p.family != q.family) return p.family < q.family;
     return p.position.x() != q.position.x() ? p.position.x() < q.position.x() : a < b;
   });
-  started_ = true;
 }
 
 }  // namespace talus

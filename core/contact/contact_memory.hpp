@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,9 +19,11 @@ class ContactMemory {
     std::uint64_t key, family;
     Vec3 position, shear;  ///< m; N on the first body
     double area;           ///< m²; 0 where the contact has none
+    double multiplier;     ///< N
     double slip;           ///< m
     double overlap;        ///< m, as ContactPoint's
     ContactMode mode;
+    std::array<int, 2> bodies;
     bool bonded;
     bool claimed;  ///< a point of this detection goes on from it
   };
@@ -35,21 +39,21 @@ class ContactMemory {
   /// Shear force [N] of a point that goes on from `memo`, turned into the new plane with its length kept.
   static Vec3 shear_on(const Memo& memo, const FoundPoint& point);
 
+  /// By how much forces change on the way from `memo` to the point: tractions stay.
+  static double share_of(const Memo& memo, const FoundPoint& point);
+
   /// Whether a bond between these two patches ever broke.
   bool ever_broken(std::uint64_t family) const;
 
-  /// Replaces everything by the outcomes of a step. Contacts that are open and not bonded are forgotten.
-  /// `points` are sorted by key; `families` belong to them.
+  /// Replaces everything by the outcomes of a step, but for contacts of bodies that are both `held`: they rest and are
+  /// not looked for. Contacts that are open and not bonded are forgotten. `families` belong to the points.
   void accept(std::span<const ContactPoint> points, std::span<const std::uint64_t> families,
-              std::span<const ContactOutcome> outcomes);
-
-  bool started() const { return started_; }  ///< a step was accepted
+              std::span<const ContactOutcome> outcomes, const std::function<bool(int body)>& held);
 
  private:
   std::vector<Memo> memos_;            // sorted by key
   std::vector<int> by_family_;         // numbers of memos_, sorted by family and then along x
   std::vector<std::uint64_t> broken_;  // families, sorted
-  bool started_ = false;
 };
 
 }  // namespace talus

@@ -42,6 +42,7 @@ struct ContactPoint {
   bool bonded = false;
   Vec3 shear_start = Vec3::Zero();  ///< N, shear force on the first body at the start of the step, in the contact plane
   double slip_start = 0;            ///< m, path slipped so far
+  double multiplier = 0;            ///< N, compression carried without penetration at the start of the step
   int stencil_begin = 0, stencil_end = 0;  ///< range in ContactSet's nodes and weights
   // Of the current iterate; begins as what it was at the end of the last step.
   ContactMode mode = ContactMode::open;
@@ -67,6 +68,7 @@ struct ContactOutcome {
   double gap = 0;                   ///< m, at the end
   double slip = 0;                  ///< m, path slipped in this step
   bool broke = false;               ///< its bond broke in this step
+  double multiplier = 0;            ///< N, as ContactPoint's, to go on with
 };
 
 }  // namespace talus

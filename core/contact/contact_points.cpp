@@ -62,7 +62,7 @@ double StepGeometry::rim(int body_a, int body_b) const {
 
 double StepGeometry::depth(int body_a, int body_b) const {
   const double most = settings.depth * broad.scale(body_a, body_b).size;
-  return begun ? std::min(reach + depth_per_penetration * deepest(body_a, body_b), most) : most;
+  return begun(body_a, body_b) ? std::min(reach + depth_per_penetration * deepest(body_a, body_b), most) : most;
 }
 
 int StepGeometry::common_joint(int facet_a, int facet_b) const {

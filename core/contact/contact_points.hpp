@@ -55,8 +55,10 @@ struct StepGeometry {
   std::span<const double> penetration;  ///< m, a body: the deepest of the last step
   const ContactSettings& settings;
   double reach;
-  bool begun;  ///< a step was taken: bodies cannot be deep in each other all of a sudden
+  std::span<const char> moved;  ///< a body: it took part in a step and was not fixed
 
+  /// Whether one of the two could move before: they cannot be deep in each other all of a sudden.
+  bool begun(int body_a, int body_b) const { return moved[body_a] || moved[body_b]; }
   /// The deepest that two bodies lay in each other at the end of the last step. [m]
   double deepest(int body_a, int body_b) const { return std::max(penetration[body_a], penetration[body_b]); }
   /// How near the rim of a convex crease a contact is left to the facet beyond. [m]

@@ -36,6 +36,12 @@ void Coupling::widen(std::span<const int> nodes, int patch, std::vector<int>& wi
   }
 }
 
+void Coupling::clear() {
+  pairs_.clear();
+  row_begin_.clear();
+  ++generation_;
+}
+
 void Coupling::cover(const FoundPoints& found) {
   if (holds(found)) return;
   pairs_.clear();

@@ -18,6 +18,9 @@ class Coupling {
   /// Makes sure that the plan holds what these points couple.
   void cover(const FoundPoints& found);
 
+  /// Forgets the plan: other nodes may move.
+  void clear();
+
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
   std::uint64_t generation() const { return generation_; }
 

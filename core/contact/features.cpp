@@ -59,12 +59,14 @@ void ContactFeatures::add_body(const ContactBody& body, int number) {
     f.joint = s.triangles[t].joint;
     facets.push_back(f);
   }
-  for (std::size_t i = 0; i < s.ring.size(); ++i) {
-    corner[body.first_node + i] = s.corner[i];
-    movable[body.first_node + i] = !body.fixed;
-  }
+  for (std::size_t i = 0; i < s.ring.size(); ++i) corner[body.first_node + i] = s.corner[i];
+  set_movable(body, !body.fixed);
   patch_count_ += s.patch_count;
   crease_count_ += static_cast<int>(distinct.size());
+}
+
+void ContactFeatures::set_movable(const ContactBody& body, bool movable_now) {
+  std::fill_n(movable.begin() + body.first_node, body.surface->ring.size(), movable_now);
 }
 
 void ContactFeatures::link_nodes(std::span<const ContactBody> bodies) {

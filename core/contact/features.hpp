@@ -38,6 +38,9 @@ class ContactFeatures {
   std::vector<char> corner;      ///< a node
   std::vector<char> movable;     ///< a node
 
+  /// A body's nodes may move from now on, or may not.
+  void set_movable(const ContactBody& body, bool movable_now);
+
   int node_count() const { return static_cast<int>(corner.size()); }
   std::span<const int> ring(int node) const { return row(ring_begin_, ring_, node); }
   std::span<const int> facets_at(int node) const { return row(facets_at_begin_, facets_at_, node); }

@@ -166,6 +166,22 @@ TEST(Memory, ShearForceTurnsWithThePlaneAndKeepsItsLength) {
   EXPECT_LT((force - turn * Vec3(3, 0, 0)).norm(), 1e-9);
 }
 
+TEST(Memory, TheMultiplierIsRememberedAsAPressure) {
+  // The block slides over a mesh that does not match: shares of the area come and go, the pressure stays.
+  Scene scene = bonded_block();
+  scene.laws[0].cohesion = scene.laws[0].tensile_strength = 0;
+  for (int step = 0; step < 50; ++step) {
+    const ContactSet& contacts = scene.detect(reach);
+    double carried = 0;
+    for (const ContactPoint& p : contacts.points) carried += p.multiplier;
+    EXPECT_NEAR(carried, step > 0 ? 300 : 0, 1e-9) << step;
+    auto all = outcomes(contacts, Vec3::Zero(), ContactMode::slip, scene);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].multiplier = 300 * contacts.points[i].area;
+    scene.detector().accept(contacts, all);
+    scene.move(1, {0.013, 0.007, 0});
+  }
+}
+
 TEST(Memory, AnEdgesForceGoesOnToTheNextPieceOfTheEdgeOnce) {
   Scene scene;
   const Mat3 roof = Eigen::AngleAxisd(pi / 4, Vec3::UnitX()).toRotationMatrix();
