@@ -45,9 +45,10 @@ std::vector<HeldPoint> held_points(const Project& project, const BlockSystem& sy
   std::vector<HeldPoint> points;
   for (std::size_t i = 0; i < project.constraints.size(); ++i) {
     const Constraint& constraint = project.constraints[i];
+    if (!constraint.at) continue;
     const Block& block = block_named(system, constraint.block);
     const double size = block_size(block);
-    const MaterialPoint point = material_point(system, constraint.block, constraint.at, point_tolerance * size,
+    const MaterialPoint point = material_point(system, constraint.block, *constraint.at, point_tolerance * size,
                                                "/constraints/" + std::to_string(i));
     points.push_back(
         {point, constraint.displacement, constraint_stiffness * project.materials[block.material].young * size});

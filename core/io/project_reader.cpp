@@ -106,10 +106,10 @@ Interface read_item(const OrderedJson& value, Interface interface) {
 
 Constraint read_item(const OrderedJson& value, Constraint constraint) {
   read(value, "block", constraint.block);
-  read(value, "at", constraint.at);
+  if (value.contains("at")) read(value, "at", constraint.at.emplace());
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& component = value.at("displacement").at(i);
-    if (!component.is_null()) constraint.displacement[i] = component.get<double>();
+    constraint.displacement[i] = component.is_null() ? std::nullopt : std::optional(component.get<double>());
   }
   return constraint;
 }
@@ -155,10 +155,20 @@ Expectation read_item(const OrderedJson& value, Expectation expectation) {
   return expectation;
 }
 
+/// The one of `choices` whose word the value is.
+template <typename Choice>
+void read_word(const OrderedJson& object, const char* key, Choice& choice, std::initializer_list<Choice> choices) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  for (const Choice candidate : choices)
+    if (to_string(candidate) == found->get<std::string>()) choice = candidate;
+}
+
 SolverSettings solver_from(const OrderedJson& value) {
   SolverSettings solver;
-  read(value, "strain", solver.strain);
-  read(value, "integrator", solver.integrator);
+  read_word(value, "strain", solver.strain, {Strain::corotational, Strain::incremental});
+  read_word(value, "integrator", solver.integrator,
+            {Integrator::newmark, Integrator::constant_acceleration, Integrator::generalized_alpha});
   read(value, "contact_stiffness", solver.contact_stiffness);
   read(value, "open_close_limit", solver.open_close_limit);
   return solver;

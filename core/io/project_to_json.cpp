@@ -76,7 +76,8 @@ OrderedJson json_from(const Interface& interface) {
 }
 
 OrderedJson json_from(const Constraint& constraint) {
-  OrderedJson json{{"block", constraint.block}, {"at", json_from(constraint.at)}};
+  OrderedJson json{{"block", constraint.block}};
+  if (constraint.at) json["at"] = json_from(*constraint.at);
   for (const auto& component : constraint.displacement) {
     json["displacement"].push_back(component ? OrderedJson(*component) : OrderedJson());
   }
@@ -99,8 +100,8 @@ OrderedJson json_from(const Stage& stage) {
 }
 
 OrderedJson json_from(const SolverSettings& solver) {
-  return {{"strain", solver.strain},
-          {"integrator", solver.integrator},
+  return {{"strain", to_string(solver.strain)},
+          {"integrator", to_string(solver.integrator)},
           {"contact_stiffness", solver.contact_stiffness},
           {"open_close_limit", solver.open_close_limit}};
 }

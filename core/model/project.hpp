@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "model/solver_settings.hpp"
 
 /// What the user described, as plain values in SI units. Angles are kept in degrees here, as the file has them,
 /// so that a project is written back digit for digit; the solver converts once.
@@ -36,6 +37,7 @@ struct Material {
   double density = 0;  ///< kg/m³
   double young = 0;    ///< Pa
   double poisson = 0;
+  double damping = 0;  ///< 1/s, of the mass: a force density −damping·ρ·v
   bool operator==(const Material&) const = default;
 };
 
@@ -103,10 +105,21 @@ struct Interface {
   bool operator==(const Interface&) const = default;
 };
 
+/// A vector by time: linear between rows, constant before the first and after the last.
+struct TableRow {
+  double time = 0;  ///< s
+  Vec3 value = Vec3::Zero();
+  bool operator==(const TableRow&) const = default;
+};
+using TimeTable = std::vector<TableRow>;
+
+/// Holds a point of a block, or, without `at`, moves a fixed block as a whole (a shaking base).
 struct Constraint {
   std::string block;
-  Vec3 at = Vec3::Zero();
-  std::array<std::optional<double>, 3> displacement;  ///< m; an empty component is free
+  std::optional<Vec3> at;
+  std::array<std::optional<double>, 3> displacement{0, 0, 0};  ///< m, since the start; an empty component is free
+  TimeTable
+      table{};  ///< m; where given, its values stand for those of `displacement`, whose empty components stay free
   bool operator==(const Constraint&) const = default;
 };
 
@@ -114,7 +127,17 @@ struct PointLoad {
   std::string block;
   Vec3 at = Vec3::Zero();
   Vec3 force = Vec3::Zero();  ///< N
+  TimeTable table{};          ///< N; where given, it stands for `force`
   bool operator==(const PointLoad&) const = default;
+};
+
+/// Stress in the rock before the run, tension positive: stress + gradient · (z − level).
+struct InSituStress {
+  std::vector<std::string> blocks;  ///< names; all blocks when empty
+  Voigt stress = Voigt::Zero();     ///< Pa: xx, yy, zz, xy, yz, zx
+  Voigt gradient = Voigt::Zero();   ///< Pa/m
+  double level = 0;                 ///< m
+  bool operator==(const InSituStress&) const = default;
 };
 
 struct InitialVelocity {
@@ -129,21 +152,36 @@ enum class StageKind { static_, dynamic };
 /// The word the project file and the results use.
 constexpr std::string_view to_string(StageKind kind) { return kind == StageKind::static_ ? "static" : "dynamic"; }
 
+/// Properties of a joint from a stage on; what is absent stays as it was.
+struct JointChange {
+  std::string name;
+  std::optional<double> friction_angle, residual_friction_angle;  ///< degrees
+  std::optional<double> cohesion, tensile_strength;               ///< Pa
+  bool operator==(const JointChange&) const = default;
+};
+
+/// A block that is held, or let go, from a stage on: `fixed`, or the kind that it was built as.
+struct BlockChange {
+  std::string name;
+  BodyKind body = BodyKind::fixed;
+  bool operator==(const BlockChange&) const = default;
+};
+
+/// Changes hold from the beginning of the stage to the end of the run, or until a later stage changes them again.
 struct Stage {
   std::string name;
   StageKind kind = StageKind::dynamic;
-  double time_step = 0;            ///< s
-  std::optional<int> steps;        ///< one of steps and duration is given
-  std::optional<double> duration;  ///< s
+  double time_step = 0;                 ///< s; with adaptive steps the longest
+  std::optional<int> steps;             ///< one of steps and duration is given
+  std::optional<double> duration;       ///< s
+  bool until_equilibrium = false;       ///< static stages: end as soon as nothing moves any more
+  double equilibrium_tolerance = 1e-5;  ///< unbalanced force over the largest force at which a stage is in equilibrium
+  std::optional<double> damping{};      ///< 1/s, of all masses
+  std::vector<JointChange> joints{};
+  std::optional<std::vector<PointLoad>> loads{};         ///< in place of those before
+  std::optional<std::vector<Constraint>> constraints{};  ///< in place of those before
+  std::vector<BlockChange> blocks{};
   bool operator==(const Stage&) const = default;
-};
-
-struct SolverSettings {
-  std::string strain = "incremental";
-  std::string integrator = "constant-acceleration";
-  double contact_stiffness = 10;  ///< normal penalty in units of E*/h (METHOD §3), dimensionless
-  int open_close_limit = 20;      ///< iterations before the step is cut
-  bool operator==(const SolverSettings&) const = default;
 };
 
 struct Monitor {
@@ -180,6 +218,7 @@ struct Project {
   std::vector<Constraint> constraints;
   std::vector<PointLoad> loads;
   std::vector<InitialVelocity> velocities;
+  std::vector<InSituStress> in_situ;
   std::vector<Stage> stages;
   SolverSettings solver;
   std::vector<Monitor> monitors;

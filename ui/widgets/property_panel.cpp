@@ -106,8 +106,8 @@ void PropertyPanel::showProject() {
   general->addFact(tr("Default joint"), text(project.default_joint));
   general->addFact(tr("A frame every"), tr("%1 s").arg(numbers::significant(project.output.every)));
   auto* solver = addSection(tr("Solver"));
-  solver->addFact(tr("Strain"), text(project.solver.strain));
-  solver->addFact(tr("Integrator"), text(project.solver.integrator));
+  solver->addFact(tr("Strain"), text(std::string(to_string(project.solver.strain))));
+  solver->addFact(tr("Integrator"), text(std::string(to_string(project.solver.integrator))));
   solver->addFact(tr("Contact stiffness"), numbers::significant(project.solver.contact_stiffness),
                   tr("Normal penalty in units of the contact modulus over the mesh size"));
   solver->addFact(tr("Open–close limit"), numbers::whole(project.solver.open_close_limit),
@@ -241,7 +241,7 @@ void PropertyPanel::showLoad(const PointLoad& load) {
 void PropertyPanel::showConstraint(const Constraint& constraint) {
   header_->setTitle(tr("Support"), text(constraint.block));
   auto* section = addSection(tr("Displacement constraint"));
-  section->addFact(tr("At, m"), point(constraint.at));
+  if (constraint.at) section->addFact(tr("At, m"), point(*constraint.at));
   const char* axes[] = {"East", "North", "Up"};
   for (size_t i = 0; i < 3; ++i) {
     const auto& component = constraint.displacement[i];

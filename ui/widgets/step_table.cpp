@@ -143,7 +143,8 @@ StepRows loadRows(const Project& project) {
       components << (component ? number(*component) : QObject::tr("free"));
     content.rows.push_back({item(Item::Kind::constraint, i),
                             {QObject::tr("support, m"), text(project.constraints[i].block),
-                             place(project.constraints[i].at), components.join(QStringLiteral(", "))}});
+                             project.constraints[i].at ? place(*project.constraints[i].at) : QObject::tr("whole block"),
+                             components.join(QStringLiteral(", "))}});
   }
   for (size_t i = 0; i < project.velocities.size(); ++i)
     content.rows.push_back(

@@ -1,0 +1,25 @@
+#include "cases/known_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+
+double Finding::error() const {
+  const double difference = std::abs(computed - expected);
+  return absolute || expected == 0 ? difference : difference / std::abs(expected);
+}
+
+bool Finding::passed() const { return error() <= tolerance; }
+
+double Finding::relative() const {
+  const double whole = expected != 0 ? expected : tolerance;
+  return whole != 0 ? computed / whole : computed;
+}
+
+bool CaseOutcome::passed() const {
+  return !findings.empty() &&
+         std::all_of(findings.begin(), findings.end(), [](const Finding& f) { return f.reported || f.passed(); });
+}
+
+}  // namespace talus

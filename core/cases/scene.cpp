@@ -1,0 +1,127 @@
+#include "cases/scene.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "base/error.hpp"
+#include "model/quantity.hpp"
+
+namespace talus {
+
+int Scene::add_material(const Material& material) {
+  project.materials.push_back(material);
+  return static_cast<int>(project.materials.size()) - 1;
+}
+
+int Scene::add_joint(const Joint& joint) {
+  if (project.joints.empty()) project.default_joint = joint.name;
+  project.joints.push_back(joint);
+  system.joint_names.push_back(joint.name);
+  return static_cast<int>(project.joints.size()) - 1;
+}
+
+void Scene::add_block(const std::string& name, TetMesh mesh, BodyKind body, int material) {
+  Block block;
+  block.name = name;
+  block.solid = 0;
+  block.material = material;
+  block.body = body;
+  block.surface = boundary(mesh);
+  block.volume = volume(mesh);
+  block.mesh = std::move(mesh);
+  system.solids_volume += block.volume;
+  system.blocks.push_back(std::move(block));
+}
+
+void Scene::add_ground(const std::string& name, const std::vector<Vec3>& nodes,
+                       const std::vector<std::array<int, 3>>& triangles, int material) {
+  Block block;
+  block.name = name;
+  block.solid = 0;
+  block.material = material;
+  block.body = BodyKind::fixed;
+  block.mesh.nodes = nodes;
+  for (const auto& triangle : triangles) block.surface.push_back({triangle, -1});
+  system.blocks.push_back(std::move(block));
+}
+
+Monitor& Scene::add_monitor(const std::string& name, const std::string& block, const Vec3& at) {
+  return project.monitors.emplace_back(Monitor{name, block, at});
+}
+
+namespace {
+
+void scale_loads(std::vector<PointLoad>& loads, double s) {
+  for (PointLoad& load : loads) {
+    load.at *= s;
+    load.force *= s * s * s;
+    for (TableRow& row : load.table) row.time *= std::sqrt(s), row.value *= s * s * s;
+  }
+}
+
+void scale_constraints(std::vector<Constraint>& constraints, double s) {
+  for (Constraint& constraint : constraints) {
+    if (constraint.at) *constraint.at *= s;
+    for (auto& component : constraint.displacement)
+      if (component) *component *= s;
+    for (TableRow& row : constraint.table) row.time *= std::sqrt(s), row.value *= s;
+  }
+}
+
+void scale_expectation(Expectation& expectation, double s) {
+  const double time = std::sqrt(s);
+  expectation.time *= time;
+  if (expectation.since) *expectation.since *= time;
+  const auto quantity = parse_quantity(expectation.quantity);
+  const double unit = quantity && quantity->field == Quantity::Field::velocity ? time : s;
+  if (expectation.value == 0) expectation.tolerance *= unit;  // absolute there
+  expectation.value *= unit;
+}
+
+void scale_stage(Stage& stage, double s) {
+  const double time = std::sqrt(s);
+  stage.time_step *= time;
+  if (stage.duration) *stage.duration *= time;
+  if (stage.damping) *stage.damping /= time;
+  for (JointChange& joint : stage.joints) {
+    if (joint.cohesion) *joint.cohesion *= s;
+    if (joint.tensile_strength) *joint.tensile_strength *= s;
+  }
+  if (stage.loads) scale_loads(*stage.loads, s);
+  if (stage.constraints) scale_constraints(*stage.constraints, s);
+}
+
+}  // namespace
+
+Scene scaled(Scene scene, double s) {
+  Project& p = scene.project;
+  for (Material& material : p.materials) material.young *= s, material.damping /= std::sqrt(s);
+  for (Joint& joint : p.joints) joint.cohesion *= s, joint.tensile_strength *= s;
+  scale_constraints(p.constraints, s);
+  scale_loads(p.loads, s);
+  for (InitialVelocity& velocity : p.velocities) velocity.linear *= std::sqrt(s), velocity.angular /= std::sqrt(s);
+  for (InSituStress& stress : p.in_situ) stress.stress *= s, stress.level *= s;  // Pa/m stays
+  for (Stage& stage : p.stages) scale_stage(stage, s);
+  for (Monitor& monitor : p.monitors) monitor.at *= s;
+  for (Expectation& expectation : p.expect) scale_expectation(expectation, s);
+  p.output.every *= std::sqrt(s);
+  for (Block& block : scene.system.blocks) {
+    for (Vec3& node : block.mesh.nodes) node *= s;
+    block.volume *= s * s * s;
+  }
+  scene.system.solids_volume *= s * s * s;
+  return scene;
+}
+
+void run_scene(const Scene& scene, Progress& progress,
+               const std::function<bool(const Simulation&, const StepReport&)>& after_step) {
+  Simulation simulation(scene.project, scene.system);
+  while (!simulation.finished()) {
+    if (progress.cancelled()) throw Cancelled{};
+    const StepReport report = simulation.step();
+    if (!simulation.converged()) throw std::runtime_error(simulation.failure());
+    if (after_step && !after_step(simulation, report)) return;
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+
+#include "cases/known_case.hpp"
+#include "mesh/block.hpp"
+#include "mesh/structured_mesh.hpp"
+#include "solve/simulation.hpp"
+
+namespace talus {
+
+/// A scene built in the program: a project without shapes, and the blocks that would come of them.
+struct Scene {
+  Project project;
+  BlockSystem system;
+
+  /// Names in the order they were added; `material` and `joint` are made once and may be changed in `project` later.
+  int add_material(const Material& material);
+  int add_joint(const Joint& joint);
+  /// A meshed block whose whole surface lies on no joint; contacts take `project.default_joint` or an interface's.
+  void add_block(const std::string& name, TetMesh mesh, BodyKind body, int material = 0);
+  /// A fixed block that is only its surface: faces counter-clockwise seen from outside.
+  void add_ground(const std::string& name, const std::vector<Vec3>& nodes,
+                  const std::vector<std::array<int, 3>>& triangles, int material = 0);
+  Monitor& add_monitor(const std::string& name, const std::string& block, const Vec3& at);
+};
+
+/// The scene at another scale that behaves alike (Froude's and Cauchy's similarity): lengths × s, times × √s,
+/// velocities × √s, moduli, stresses and strengths × s, forces × s³, rates × 1/√s; densities, angles, gravity and joint
+/// stiffnesses [Pa/m] stay. What the project expects of a run goes along.
+Scene scaled(Scene scene, double s);
+
+/// Runs all stages; `after_step` may return false to end the run. Throws std::runtime_error where the solver does not
+/// converge, Cancelled when `progress` says so.
+void run_scene(const Scene& scene, Progress& progress,
+               const std::function<bool(const Simulation&, const StepReport&)>& after_step = {});
+
+}  // namespace talus

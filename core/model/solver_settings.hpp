@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+/// How a scene is solved: what accuracy costs in time is decided here.
+namespace talus {
+
+/// METHOD §2: measured from the undeformed shape in the rotated frame, or summed up step by step as the paper does.
+enum class Strain { corotational, incremental };
+
+/// Newmark's method with γ = 1, β = 9/16; the paper's, γ = 1, β = ½; Chung & Hulbert's generalised-α.
+enum class Integrator { newmark, constant_acceleration, generalized_alpha };
+
+/// Contact by area where facets face each other, or the paper's fast common plane for each pair of facets.
+enum class ContactModel { area, facet_wise };
+
+enum class TimeStepControl { fixed, adaptive };
+
+/// The words the project file uses.
+constexpr std::string_view to_string(Strain strain) {
+  return strain == Strain::corotational ? "corotational" : "incremental";
+}
+constexpr std::string_view to_string(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::newmark:
+      return "newmark";
+    case Integrator::constant_acceleration:
+      return "constant-acceleration";
+    case Integrator::generalized_alpha:
+      break;
+  }
+  return "generalized-alpha";
+}
+constexpr std::string_view to_string(ContactModel model) { return model == ContactModel::area ? "area" : "facet-wise"; }
+constexpr std::string_view to_string(TimeStepControl control) {
+  return control == TimeStepControl::fixed ? "fixed" : "adaptive";
+}
+
+/// What adaptive steps keep to. Each limit makes steps shorter where it would be broken.
+struct AdaptiveSteps {
+  double displacement_limit = 0.005;  ///< largest displacement of a node in a step, of half the model's height
+  double error_limit = 1e-4;          ///< estimated error of time integration in a step, of the smallest mesh size
+  int iterations = 8;                 ///< open–close iterations above which the next step is shorter
+  double shortest = 1e-3;             ///< shortest step, of the stage's time_step
+  bool operator==(const AdaptiveSteps&) const = default;
+};
+
+struct SolverSettings {
+  Strain strain = Strain::corotational;
+  Integrator integrator = Integrator::newmark;
+  double spectral_radius = 0.8;  ///< of generalized_alpha at infinite frequency, 0 … 1
+  ContactModel contact = ContactModel::area;
+  double contact_stiffness = 10;                ///< normal penalty in units of E*/h (METHOD §3), dimensionless
+  std::optional<double> penetration_tolerance;  ///< of the mesh size: augmented Lagrangian rounds until it is met
+  int open_close_limit = 20;                    ///< iterations before the step is cut
+  TimeStepControl time_step_control = TimeStepControl::fixed;
+  AdaptiveSteps adaptive;
+  bool operator==(const SolverSettings&) const = default;
+};
+
+}  // namespace talus
