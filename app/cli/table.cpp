@@ -2,23 +2,45 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 namespace talus::cli {
 
 namespace {
-
-/// Characters of UTF-8 text.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 
 std::string without_trailing_spaces(std::string line) {
   line.erase(line.find_last_not_of(' ') + 1);
   return line;
 }
 
+bool is_number(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0';
+}
+
+std::string gap(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, width_of(text)), ' ');
+}
+
 }  // namespace
+
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(const std::string& text, std::size_t width) { return text + gap(text, width); }
+
+std::string padded_left(const std::string& text, std::size_t width) { return gap(text, width) + text; }
+
+std::string alignment_of(std::size_t columns, const std::vector<std::vector<std::string>>& rows) {
+  std::string alignment(columns, 'r');
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < std::min(columns, row.size()); ++i)
+      if (!row[i].empty() && !is_number(row[i])) alignment[i] = 'l';
+  return alignment;
+}
 
 Table::Table(std::vector<std::string> headings, std::string alignment) : alignment_(std::move(alignment)) {
   rows_.push_back(std::move(headings));
@@ -33,10 +55,9 @@ std::string Table::text() const {
   std::string text;
   for (const auto& row : rows_) {
     std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string padding(widths[i] - width_of(row[i]), ' ');
-      line += (i == 0 ? "" : "  ") + (alignment_[i] == 'r' ? padding + row[i] : row[i] + padding);
-    }
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line +=
+          (i == 0 ? "" : "  ") + (alignment_[i] == 'r' ? padded_left(row[i], widths[i]) : padded(row[i], widths[i]));
     text += without_trailing_spaces(line) + '\n';
   }
   return text;

@@ -18,6 +18,15 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
+/// For `Table`, of rows that hold both: r for columns in which every cell that is not empty is a number.
+std::string alignment_of(std::size_t columns, const std::vector<std::vector<std::string>>& rows);
+
+/// Characters of UTF-8 text.
+std::size_t width_of(const std::string& text);
+/// `text` with spaces after it, or before it, up to `width` characters.
+std::string padded(const std::string& text, std::size_t width);
+std::string padded_left(const std::string& text, std::size_t width);
+
 /// `value` with `digits` significant digits.
 std::string number(double value, int digits = 6);
 

@@ -21,11 +21,12 @@ class TerminalProgress final : public Progress {
 
   void report(double fraction, std::string_view what) override;
   bool cancelled() const override { return interrupted(); }
+  /// Takes the bar away before something else is printed; the next report draws it again.
+  void clear_bar();
 
  private:
   void draw_bar(double fraction, std::string_view what);
   void print_line(double fraction, std::string_view what);
-  void clear_bar();
 
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_, drawn_;

@@ -1,26 +1,28 @@
 #include "study/verify.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "command.hpp"
 #include "options.hpp"
-#include "table.hpp"
+#include "study/verify_json.hpp"
 #include "terminal.hpp"
+#include "verify_markdown.hpp"
+#include "verify_text.hpp"
 
 namespace talus::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct VerifyOptions {
+struct Request {
   std::vector<std::string> names;
-  bool all = false;
-  std::filesystem::path samples;
-  int threads = 1;
+  bool all = false, list = false, tables = false;
+  std::filesystem::path samples, markdown;
+  VerifyOptions options;
 };
 
 /// Where samples lie: beside an installed program, else in the source tree it was built from.
@@ -31,114 +33,78 @@ std::filesystem::path samples_folder() {
   return std::filesystem::is_directory(installed) ? installed : std::filesystem::path(TALUS_SAMPLES);
 }
 
-std::vector<Sample> chosen_samples(const VerifyOptions& options) {
-  const auto folder = options.samples.empty() ? samples_folder() : options.samples;
-  const auto samples = find_samples(folder);
-  std::vector<Sample> chosen;
-  for (const std::string& name : options.names) {
-    const auto found = std::find_if(samples.begin(), samples.end(), [&](const Sample& s) { return s.name == name; });
-    if (found == samples.end()) {
-      std::string names;
-      for (const Sample& sample : samples) names += (names.empty() ? "" : ", ") + sample.name;
-      throw InputError(folder.string(), "holds no sample '" + name + "' with a known answer", "choose among " + names);
-    }
-    chosen.push_back(*found);
+/// Runs the cases and prints each as it ends, unless it is to be JSON; false when it was stopped before the last.
+bool run_cases(const std::vector<KnownCase>& cases, const Request& request, bool json,
+               std::vector<CaseResult>& results) {
+  TerminalProgress progress;
+  try {
+    verify(cases, request.options, progress, [&](const CaseResult& result) {
+      progress.clear_bar();
+      if (!json) std::cout << case_text(result, request.tables) << std::flush;
+      results.push_back(result);
+    });
+  } catch (const Cancelled&) {
+    return false;
   }
-  if (options.names.empty())
-    std::copy_if(samples.begin(), samples.end(), std::back_inserter(chosen),
-                 [&](const Sample& sample) { return options.all || !sample.takes_long; });
-  return chosen;
+  return true;
 }
 
-Json checks_of(const SampleOutcome& outcome) {
-  Json checks = Json::array();
-  for (const ExpectationOutcome& e : outcome.report.expect)
-    checks.push_back({{"quantity", e.expectation.quantity},
-                      {"time", e.expectation.time},
-                      {"expected", e.expectation.value},
-                      {"computed", e.reached ? Json(e.computed) : Json()},
-                      {"error", e.reached ? Json(e.error) : Json()},
-                      {"tolerance", e.expectation.tolerance},
-                      {"passed", e.passed},
-                      {"source", e.expectation.source}});
-  const bool ordered = in_published_order(outcome.events);
-  for (const EventComparison& c : outcome.events)
-    checks.push_back({{"quantity", "time of: " + c.event.what},
-                      {"time", c.computed ? Json(*c.computed) : Json()},
-                      {"expected", c.event.time},
-                      {"computed", c.computed ? Json(*c.computed) : Json()},
-                      {"error", c.computed ? Json(*c.computed / c.event.time - 1) : Json()},
-                      {"tolerance", "order"},
-                      {"passed", ordered},
-                      {"source", c.event.criterion}});
-  return checks;
-}
-
-Json json_of(const SampleOutcome& outcome) {
-  return {{"case", outcome.name},
-          {"status", to_string(outcome.report.status)},
-          {"reason", outcome.report.reason},
-          {"seconds", outcome.seconds},
-          {"passed", outcome.passed},
-          {"checks", checks_of(outcome)}};
-}
-
-std::string text_of(const Json& value, int digits) {
-  if (value.is_null()) return "–";
-  return value.is_number() ? number(value, digits) : value.get<std::string>();
-}
-
-void print(const Json& cases) {
-  Table table(
-      {"Case", "Quantity", "Time [s]", "Expected", "Computed", "Error", "Tolerance", "Seconds", "Passed", "Source"},
-      "llrrrrrrll");
-  int failures = 0;
-  for (const Json& one : cases) {
-    const std::string name = one["case"], seconds = number(one["seconds"], 3);
-    if (one["status"] != "completed")
-      table.add({name, one["status"], "", "", "", "", "", seconds, "no", one["reason"]});
-    for (const Json& check : one["checks"])
-      table.add({name, check["quantity"], text_of(check["time"], 6), text_of(check["expected"], 8),
-                 text_of(check["computed"], 8), text_of(check["error"], 2), text_of(check["tolerance"], 2), seconds,
-                 check["passed"].get<bool>() ? "yes" : "no", check["source"]});
-    failures += one["passed"].get<bool>() ? 0 : 1;
+ExitCode verify_cases(const Request& request, bool json) {
+  const auto known = all_cases(request.samples.empty() ? samples_folder() : request.samples);
+  const auto cases = chosen_cases(known, request.names, request.all || request.list);
+  if (request.list) {
+    std::cout << (json ? list_json(cases) : list_text(cases));
+    return done;
   }
-  std::cout << table.text() << cases.size() - static_cast<std::size_t>(failures) << " of " << cases.size()
-            << " cases passed\n";
-}
+  if (!request.markdown.empty()) check_markdown(request.markdown);
 
-ExitCode verify_all(const VerifyOptions& options, bool json) {
   catch_interrupts();
-  Json cases = Json::array();
-  bool passed = true;
-  for (const Sample& sample : chosen_samples(options)) {
-    TerminalProgress progress;
-    const SampleOutcome outcome = about(sample.project, [&] { return verify(sample, options.threads, progress); });
-    passed = passed && outcome.passed;
-    cases.push_back(json_of(outcome));
-  }
-  if (json)
-    std::cout << Json{{"passed", passed}, {"cases", cases}}.dump(2) << '\n';
-  else
-    print(cases);
-  return passed ? done : failed;
+  if (!json) std::cout << case_columns() << std::flush;
+  std::vector<CaseResult> results;
+  const bool complete = run_cases(cases, request, json, results);
+  std::cout << (json ? json_text(results, complete) : verdict_text(results));
+  if (!complete) std::cerr << "talus-cli: stopped; " << cases.size() - results.size() << " cases were not run\n";
+  if (complete && !request.markdown.empty()) write_markdown(request.markdown, results);
+  const bool passed = std::all_of(results.begin(), results.end(), [](const CaseResult& r) { return r.passed(); });
+  return complete && passed ? done : failed;
+}
+
+void add_run_options(CLI::App& command, VerifyOptions& options) {
+  command
+      .add_option("--scale", options.run.scale,
+                  "Run at another scale: of all lengths; times go with its root, stresses with itself")
+      ->check(CLI::Validator(CLI::PositiveNumber).description(""))
+      ->type_name("S")
+      ->capture_default_str();
+  add_threads(command, options.run.threads);
+  command.add_flag("--repeat", options.repeat,
+                   "Run each case again with 2 threads, which must give the same bits, and at a tenth of the scale, "
+                   "which must give the same relative numbers");
 }
 
 }  // namespace
 
 void add_verify(CLI::App& program, Invocation& invocation) {
-  auto* command = program.add_subcommand("verify",
-                                         "Run the shipped cases with a known answer: expected, computed, "
-                                         "error, seconds");
-  auto options = std::make_shared<VerifyOptions>();
-  command->add_option("NAME", options->names, "Cases to run (default: all that are quick)")->type_name("");
-  command->add_flag("--all", options->all,
-                    "Also the long ones: more than " + std::to_string(quick_steps) + " time steps");
-  command->add_option("--samples", options->samples, "Folder of the samples (default: the shipped ones)")
+  auto* command = program.add_subcommand(
+      "verify",
+      "Run the cases with a known answer: expected, computed, error, tolerance, seconds and source.\n"
+      "Error and tolerance are relative to the expected number; with ± they are in its unit");
+  auto request = std::make_shared<Request>();
+  command->add_option("NAME", request->names, "Cases to run (default: all that are quick)")->type_name("");
+  command->add_flag("--all", request->all, "Also those that take minutes, and every row of those that are thinned");
+  command->add_flag("--list", request->list, "List the cases there are and leave");
+  add_run_options(*command, request->options);
+  command->add_flag("--tables", request->tables, "Print the tables of cases that have more than numbers");
+  command
+      ->add_option("--markdown", request->markdown,
+                   "Write the results into this page, between its lines <!-- talus-cli verify: begin --> and "
+                   "<!-- talus-cli verify: end -->")
+      ->type_name("FILE");
+  command->add_option("--samples", request->samples, "Folder of the samples (default: the shipped ones)")
       ->type_name("DIR");
-  add_threads(*command, options->threads);
-  command->callback([&invocation, options] {
-    invocation.run = [&invocation, options] { return verify_all(*options, invocation.json); };
+  command->callback([&invocation, request] {
+    request->options.run.thorough = request->all;
+    invocation.run = [&invocation, request] { return verify_cases(*request, invocation.json); };
   });
 }
 

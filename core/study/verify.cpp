@@ -1,94 +1,123 @@
 #include "study/verify.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <string_view>
+#include <exception>
 
 #include "base/error.hpp"
-#include "geometry/block_builder.hpp"
-#include "io/project_file.hpp"
-#include "solve/run.hpp"
-#include "study/temporary_folder.hpp"
+#include "cases/all_cases.hpp"
+#include "solve/stopwatch.hpp"
+#include "study/known_sample.hpp"
+#include "study/part_of_progress.hpp"
+#include "study/repetition.hpp"
 
 namespace talus {
 
 namespace {
 
-double step_count(const Project& project) {
-  double steps = 0;
-  for (const Stage& stage : project.stages)
-    steps += stage.steps ? *stage.steps : std::round(stage.duration.value_or(0) / stage.time_step);
-  return steps;
+auto named(const std::string& name) {
+  return [&name](const KnownCase& known) { return known.name == name; };
 }
 
-/// Hands a run's steps on to one who waits, and keeps the history.
-class Watch final : public RunObserver {
- public:
-  Watch(Progress& progress, std::string_view what) : progress_(progress), what_(what) {}
+/// What is wrong with the outcome itself; empty: nothing.
+std::string fault_of(const CaseOutcome& outcome) {
+  if (outcome.findings.empty()) return "computed no number that is known";
+  for (const CaseTable& table : outcome.tables)
+    for (const auto& row : table.rows)
+      if (row.size() != table.columns.size()) return "a row of the table '" + table.title + "' has not its columns";
+  return {};
+}
 
-  void on_step(const StepReport&, const HistoryRow& row, double fraction) override {
-    history.push_back(row);
-    progress_.report(fraction, what_);
+/// The case's outcome, or why there is none.
+void run_into(CaseResult& result, const KnownCase& known, Progress& progress) {
+  const Stopwatch watch(result.seconds);
+  try {
+    result.outcome = known.run(result.options, progress);
+    result.failure = fault_of(result.outcome);
+  } catch (const std::exception& error) {
+    result.failure = error.what();
   }
-  void on_frame(std::shared_ptr<const Frame>) override {}
-  bool go_on() override { return !progress_.cancelled(); }
-
-  std::vector<HistoryRow> history;
-
- private:
-  Progress& progress_;
-  std::string_view what_;
-};
-
-bool met(const RunReport& report) {
-  return report.status == RunStatus::completed &&
-         std::all_of(report.expect.begin(), report.expect.end(), [](const auto& e) { return e.passed; });
 }
 
-std::vector<std::string> monitor_names(const Project& project) {
-  std::vector<std::string> names;
-  for (const Monitor& monitor : project.monitors) names.push_back(monitor.name);
-  return names;
+Repetition repeated(const CaseResult& first, const KnownCase& known, const CaseOptions& options, Progress& progress) {
+  CaseResult second;
+  second.options = options;
+  run_into(second, known, progress);
+  return compared(first, second);
+}
+
+CaseOptions on_other_threads(CaseOptions options) {
+  options.threads = options.threads == 1 ? 2 : 1;
+  return options;
+}
+
+CaseOptions at_other_scale(CaseOptions options) {
+  options.scale *= repeated_scale;
+  return options;
 }
 
 }  // namespace
 
-std::vector<Sample> find_samples(const std::filesystem::path& folder) {
-  if (!std::filesystem::is_directory(folder))
-    throw InputError(folder.string(), "is no folder", "give the folder of the samples with --samples");
-  std::vector<Sample> samples;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    Sample sample{name, entry.path() / (name + ".talus"), entry.path() / "paper_events.csv"};
-    if (!std::filesystem::exists(sample.project)) continue;
-    const Project project = read_project(sample.project);
-    if (!std::filesystem::exists(sample.events)) sample.events.clear();
-    sample.takes_long = step_count(project) > quick_steps;
-    if (!project.expect.empty() || !sample.events.empty()) samples.push_back(std::move(sample));
+std::vector<KnownCase> all_cases(const std::filesystem::path& samples) {
+  std::vector<KnownCase> cases, built_in = known_cases();
+  for (const KnownSample& sample : find_known_samples(samples)) {
+    if (std::any_of(built_in.begin(), built_in.end(), named(sample.name)))
+      throw InputError(sample.project.string(), "has the name of a case that is built in", "give its folder another");
+    cases.push_back(case_of(sample));
   }
-  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.name < b.name; });
-  return samples;
+  std::move(built_in.begin(), built_in.end(), std::back_inserter(cases));
+  return cases;
 }
 
-SampleOutcome verify(const Sample& sample, int threads, Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  const Project project = read_project(sample.project);
-  const BlockSystem system = build_blocks(project, sample.project.parent_path(), progress);
-  const TemporaryFolder folder;
-  Watch watch(progress, sample.name);
-
-  SampleOutcome outcome;
-  outcome.name = sample.name;
-  outcome.report = run(project, system, {folder.path() / "results", write_project(project), threads}, watch);
-  if (progress.cancelled()) throw Cancelled{};
-  outcome.passed = met(outcome.report);
-  if (!sample.events.empty()) {
-    outcome.events = compare_events(read_reference_events(sample.events), monitor_names(project), watch.history);
-    outcome.passed = outcome.passed && in_published_order(outcome.events);
+std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const std::vector<std::string>& names,
+                                    bool all) {
+  std::vector<KnownCase> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(cases.begin(), cases.end(), named(name));
+    if (found == cases.end()) {
+      std::string known;
+      for (const KnownCase& one : cases) (known += known.empty() ? "" : ", ") += one.name;
+      throw InputError("case '" + name + "'", "there is none of that name", "choose among " + known);
+    }
+    chosen.push_back(*found);
   }
-  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return outcome;
+  if (names.empty())
+    std::copy_if(cases.begin(), cases.end(), std::back_inserter(chosen),
+                 [all](const KnownCase& known) { return all || !known.takes_long; });
+  return chosen;
+}
+
+bool CaseResult::passed() const {
+  return failure.empty() && outcome.passed() &&
+         std::all_of(repetitions.begin(), repetitions.end(), [](const Repetition& r) { return r.passed; });
+}
+
+CaseResult verify(const KnownCase& known, const VerifyOptions& options, Progress& progress) {
+  CaseResult result{known.name, known.title, known.source, options.run, {}, {}, 0, {}};
+  if (!known.scales) result.options.scale = 1;
+  std::vector<CaseOptions> repetitions;
+  if (options.repeat) repetitions.push_back(on_other_threads(result.options));
+  if (options.repeat && known.scales) repetitions.push_back(at_other_scale(result.options));
+
+  const double share = 1 / (1 + static_cast<double>(repetitions.size()));
+  PartOfProgress first(progress, 0, share, "");
+  run_into(result, known, first);
+  if (!result.failure.empty()) return result;
+  for (const CaseOptions& again : repetitions) {
+    PartOfProgress next(progress, share * static_cast<double>(1 + result.repetitions.size()), share, "again");
+    result.repetitions.push_back(repeated(result, known, again, next));
+  }
+  return result;
+}
+
+void verify(const std::vector<KnownCase>& cases, const VerifyOptions& options, Progress& progress,
+            const std::function<void(const CaseResult&)>& ended) {
+  const double share = 1 / static_cast<double>(cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (progress.cancelled()) throw Cancelled{};
+    PartOfProgress part(progress, share * static_cast<double>(i), share, cases[i].name);
+    part.report(0, "");
+    ended(verify(cases[i], options, part));
+  }
 }
 
 }  // namespace talus

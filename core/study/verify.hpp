@@ -1,39 +1,61 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
-#include "results/run_report.hpp"
-#include "study/reference_events.hpp"
+#include "cases/known_case.hpp"
 
+/// Holds the solver to known answers: one list of cases, one way to run them.
 namespace talus {
 
-/// A shipped project with a known answer: `expect` lines, or published events in paper_events.csv beside it.
-struct Sample {
-  std::string name;  ///< of its folder
-  std::filesystem::path project;
-  std::filesystem::path events;  ///< empty: none published
-  bool takes_long = false;       ///< more than `quick_steps` time steps
+/// The shipped samples with a known answer, then the cases that are built in the program; every name is there once.
+/// Throws InputError when `samples` is no folder, or holds a faulty project or one with the name of a built-in case.
+std::vector<KnownCase> all_cases(const std::filesystem::path& samples);
+
+/// Those named, in that order; without names all that are quick, or all. Throws InputError for a name there is not.
+std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const std::vector<std::string>& names,
+                                    bool all);
+
+/// What came of running a case once more under other circumstances that must not matter.
+struct Repetition {
+  CaseOptions options;
+  bool same_bits = false;  ///< of all computed numbers, tables and remarks
+  /// Between Finding::relative of the two runs, over the larger where that is above one; and where it is largest.
+  double largest_difference = 0;
+  std::string quantity;
+  std::string failure;  ///< why it came to no numbers that can be compared; empty: it did
+  bool passed = false;
 };
 
-/// Samples of more time steps than this run only when asked for: the others take a second or two.
-inline constexpr int quick_steps = 5000;
-
-/// The samples in DIR/NAME/NAME.talus that have a known answer, by name. Throws InputError when `folder` is no folder
-/// or a project in it is faulty.
-std::vector<Sample> find_samples(const std::filesystem::path& folder);
-
-struct SampleOutcome {
-  std::string name;
-  double seconds = 0;  ///< wall time of meshing and run
-  RunReport report;
-  std::vector<EventComparison> events;
-  bool passed = false;  ///< completed, every expectation met, every published event in order
+struct CaseResult {
+  std::string name, title, source;
+  CaseOptions options;
+  CaseOutcome outcome;
+  std::string failure;  ///< why the case came to no answer; empty: it did
+  double seconds = 0;   ///< wall time of the first run
+  std::vector<Repetition> repetitions;
+  bool passed() const;  ///< it came to an end, all that is held was met, and no repetition differs
 };
 
-/// Runs a sample in a temporary folder and holds it against its known answer. Throws Cancelled when `progress` says so.
-SampleOutcome verify(const Sample& sample, int threads, Progress& progress);
+struct VerifyOptions {
+  CaseOptions run;
+  /// Also once more on two threads (on one, where `run` has several), which must give the same bits, and at a tenth of
+  /// the scale, which must give the same relative numbers: within `same_at_any_scale`, or, where zero is expected,
+  /// within `noise_about_zero` of the tolerance, since round-off does not scale.
+  bool repeat = false;
+};
+inline constexpr double repeated_scale = 0.1;
+inline constexpr double same_at_any_scale = 1e-6;
+inline constexpr double noise_about_zero = 1e-2;
+
+/// Runs a case. Whatever it throws is its failure; only Cancelled goes on to the caller. A case whose answer belongs to
+/// one scale runs at scale 1.
+CaseResult verify(const KnownCase& known, const VerifyOptions& options, Progress& progress);
+
+/// Runs all of them and hands each result on as it comes. Throws Cancelled when `progress` says so.
+void verify(const std::vector<KnownCase>& cases, const VerifyOptions& options, Progress& progress,
+            const std::function<void(const CaseResult&)>& ended);
 
 }  // namespace talus

@@ -1,0 +1,126 @@
+#include "verify_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "table.hpp"
+#include "terminal.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+constexpr std::size_t line_width = 110;
+/// Widths are fixed because a case is printed as soon as it ends, before those of the next are known.
+constexpr std::size_t quantity_width = 44, unit_width = 5, value_width = 12, error_width = 9;
+
+/// `text` broken into lines at spaces, each after `indent` spaces.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  const std::string margin(indent, ' ');
+  std::istringstream words(text);
+  std::string lines, line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && indent + width_of(line) + 1 + width_of(word) > line_width) {
+      lines += margin + line + '\n';
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return line.empty() ? lines : lines + margin + line + '\n';
+}
+
+std::string row_text(const std::string& quantity, const std::string& unit, const FindingWords& words) {
+  std::string row = "  " + padded(quantity, quantity_width);
+  if (width_of(quantity) > quantity_width) row += '\n' + std::string(2 + quantity_width, ' ');
+  row += "  " + padded(unit, unit_width);
+  for (const std::string* value : {&words.expected, &words.computed}) row += "  " + padded_left(*value, value_width);
+  for (const std::string* value : {&words.error, &words.tolerance}) row += "  " + padded_left(*value, error_width);
+  row += "  " + words.verdict;
+  return row + '\n';
+}
+
+std::string indented(const std::string& text, const std::string& margin) {
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) result += line.empty() ? "\n" : margin + line + '\n';
+  return result;
+}
+
+std::string table_text(const CaseTable& content) {
+  Table table(content.columns, alignment_of(content.columns.size(), content.rows));
+  for (const auto& row : content.rows) table.add(row);
+  return "\n  " + content.title + '\n' + indented(table.text(), "    ");
+}
+
+std::string finite(double value, int digits) { return std::isfinite(value) ? number(value, digits) : "–"; }
+
+std::string verdict_of(const CaseResult& result) {
+  std::string text = result.passed() ? "passed" : "FAILED";
+  text += " in " + number(result.seconds, 2) + " s";
+  if (result.options.scale != 1) text += " at scale " + number(result.options.scale);
+  return text;
+}
+
+}  // namespace
+
+FindingWords words_of(const Finding& finding) {
+  const std::string sign = finding.absolute ? "±" : "";
+  FindingWords words{finite(finding.expected, 7), finite(finding.computed, 7), finite(finding.error(), 2), "", ""};
+  if (std::isfinite(finding.error())) words.error = sign + words.error;
+  words.tolerance = finding.reported ? "–" : sign + number(finding.tolerance, 2);
+  words.verdict = finding.reported ? "shown" : finding.passed() ? "yes" : "NO";
+  return words;
+}
+
+std::string repetition_text(const Repetition& repetition) {
+  const std::string which = number(repetition.options.threads) +
+                            (repetition.options.threads == 1 ? " thread" : " threads") + ", scale " +
+                            number(repetition.options.scale) + ": ";
+  if (!repetition.failure.empty()) return which + "failed: " + repetition.failure;
+  if (repetition.same_bits) return which + "the same bits";
+  return which + (repetition.passed ? "the same; differs by " : "DIFFERS by ") +
+         finite(repetition.largest_difference, 2) + " at most (" + repetition.quantity + ")";
+}
+
+std::string case_columns() {
+  return row_text("Quantity", "Unit", {"Expected", "Computed", "Error", "Tolerance", "Passed"});
+}
+
+std::string case_text(const CaseResult& result, bool tables) {
+  std::string text = '\n' + result.name + ": " + result.title + ": " + verdict_of(result) + '\n';
+  if (!result.failure.empty()) text += wrapped("came to no answer: " + result.failure, 2);
+  for (const Finding& finding : result.outcome.findings)
+    text += row_text(finding.quantity, finding.unit, words_of(finding));
+  for (const Repetition& repetition : result.repetitions) text += wrapped(repetition_text(repetition), 2);
+  for (const std::string& remark : result.outcome.remarks) text += wrapped(remark, 2);
+  if (!result.source.empty()) text += wrapped("Source: " + result.source, 2);
+  if (tables)
+    for (const CaseTable& table : result.outcome.tables) text += table_text(table);
+  return text;
+}
+
+std::string verdict_text(const std::vector<CaseResult>& results) {
+  double seconds = 0;
+  std::string failed;
+  std::size_t passed = 0;
+  for (const CaseResult& result : results) {
+    seconds += result.seconds;
+    if (result.passed())
+      ++passed;
+    else
+      failed += (failed.empty() ? "" : ", ") + result.name;
+  }
+  std::string text = '\n' + std::to_string(passed) + " of " + std::to_string(results.size()) + " cases passed, " +
+                     duration_text(seconds) + " of computing\n";
+  if (!failed.empty()) text += wrapped("failed: " + failed, 0);
+  return text;
+}
+
+std::string list_text(const std::vector<KnownCase>& cases) {
+  Table table({"Case", "Runs", "Title"}, "lll");
+  for (const KnownCase& known : cases) table.add({known.name, known.takes_long ? "with --all" : "always", known.title});
+  return table.text();
+}
+
+}  // namespace talus::cli
