@@ -1,0 +1,99 @@
+#include "cases/block_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+
+namespace talus {
+
+Scene rock_scene(double friction_angle) {
+  Scene scene;
+  scene.project.name = "blocks";
+  Material rock;
+  rock.name = "rock";
+  rock.density = 2600;
+  rock.young = 50e9;
+  rock.poisson = 0.24;
+  scene.add_material(rock);
+  Joint joint;
+  joint.name = "joint";
+  joint.friction_angle = friction_angle;
+  scene.add_joint(joint);
+  return scene;
+}
+
+void tilt(Scene& scene, double dip) {
+  const double g = scene.project.gravity.norm();
+  scene.project.gravity = g * Vec3(std::sin(radians(dip)), 0, -std::cos(radians(dip)));
+}
+
+void add_fixed_box(Scene& scene, const std::string& name, const Vec3& min, const Vec3& max) {
+  scene.add_block(name, box_mesh(min, max, 1, 1, 1), BodyKind::fixed);
+}
+
+void add_box(Scene& scene, const std::string& name, const Vec3& min, const Vec3& max) {
+  scene.add_block(name, box_mesh(min, max, 1, 1, 1), BodyKind::tetrahedra);
+}
+
+Stage settling(double time_step, int steps) {
+  Stage stage;
+  stage.name = "settle";
+  stage.kind = StageKind::static_;
+  stage.time_step = time_step;
+  stage.steps = steps;
+  return stage;
+}
+
+Stage motion(double time_step, double duration) {
+  Stage stage;
+  stage.name = "move";
+  stage.time_step = time_step;
+  stage.duration = duration;
+  return stage;
+}
+
+std::vector<Moment> record(const Scene& scene, const CaseOptions& options, Progress& progress,
+                           const std::function<bool(const Moment&)>& go_on) {
+  const double s = options.scale, root = std::sqrt(s);
+  std::vector<Moment> moments;
+  run_scene(scaled(scene, s), progress, [&](const Simulation& simulation, const StepReport& report) {
+    Moment moment{simulation.time() / root, report.stage, {}};
+    for (std::size_t b = 0; b < scene.system.blocks.size(); ++b) {
+      BlockMotion block = block_motion(simulation.bodies(), static_cast<int>(b));
+      block.displacement /= s;
+      block.velocity /= root;
+      moment.blocks.push_back(block);
+    }
+    moments.push_back(std::move(moment));
+    return !go_on || go_on(moments.back());
+  });
+  return moments;
+}
+
+double farthest_since_settling(const std::vector<Moment>& moments) {
+  const auto settled = std::find_if(moments.begin(), moments.end(), [](const Moment& m) { return m.stage > 0; });
+  if (settled == moments.end()) return NAN;
+  double farthest = 0;
+  for (std::size_t b = 0; b < settled->blocks.size(); ++b)
+    farthest = std::max(farthest, (moments.back().blocks[b].displacement - settled->blocks[b].displacement).norm());
+  return farthest;
+}
+
+KnownCase at_any_scale(KnownCase full_size) {
+  full_size.run = [run = full_size.run](const CaseOptions& options, Progress& progress) {
+    CaseOutcome outcome = run(options, progress);
+    for (Finding& finding : outcome.findings) {
+      const double factor = finding.unit == "m"                            ? options.scale
+                            : finding.unit == "s" || finding.unit == "m/s" ? std::sqrt(options.scale)
+                                                                           : 1;
+      finding.expected *= factor;
+      finding.computed *= factor;
+      if (finding.absolute) finding.tolerance *= factor;
+    }
+    return outcome;
+  };
+  return full_size;
+}
+
+}  // namespace talus
