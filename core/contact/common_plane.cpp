@@ -11,10 +11,12 @@ namespace {
 
 constexpr int most_iterations = 12;     // two are usual
 constexpr double no_direction = 1e-20;  // of the squared lengths: a direction is lost in rounding below it
+constexpr double inward = 0.05;         // cosine: what points less against the outward side points sideways
 
 class Search {
  public:
-  Search(const Triangle& a, const Triangle& b, double enough) : enough_(enough) {
+  Search(const Triangle& a, const Triangle& b, double enough, const Vec3& outward = Vec3::Zero())
+      : enough_(enough), outward_(outward) {
     for (int k = 0; k < 3; ++k) {  // differences first: positions may be far from the origin
       a_[k] = a[k] - a[0];
       b_[k] = b[k] - a[0];
@@ -43,6 +45,19 @@ class Search {
     return {normal_, origin + 0.5 * (a_[p] + b_[q]), gap_, iterations};
   }
 
+  /// Facets that cross lead out of each other along their own normals or square to an edge of each. The other types of
+  /// planes would part them sideways, where the bodies go on.
+  CommonPlane run_where_they_cross(const Vec3& origin) {
+    gap_ = -std::numeric_limits<double>::infinity();
+    try_normal(edges_a_[0].cross(edges_a_[1]), scale_ * scale_);
+    try_normal(edges_b_[0].cross(edges_b_[1]), scale_ * scale_);
+    for (const Vec3& e : edges_a_) {
+      for (const Vec3& f : edges_b_) try_normal(e.cross(f), scale_ * scale_);
+    }
+    const auto [p, q] = closest_vertices();
+    return {normal_, origin + 0.5 * (a_[p] + b_[q]), gap_, 0};
+  }
+
  private:
   bool known_near(int p, int q) const {
     return std::isfinite(enough_) && (a_[p] - b_[q]).squaredNorm() <= enough_ * enough_;
@@ -61,6 +76,7 @@ class Search {
     const auto keep_if_wider = [&](double apart, double sense) {  // compared as squares: most candidates lose
       if (!(apart * std::abs(apart) > gap_ * std::abs(gap_) * squared)) return;
       const double length = std::sqrt(squared);
+      if (sense * direction.dot(outward_) < -inward * length * outward_.norm()) return;
       gap_ = apart / length;
       normal_ = direction * (sense / length);
     };
@@ -113,6 +129,7 @@ class Search {
   Triangle a_, b_;
   std::array<Vec3, 3> edges_a_, edges_b_;  // opposite to each vertex
   double scale_ = 0, enough_;
+  Vec3 outward_;
   double gap_ = -std::numeric_limits<double>::infinity();
   Vec3 normal_ = Vec3::UnitZ();
 };
@@ -120,5 +137,11 @@ class Search {
 }  // namespace
 
 CommonPlane common_plane(const Triangle& a, const Triangle& b, double enough) { return Search(a, b, enough).run(a[0]); }
+
+CommonPlane common_plane_of_bodies(const Triangle& a, const Triangle& b, const Vec3& outward) {
+  Search search(a, b, std::numeric_limits<double>::infinity(), outward);
+  const CommonPlane plane = search.run(a[0]);
+  return plane.gap < 0 ? search.run_where_they_cross(a[0]) : plane;
+}
 
 }  // namespace talus

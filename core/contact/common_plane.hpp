@@ -26,4 +26,10 @@ struct CommonPlane {
 /// known, and the gap of facets that are nearer may be less than the largest.
 CommonPlane common_plane(const Triangle& a, const Triangle& b, double enough = std::numeric_limits<double>::infinity());
 
+/// The same for facets of bodies, which have an inside: only planes whose normal does not point against
+/// `outward` = (outward normal of b) − (outward normal of a). Facets that lie in each other, face to face, would else
+/// seem to be apart on their wrong sides. Where they cross, only the planes parallel to a facet or to an edge of each
+/// count.
+CommonPlane common_plane_of_bodies(const Triangle& a, const Triangle& b, const Vec3& outward);
+
 }  // namespace talus

@@ -13,9 +13,9 @@
 namespace talus {
 namespace {
 
-constexpr double bonded_gap = 1e-3;    // of the size: facets that are nearer at the start are one joint
-constexpr double memory_distance = 2;  // sizes
-constexpr double reach_slack = 1e-9;   // of the size, for the rounding of two ways to measure one gap
+constexpr double bonded_gap = 1e-3;   // of the size: facets that are nearer at the start are one joint
+constexpr double memory_reach = 2;    // sizes within which a contact goes on from another one
+constexpr double reach_slack = 1e-9;  // of the size, for the rounding of two ways to measure one gap
 
 }  // namespace
 
@@ -32,6 +32,8 @@ struct ContactDetector::State {
         moved(bodies.size(), 0) {}
 
   double bond_reach() const;
+  /// The facet-wise model remembers by key alone. [sizes]
+  double memory_distance() const { return settings.model == ContactModel::area ? memory_reach : 0; }
   void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach);
   void find_points(std::span<const Vec3> x, double reach);
   double late_overlap(const FoundPoint& found) const;
@@ -44,6 +46,7 @@ struct ContactDetector::State {
   ContactSettings settings;
   ContactFeatures features;
   BroadPhase broad;
+  FacetWiseSearch facet_wise;
   FacingSearch facing;
   VertexSearch vertices;
   EdgeSearch edges;
@@ -90,9 +93,13 @@ void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) 
   keep_near_pairs(broad.find(x, reach), x, reach);
   const StepGeometry step{features, broad, x, broad.normals(), penetration, settings, reach, moved};
   found.clear();
-  facing.find(step, near, found);
-  vertices.find(step, near, found);
-  edges.find(step, near, found);
+  if (settings.model == ContactModel::facet_wise) {
+    facet_wise.find(step, near, found);
+  } else {
+    facing.find(step, near, found);
+    vertices.find(step, near, found);
+    edges.find(step, near, found);
+  }
   std::sort(found.points.begin(), found.points.end(),
             [](const FoundPoint& p, const FoundPoint& q) { return p.key < q.key; });
 }
@@ -129,7 +136,7 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
 
   p.mode = f.gap > 0 ? ContactMode::open : ContactMode::stick;
   p.shear_start = Vec3::Zero();
-  if (const ContactMemory::Memo* memo = memory.recall(f, memory_distance * scale.size)) {
+  if (const ContactMemory::Memo* memo = memory.recall(f, memory_distance() * scale.size)) {
     p.bonded = memo->bonded && f.area > 0;
     p.mode = memo->mode;
     p.shear_start = ContactMemory::shear_on(*memo, f);

@@ -8,6 +8,7 @@
 
 #include "contact/contact_point.hpp"
 #include "mesh/surface.hpp"
+#include "model/solver_settings.hpp"
 
 namespace talus {
 
@@ -20,6 +21,7 @@ struct ContactBody {
 };
 
 struct ContactSettings {
+  ContactModel model = ContactModel::area;
   double stiffness = 10;     ///< κ: k_n = κ E*/h [Pa/m], 1/E* = 1/E1 + 1/E2
   double shear_ratio = 0.4;  ///< k_s / k_n
   double facing_angle = 3;   ///< degrees within which two facets face each other

@@ -55,6 +55,29 @@ void FoundPoints::close_stencil(FoundPoint& point, const ContactFeatures& featur
   point.stencil_end = kept;
 }
 
+void FoundPoints::add_vertex(FoundPoint p, const std::array<int, 3>& facet_nodes, const std::array<double, 3>& shares,
+                             bool node_is_first, const ContactFeatures& features, std::span<const Vec3> x) {
+  p.stencil_begin = static_cast<int>(nodes.size());
+  const auto put = [&](int node, double weight) {
+    nodes.push_back(node);
+    weights.push_back(weight);
+  };
+  if (node_is_first) put(p.node, 1);
+  for (int k = 0; k < 3; ++k) put(facet_nodes[k], node_is_first ? -shares[k] : shares[k]);
+  if (!node_is_first) put(p.node, -1);
+  close_stencil(p, features, x, node_is_first ? 1 : 3);
+  points.push_back(p);
+}
+
+void FoundPoints::add_crossing(FoundPoint p, const ContactEdge& a, double s, const ContactEdge& b, double t,
+                               const ContactFeatures& features, std::span<const Vec3> x) {
+  p.stencil_begin = static_cast<int>(nodes.size());
+  nodes.insert(nodes.end(), {a.nodes[0], a.nodes[1], b.nodes[0], b.nodes[1]});
+  weights.insert(weights.end(), {1 - s, s, -(1 - t), -t});
+  close_stencil(p, features, x, 2);
+  points.push_back(p);
+}
+
 double StepGeometry::rim(int body_a, int body_b) const {
   const double size = broad.scale(body_a, body_b).size;
   return std::clamp(rim_per_penetration * deepest(body_a, body_b), rim_least * size, rim_most * size);

@@ -19,10 +19,11 @@ struct FoundPoint {
   PointKind kind;
   std::array<int, 2> facets;  ///< of the first body and of the second
   std::array<int, 2> patches;
-  int node;               ///< whose contact it is; −1: two edges'
-  int joint;              ///< −1: the pair's
-  Vec3 normal, position;  ///< from the second body to the first; on the first
-  double gap, area;       ///< m; m², 0 without an area
+  int node;                      ///< whose contact it is; −1: two edges'
+  int joint;                     ///< −1: the pair's
+  Vec3 normal = Vec3::Zero();    ///< from the second body to the first
+  Vec3 position = Vec3::Zero();  ///< on the first
+  double gap, area;              ///< m; m², 0 without an area
   int stencil_begin, stencil_end;
   bool dropped;
 };
@@ -44,6 +45,13 @@ struct FoundPoints {
   /// Ends the stencil that began at `point.stencil_begin`: drops what rounding left, makes the weights add up to +1
   /// over the first body's nodes and −1 over the second's, and measures gap and position.
   void close_stencil(FoundPoint& point, const ContactFeatures& features, std::span<const Vec3> x, int nodes_of_first);
+
+  /// Adds a point with the stencil of a vertex on a facet; `shares` are the place's on the facet's nodes.
+  void add_vertex(FoundPoint point, const std::array<int, 3>& facet_nodes, const std::array<double, 3>& shares,
+                  bool node_is_first, const ContactFeatures& features, std::span<const Vec3> x);
+  /// Adds a point with the stencil of two crossing edges: at the share s of the first and t of the second.
+  void add_crossing(FoundPoint point, const ContactEdge& a, double s, const ContactEdge& b, double t,
+                    const ContactFeatures& features, std::span<const Vec3> x);
 };
 
 /// What the searches look at: the surfaces as they are at the start of the step.
@@ -80,6 +88,30 @@ std::uint64_t crossing_key(const ContactFeatures& features, int edge_a, int patc
 std::uint64_t edge_key(int edge_a, int edge_b);
 std::uint64_t patch_family(int patch_a, int patch_b);
 std::uint64_t crease_family(int crease_a, int crease_b);
+
+/// The paper's way, the yardstick: a common plane for each pair of facets, and the contact points that this plane alone
+/// gives. Nothing is known of the facets around.
+class FacetWiseSearch {
+ public:
+  void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+
+ private:
+  struct Touch {
+    std::uint64_t key;
+    int order;
+    FacetPair facets;
+    Vec3 normal;
+    double gap, area;
+    int node;                      // −1: two edges cross
+    std::array<int, 2> edges;      // of a crossing
+    std::array<double, 3> shares;  // of the facet's nodes, or of both edges
+  };
+  void touch(const StepGeometry& step, const FacetPair& pair);
+  void vertices_on(const StepGeometry& step, const FacetPair& pair, bool node_is_first, const Vec3& n);
+  void crossings(const StepGeometry& step, const FacetPair& pair, const Vec3& n);
+  void keep(const StepGeometry& step, Touch touch);
+  std::vector<Touch> touches_;
+};
 
 /// Facets that face each other: the corners of their overlaps, merged where the mesh alone divides them.
 class FacingSearch {

@@ -96,13 +96,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, FoundPo
   p.normal = n;
   p.position = a0 + s * u;
   if (found_before(p, std::min({s * la, (1 - s) * la, t * lb, (1 - t) * lb}), same_place * size, step, found)) return;
-  p.stencil_begin = static_cast<int>(found.nodes.size());
-  const std::array<int, 4> nodes = {a.nodes[0], a.nodes[1], b.nodes[0], b.nodes[1]};
-  const std::array<double, 4> weights = {1 - s, s, -(1 - t), -t};
-  found.nodes.insert(found.nodes.end(), nodes.begin(), nodes.end());
-  found.weights.insert(found.weights.end(), weights.begin(), weights.end());
-  found.close_stencil(p, step.features, step.x, 2);
-  found.points.push_back(p);
+  found.add_crossing(p, a, s, b, t, step.features, step.x);
 }
 
 /// At the end of an edge the next edge, or a vertex, may have found the same contact.

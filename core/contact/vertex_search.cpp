@@ -159,17 +159,8 @@ void VertexSearch::add(const StepGeometry& step, const Touch& t, FoundPoints& fo
   p.node = t.node;
   p.joint = own.joint;
   p.normal = t.node_is_first ? n : Vec3(-n);
-  p.stencil_begin = static_cast<int>(found.nodes.size());
-  const auto put = [&](int node, double weight) {
-    found.nodes.push_back(node);
-    found.weights.push_back(weight);
-  };
-  if (t.node_is_first) put(t.node, 1);
-  for (int k = 0; k < 3; ++k) put(f.nodes[k], t.node_is_first ? -t.shares[k] : t.shares[k]);
-  if (!t.node_is_first) put(t.node, -1);
-  found.close_stencil(p, step.features, step.x, t.node_is_first ? 1 : 3);
   held_.push_back({t.node, static_cast<int>(found.points.size()), f.body, n});
-  found.points.push_back(p);
+  found.add_vertex(p, f.nodes, t.shares, t.node_is_first, step.features, step.x);
 }
 
 void VertexSearch::drop_false(const StepGeometry& step, FoundPoints& found) {
