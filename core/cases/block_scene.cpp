@@ -71,13 +71,24 @@ std::vector<Moment> record(const Scene& scene, const CaseOptions& options, Progr
   return moments;
 }
 
-double farthest_since_settling(const std::vector<Moment>& moments) {
-  const auto settled = std::find_if(moments.begin(), moments.end(), [](const Moment& m) { return m.stage > 0; });
-  if (settled == moments.end()) return NAN;
-  double farthest = 0;
-  for (std::size_t b = 0; b < settled->blocks.size(); ++b)
-    farthest = std::max(farthest, (moments.back().blocks[b].displacement - settled->blocks[b].displacement).norm());
-  return farthest;
+double farthest(const Moment& from, const Moment& to) {
+  double way = 0;
+  for (std::size_t b = 0; b < from.blocks.size(); ++b)
+    way = std::max(way, (to.blocks[b].displacement - from.blocks[b].displacement).norm());
+  return way;
+}
+
+bool sets_off(const Scene& scene, double distance, const CaseOptions& options, Progress& progress) {
+  Moment settled;
+  bool off = false;
+  record(scene, options, progress, [&](const Moment& moment) {
+    if (moment.stage == 0)
+      settled = moment;
+    else
+      off = farthest(settled, moment) > distance;
+    return !off;
+  });
+  return off;
 }
 
 KnownCase at_any_scale(KnownCase full_size) {

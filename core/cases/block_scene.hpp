@@ -32,8 +32,12 @@ struct Moment {
 std::vector<Moment> record(const Scene& scene, const CaseOptions& options, Progress& progress,
                            const std::function<bool(const Moment&)>& go_on = {});
 
-/// Displacement since the first moment of the second stage, of the block that has moved most [m].
-double farthest_since_settling(const std::vector<Moment>& moments);
+/// How far the block has gone that went farthest from one moment to another [m].
+double farthest(const Moment& from, const Moment& to);
+
+/// Whether any block goes farther than `distance` [m, at full size] after the settling stage; ends the run when one
+/// does.
+bool sets_off(const Scene& scene, double distance, const CaseOptions& options, Progress& progress);
 
 /// A case that speaks of full size, made to say what was computed at its scale: findings in m are multiplied by s,
 /// those in s and m/s by √s.

@@ -1,0 +1,83 @@
+#include "cases/arch.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "base/units.hpp"
+#include "cases/block_scene.hpp"
+#include "cases/voussoirs.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr double radius = 10, depth = 2;  // m
+constexpr int voussoirs = 27;
+/// An arch whose farthest voussoir has gone this share of the radius within the run is falling.
+constexpr double moved = 2e-3;
+
+Scene arch_scene(const Arch& arch, double friction) {
+  Scene scene = rock_scene(degrees(std::atan(friction)));
+  for (const double side : {-1.0, 1.0})
+    add_fixed_box(scene, side < 0 ? "left springing" : "right springing", Vec3(side * radius - 4, -depth, -2),
+                  Vec3(side * radius + 4, depth, 0));
+  for (int i = 0; i < arch.voussoirs; ++i) {
+    const auto section = corners(arch, i);
+    std::array<Vec3, 8> block;
+    for (int k = 0; k < 8; ++k) {  // bits: outwards, to the back, on along the arch
+      const Eigen::Vector2d& point = section[(k & 1) + (k & 4 ? 2 : 0)];
+      block[k] = Vec3(radius * point.x(), k & 2 ? depth / 2 : -depth / 2, radius * point.y());
+    }
+    scene.add_block("voussoir " + std::to_string(i + 1), hexahedron_mesh(block, 1, 1, 1), BodyKind::tetrahedra);
+  }
+  scene.project.stages = {settling(0.02, 100), motion(0.02, 5)};
+  return scene;
+}
+
+std::string text(double number) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.5f", number);
+  return buffer;
+}
+
+CaseOutcome thickness(const CaseOptions& options, Progress& progress) {
+  const auto arch_falls = [&](double thick, double friction) {
+    return sets_off(arch_scene({voussoirs, thick}, friction), moved * radius, options, progress);
+  };
+  CaseOutcome outcome;
+  CaseTable brackets{"Thickness over mean radius", {"μ", "least by limit analysis", "falls at", "stands at"}, {}};
+  for (const double friction : {0.5, 0.35, 0.32}) {
+    const double expected = *least_thickness(voussoirs, friction);
+    double falls = 0.97 * expected, stays = 1.03 * expected;
+    for (int i = 0; i < (options.thorough ? 6 : 3); ++i) {
+      const double middle = (falls + stays) / 2;
+      (arch_falls(middle, friction) ? falls : stays) = middle;
+    }
+    brackets.rows.push_back({text(friction), text(expected), text(falls), text(stays)});
+    outcome.findings.push_back({.quantity = "least thickness/radius, μ " + text(friction),
+                                .unit = "",
+                                .expected = expected,
+                                .computed = (falls + stays) / 2,
+                                .tolerance = 0.01});
+  }
+  outcome.tables.push_back(brackets);
+  const double slippery = 0.30;
+  outcome.findings.push_back({.quantity = "thickness 0.3 of the radius stands (1) or falls (0), μ " + text(slippery),
+                              .unit = "",
+                              .expected = stands({voussoirs, 0.3}, slippery) ? 1.0 : 0.0,
+                              .computed = arch_falls(0.3, slippery) ? 0.0 : 1.0,
+                              .tolerance = 0,
+                              .absolute = true});
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<KnownCase> arch_cases() {
+  return {{.name = "arch",
+           .title = "Semicircular arch of 27 voussoirs under its own weight",
+           .source = "thrust line within the joints; Milankovitch 1907",
+           .run = thickness}};
+}
+
+}  // namespace talus

@@ -1,0 +1,100 @@
+#include "cases/column_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "cases/block_scene.hpp"
+
+namespace talus {
+
+namespace {
+
+/// A row whose farthest column has gone this share of a width within the run is on its way.
+constexpr double moved = 1e-3;
+
+/// In the axes of the base's steps: x down their dip, z their normal. The toe column stands on x = −width … 0.
+Scene row_scene(const ColumnRow& row, double friction_angle) {
+  const double depth = row.width;
+  Scene scene = rock_scene(friction_angle);
+  tilt(scene, row.base_dip);
+  const std::vector<double> height = heights(row);
+  add_fixed_box(scene, "apron", Vec3(0, -depth, -2 * row.width), Vec3(2 * row.width, depth, 0));
+  for (int i = 0; i < row.count; ++i) {
+    const double back = -(i + 1) * row.width, base = i * row.base_step;
+    const std::string number = std::to_string(i + 1);
+    add_fixed_box(scene, "step " + number, Vec3(back, -depth, -2 * row.width), Vec3(back + row.width, depth, base));
+    add_box(scene, "column " + number, Vec3(back, -depth / 2, base),
+            Vec3(back + row.width, depth / 2, base + height[i]));
+  }
+  scene.project.stages = {settling(0.02, 100), motion(0.02, 6)};
+  return scene;
+}
+
+CaseOutcome limit(const CaseOptions& options, Progress& progress) {
+  const ColumnRow row;
+  const double expected = limiting_friction_angle(row);
+  double falls = expected - 4, stands = expected + 4;
+  CaseTable table{"Rows of columns", {"φ [°]", "row"}, {}};
+  for (int i = 0; i < (options.thorough ? 10 : 7); ++i) {
+    const double middle = (falls + stands) / 2;
+    const bool sets = sets_off(row_scene(row, middle), moved * row.width, options, progress);
+    (sets ? falls : stands) = middle;
+    table.rows.push_back({std::to_string(middle), sets ? "falls" : "stands"});
+  }
+  CaseOutcome outcome;
+  outcome.findings.push_back({.quantity = "limiting friction angle",
+                              .unit = "°",
+                              .expected = expected,
+                              .computed = (falls + stands) / 2,
+                              .tolerance = 0.1,
+                              .absolute = true});
+  outcome.tables.push_back(table);
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<double> heights(const ColumnRow& row) {
+  std::vector<double> height;
+  for (int i = 1; i <= row.count; ++i)
+    height.push_back(i <= row.crest ? i * (row.face_step - row.base_step)
+                                    : height.back() - row.crest_step - row.base_step);
+  return height;
+}
+
+double toe_force(const ColumnRow& row, double friction_angle) {
+  const double t = std::tan(radians(friction_angle));
+  const double s = std::sin(radians(row.base_dip)), c = std::cos(radians(row.base_dip));
+  const std::vector<double> height = heights(row);
+  double from_above = 0, needed = 0;
+  for (int i = row.count; i >= 1; --i) {
+    const double y = height[i - 1], weight = y;
+    const double upper = i < row.crest ? y : y - row.crest_step;  // where the upper neighbour pushes
+    const double lower = i <= row.crest ? y - row.face_step : y;  // where it pushes the lower one
+    const double tops = (from_above * (upper - row.width * t) + weight / 2 * (y * s - row.width * c)) / lower;
+    const double slides = from_above - weight * (c * t - s) / (1 - t * t);
+    const bool may_topple = lower > 0 && (from_above > 0 || y * s > row.width * c);
+    needed = may_topple ? std::max(tops, slides) : slides;
+    from_above = std::max(needed, 0.0);
+  }
+  return needed;
+}
+
+double limiting_friction_angle(const ColumnRow& row) {
+  double falls = row.base_dip, stands = 44.9;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (falls + stands) / 2;
+    (toe_force(row, middle) > 0 ? falls : stands) = middle;
+  }
+  return stands;
+}
+
+std::vector<KnownCase> column_row_cases() {
+  return {{.name = "goodman_bray",
+           .title = "16 columns topple over each other",
+           .source = "limit equilibrium of Goodman & Bray 1976",
+           .run = limit}};
+}
+
+}  // namespace talus
