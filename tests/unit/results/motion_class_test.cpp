@@ -1,0 +1,56 @@
+#include "results/motion_class.hpp"
+
+#include <gtest/gtest.h>
+
+#include "example_results.hpp"
+
+namespace talus {
+namespace {
+
+MotionClass two_planes() {
+  MotionClass motion;
+  motion.mode = MotionMode::sliding_on_two;
+  motion.joints = {0, 1};
+  motion.against = {0, 0};
+  motion.line = Vec3(1, 0, -1).normalized();
+  return motion;
+}
+
+TEST(MotionClass, is_told_with_joints_the_blocks_behind_them_and_the_line) {
+  EXPECT_EQ(motion_text(two_planes(), example_system()), "sliding on J1 (B1) and J2 (B1) along 090°/45°");
+  MotionClass motion;
+  EXPECT_EQ(motion_text(motion, example_system()), "stable");
+  motion.mode = MotionMode::toppling;
+  motion.joints = {1, -1};
+  motion.against = {0, -1};
+  motion.came_to_rest = true;
+  EXPECT_EQ(motion_text(motion, example_system()), "toppling on J2 (B1), came to rest");
+  motion.mode = MotionMode::carried;
+  EXPECT_EQ(motion_text(motion, example_system()), "carried by B1, came to rest");
+}
+
+TEST(MotionClass, without_joints_the_block_alone_is_named) {
+  BlockSystem system = example_system();
+  system.joint_names.clear();
+  MotionClass motion = two_planes();
+  motion.mode = MotionMode::sliding_and_toppling;
+  EXPECT_EQ(motion_text(motion, system), "sliding on B1 and toppling");
+}
+
+TEST(MotionClass, a_direction_is_trend_and_plunge_in_whole_degrees) {
+  EXPECT_EQ(direction_text(Vec3(1, 0, 0)), "090°/0°");
+  EXPECT_EQ(direction_text(Vec3(-1e-4, 1, 1e-4)), "000°/0°");
+  EXPECT_EQ(direction_text(Vec3(0, 0, -1)), "000°/90°");
+  EXPECT_EQ(direction_text(Vec3::Zero()), "");
+}
+
+TEST(MotionClass, kinds_are_the_same_whatever_the_direction) {
+  MotionClass other = two_planes();
+  other.direction = Vec3::UnitX();
+  EXPECT_TRUE(same_kind(two_planes(), other));
+  other.joints[1] = 0;
+  EXPECT_FALSE(same_kind(two_planes(), other));
+}
+
+}  // namespace
+}  // namespace talus
