@@ -14,7 +14,6 @@ namespace talus {
 namespace {
 
 constexpr double bonded_gap = 1e-3;   // of the size: facets that are nearer at the start are one joint
-constexpr double memory_reach = 2;    // sizes within which a contact goes on from another one
 constexpr double reach_slack = 1e-9;  // of the size, for the rounding of two ways to measure one gap
 
 }  // namespace
@@ -27,13 +26,12 @@ struct ContactDetector::State {
         settings(s),
         features(bodies),
         broad(features, bodies, settings),
+        memory(s.model == ContactModel::facet_wise),
         coupling(features),
         penetration(bodies.size(), 0.0),
         moved(bodies.size(), 0) {}
 
   double bond_reach() const;
-  /// The facet-wise model remembers by key alone. [sizes]
-  double memory_distance() const { return settings.model == ContactModel::area ? memory_reach : 0; }
   void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach);
   void find_points(std::span<const Vec3> x, double reach);
   double late_overlap(const FoundPoint& found) const;
@@ -107,16 +105,14 @@ void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) 
 /// A contact that shows up deeper than any was in the last step was there before and was not seen, where features give
 /// way to one another. It pushes against what comes on top: pushing back all of it would make energy from nothing.
 double ContactDetector::State::late_overlap(const FoundPoint& f) const {
-  const double expected =
-      std::max(penetration[features.facets[f.facets[0]].body], penetration[features.facets[f.facets[1]].body]);
-  return std::max(0.0, -f.gap - expected);
+  return std::max(0.0, -f.gap - std::max(penetration[f.bodies[0]], penetration[f.bodies[1]]));
 }
 
 ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
   ContactPoint p{};
   p.key = f.key;
   for (int k = 0; k < 2; ++k) {
-    p.bodies[k] = features.facets[f.facets[k]].body;
+    p.bodies[k] = f.bodies[k];
     p.patches[k] = f.patches[k];
   }
   p.joint = f.joint >= 0 ? f.joint : pair_joint[p.bodies[0]][p.bodies[1]];
@@ -136,13 +132,15 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
 
   p.mode = f.gap > 0 ? ContactMode::open : ContactMode::stick;
   p.shear_start = Vec3::Zero();
-  if (const ContactMemory::Memo* memo = memory.recall(f, memory_distance() * scale.size)) {
-    p.bonded = memo->bonded && f.area > 0;
-    p.mode = memo->mode;
-    p.shear_start = ContactMemory::shear_on(*memo, f);
-    p.multiplier = ContactMemory::share_of(*memo, f) * memo->multiplier;
-    p.slip_start = memo->slip;
-    p.overlap = memo->overlap;
+  if (const auto past = memory.recall(f, scale.size)) {
+    p.bonded = past->bonded && f.area > 0;
+    p.mode = past->mode;
+    p.shear_start = past->shear;
+    p.multiplier = past->multiplier;
+    p.slip_start = past->slip;
+    p.overlap = past->overlap;
+    // A vertex is stiffer than the corner of an area that it was: the same gap would push harder all of a sudden.
+    if (past->lost_area) p.overlap = std::max(p.overlap, -f.gap - past->spring_force / p.normal_stiffness);
   } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {
     p.overlap = late_overlap(f);
   } else if (f.area > 0) {

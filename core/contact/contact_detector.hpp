@@ -37,10 +37,10 @@ class ContactDetector {
   ~ContactDetector();
 
   /// Contact points at the positions x [m] (all bodies' nodes), for gaps up to `reach` [m]; bonded points also beyond
-  /// it. The order is that of the keys. Points remember shear force, slip, bond and mode by key, or from the nearest
-  /// former point of the same pair of patches. Until a step is accepted in which one of the two bodies could move,
-  /// their facing points that touch are bonded if the joint has cohesion or tension. May be called again with other
-  /// positions before accept(): nothing is remembered but by that.
+  /// it. The order is that of the keys. Points remember shear force, multiplier, slip, bond and mode by key, or
+  /// from the former points that they go on from (docs/contact.md, "Memory"). Until a step is accepted in which one of
+  /// the two bodies could move, their facing points that touch are bonded if the joint has cohesion or tension. May be
+  /// called again with other positions before accept(): nothing is remembered but by that.
   void detect(std::span<const Vec3> x, double reach, ContactSet& contacts);
 
   /// Pairs of nodes (i < j, of movable bodies; also of one body, where corners merge) that the contacts couple or may

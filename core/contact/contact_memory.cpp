@@ -1,49 +1,106 @@
 #include "contact/contact_memory.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace talus {
+namespace {
+
+// Of the size: how far a contact may have moved on between features …
+constexpr double along_features = 2;  // of the same two patches or creases
+constexpr double across_features = 0.5;
+constexpr double least_agreement = 0.2;  // cosine between normals of two contacts that are one
+
+}  // namespace
 
 void ContactMemory::claim(std::span<const FoundPoint> points) {
+  facing_.clear();
+  handed_.clear();
   auto point = points.begin();
   for (Memo& memo : memos_) {
     while (point != points.end() && point->key < memo.key) ++point;
-    memo.claimed = point != points.end() && point->key == memo.key;
+    memo.lives = point != points.end() && point->key == memo.key && !point->dropped;
   }
+  if (by_key_alone_) return;
+  for (const FoundPoint& p : points) {
+    if (p.area > 0 && !p.dropped) facing_.push_back(p.family);
+  }
+  std::sort(facing_.begin(), facing_.end());
+  for (std::size_t i = 0; i < memos_.size(); ++i) {
+    const Memo& memo = memos_[i];
+    if (memo.lives) continue;
+    if (memo.area > 0 && std::binary_search(facing_.begin(), facing_.end(), memo.family)) continue;
+    if (const FoundPoint* heir = heir_of(memo, points)) handed_.emplace_back(heir->key, static_cast<int>(i));
+  }
+  std::sort(handed_.begin(), handed_.end());
 }
 
-const ContactMemory::Memo* ContactMemory::recall(const FoundPoint& point, double distance) {
-  const auto same = std::lower_bound(memos_.begin(), memos_.end(), point.key,
-                                     [](const Memo& m, std::uint64_t key) { return m.key < key; });
-  if (same != memos_.end() && same->key == point.key) return &*same;
+const FoundPoint* ContactMemory::heir_of(const Memo& memo, std::span<const FoundPoint> points) const {
+  const FoundPoint* heir = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  bool kin = false;
+  for (const FoundPoint& p : points) {
+    if (p.dropped || p.bodies != memo.bodies || p.normal.dot(memo.normal) < least_agreement) continue;
+    // What lives on beside it was a contact of its own, unless it is left over of facets that faced each other.
+    const bool same = p.family == memo.family && (memo.area > 0 || !with_key(p.key));
+    const double reach = (same ? along_features : across_features) * memo.size;
+    const double gap = std::max(0.0, p.gap), squared = (p.position - memo.position).squaredNorm() + gap * gap;
+    if (!(squared < reach * reach) || (kin && !same)) continue;
+    if (squared < least || (same && !kin)) least = squared, heir = &p, kin = same;
+  }
+  return heir;
+}
 
+const ContactMemory::Memo* ContactMemory::with_key(std::uint64_t key) const {
+  const auto same =
+      std::lower_bound(memos_.begin(), memos_.end(), key, [](const Memo& m, std::uint64_t k) { return m.key < k; });
+  return same != memos_.end() && same->key == key ? &*same : nullptr;
+}
+
+const ContactMemory::Memo* ContactMemory::nearest_facing(const FoundPoint& point, double distance) const {
   const double from = point.position.x() - distance, to = point.position.x() + distance;
   const auto first = std::lower_bound(by_family_.begin(), by_family_.end(), point.family, [&](int m, std::uint64_t f) {
     return memos_[m].family != f ? memos_[m].family < f : memos_[m].position.x() < from;
   });
-  Memo* nearest = nullptr;
+  const Memo* nearest = nullptr;
   double least = distance * distance;
   for (auto it = first; it != by_family_.end() && memos_[*it].family == point.family; ++it) {
-    if (memos_[*it].position.x() > to) break;
-    Memo& memo = memos_[*it];
-    if ((memo.area > 0) != (point.area > 0) || (memo.area == 0 && memo.claimed)) continue;
+    const Memo& memo = memos_[*it];
+    if (memo.position.x() > to) break;
     const double squared = (memo.position - point.position).squaredNorm();
-    if (squared < least) least = squared, nearest = &memo;
+    if (memo.area > 0 && squared < least) least = squared, nearest = &memo;
   }
-  if (nearest) nearest->claimed = true;
   return nearest;
 }
 
-double ContactMemory::share_of(const Memo& memo, const FoundPoint& point) {
-  return memo.area > 0 && point.area > 0 ? point.area / memo.area : 1;
-}
-
-Vec3 ContactMemory::shear_on(const Memo& memo, const FoundPoint& point) {
+void ContactMemory::add_forces(const Memo& memo, const FoundPoint& point, Recollection& sum) {
+  const double share = memo.area > 0 && point.area > 0 ? point.area / memo.area : 1;  // tractions stay
   const double length = memo.shear.norm();
   const Vec3 turned = memo.shear - point.normal * point.normal.dot(memo.shear);
   const double left = turned.norm();
-  return left > 1e-6 * length ? Vec3(turned * (share_of(memo, point) * length / left)) : Vec3(Vec3::Zero());
+  if (left > 1e-6 * length) sum.shear += turned * (share * length / left);
+  sum.multiplier += share * memo.multiplier;
+  sum.spring_force += share * std::max(0.0, memo.normal_force - memo.multiplier);
+}
+
+std::optional<ContactMemory::Recollection> ContactMemory::recall(const FoundPoint& point, double size) const {
+  const Memo* own = with_key(point.key);
+  if (!own && point.area > 0 && !by_key_alone_) own = nearest_facing(point, along_features * size);
+  const auto handed = std::lower_bound(handed_.begin(), handed_.end(), std::pair(point.key, 0));
+  const bool has_heritage = handed != handed_.end() && handed->first == point.key;
+  if (!own && !has_heritage) return std::nullopt;
+
+  const Memo& first = own ? *own : memos_[handed->second];
+  Recollection all{.slip = first.slip,
+                   .overlap = first.overlap,
+                   .mode = first.mode,
+                   .bonded = first.bonded,
+                   .lost_area = first.area > 0 && point.area == 0};
+  if (own) add_forces(*own, point, all);
+  for (auto it = handed; it != handed_.end() && it->first == point.key; ++it)
+    add_forces(memos_[it->second], point, all);
+  return all;
 }
 
 bool ContactMemory::ever_broken(std::uint64_t family) const {
@@ -59,18 +116,21 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
     const bool bonded = p.bonded && !o.broke;
     if (o.broke) broken_.push_back(families[i]);
     if (p.mode == ContactMode::open && !bonded) continue;
-    memos_.push_back({p.key,
-                      families[i],
-                      p.position,
-                      o.shear_force,
-                      p.area,
-                      o.multiplier,
-                      p.slip_start + o.slip,
-                      p.overlap,
-                      p.mode,
-                      {p.bodies[0], p.bodies[1]},
-                      bonded,
-                      false});
+    memos_.push_back({.key = p.key,
+                      .family = families[i],
+                      .bodies = {p.bodies[0], p.bodies[1]},
+                      .position = p.position,
+                      .normal = p.normal,
+                      .shear = o.shear_force,
+                      .size = p.size,
+                      .area = p.area,
+                      .normal_force = o.normal_force,
+                      .multiplier = o.multiplier,
+                      .slip = p.slip_start + o.slip,
+                      .overlap = p.overlap,
+                      .mode = p.mode,
+                      .bonded = bonded,
+                      .lives = false});
   }
   std::sort(memos_.begin(), memos_.end(), [](const Memo& p, const Memo& q) { return p.key < q.key; });
   std::sort(broken_.begin(), broken_.end());

@@ -3,7 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/contact_detector.hpp"
@@ -15,32 +17,30 @@ namespace talus {
 /// share of the area changes keeps its traction: no anchor points, hence no jumps when corners merge.
 class ContactMemory {
  public:
-  struct Memo {
-    std::uint64_t key, family;
-    Vec3 position, shear;  ///< m; N on the first body
-    double area;           ///< m²; 0 where the contact has none
-    double multiplier;     ///< N
-    double slip;           ///< m
-    double overlap;        ///< m, as ContactPoint's
+  /// What a point goes on from.
+  struct Recollection {
+    Vec3 shear = Vec3::Zero();  ///< N on the first body, in the point's plane
+    double spring_force = 0;    ///< N, compression beside the multiplier
+    double multiplier = 0;      ///< N
+    double slip, overlap;       ///< m, as ContactPoint's
     ContactMode mode;
-    std::array<int, 2> bodies;
     bool bonded;
-    bool claimed;  ///< a point of this detection goes on from it
+    bool lost_area;  ///< it faced the other body before, and now only a vertex or an edge touches
   };
 
-  /// Must precede recall(): gives every former contact to the point that has its key. `points` are sorted by key.
+  /// `by_key_alone`: the facet-wise model knows nothing of the features around.
+  explicit ContactMemory(bool by_key_alone) : by_key_alone_(by_key_alone) {}
+
+  /// Must precede recall(): gives every former contact to the point that has its key. One that lost its key hands its
+  /// force on, once: corners of facing facets to nobody while the same patches go on facing each other, for then their
+  /// traction is taken up by the corners there; else, like vertices and edges, to the nearest point of the same patches
+  /// or creases, or of the same bodies close by. `points` are sorted by key.
   void claim(std::span<const FoundPoint> points);
 
-  /// The former contact that the point goes on from: that with its key, else the nearest of its family within
-  /// `distance` [m]. Points with an area share a former one: what they take is a traction. Without an area they take
-  /// its force, so only one may, and none if it lives on. Null where there is none.
-  const Memo* recall(const FoundPoint& point, double distance);
-
-  /// Shear force [N] of a point that goes on from `memo`, turned into the new plane with its length kept.
-  static Vec3 shear_on(const Memo& memo, const FoundPoint& point);
-
-  /// By how much forces change on the way from `memo` to the point: tractions stay.
-  static double share_of(const Memo& memo, const FoundPoint& point);
+  /// The former contact with the point's key and those that handed their force on to it. A new corner of facing facets
+  /// takes the traction of the nearest former one of the same patches. Forces keep their length as they turn into the
+  /// point's plane. Nothing where the point is really new.
+  std::optional<Recollection> recall(const FoundPoint& point, double size) const;
 
   /// Whether a bond between these two patches ever broke.
   bool ever_broken(std::uint64_t family) const;
@@ -51,9 +51,28 @@ class ContactMemory {
               std::span<const ContactOutcome> outcomes, const std::function<bool(int body)>& held);
 
  private:
-  std::vector<Memo> memos_;            // sorted by key
-  std::vector<int> by_family_;         // numbers of memos_, sorted by family and then along x
-  std::vector<std::uint64_t> broken_;  // families, sorted
+  struct Memo {
+    std::uint64_t key, family;
+    std::array<int, 2> bodies;
+    Vec3 position, normal, shear;
+    double size, area;
+    double normal_force, multiplier;
+    double slip, overlap;
+    ContactMode mode;
+    bool bonded;
+    bool lives;  // a point has its key
+  };
+  const Memo* with_key(std::uint64_t key) const;
+  const Memo* nearest_facing(const FoundPoint& point, double distance) const;
+  const FoundPoint* heir_of(const Memo& memo, std::span<const FoundPoint> points) const;
+  static void add_forces(const Memo& memo, const FoundPoint& point, Recollection& sum);
+
+  bool by_key_alone_;
+  std::vector<Memo> memos_;                            // sorted by key
+  std::vector<int> by_family_;                         // numbers of memos_, sorted by family and then along x
+  std::vector<std::uint64_t> facing_;                  // families with an area, sorted
+  std::vector<std::pair<std::uint64_t, int>> handed_;  // key of a point, number of a memo; sorted
+  std::vector<std::uint64_t> broken_;                  // families, sorted
 };
 
 }  // namespace talus

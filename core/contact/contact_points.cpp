@@ -53,6 +53,7 @@ void FoundPoints::close_stencil(FoundPoint& point, const ContactFeatures& featur
   }
   point.gap = point.normal.dot(difference);
   point.stencil_end = kept;
+  for (int k = 0; k < 2; ++k) point.bodies[k] = features.facets[point.facets[k]].body;
 }
 
 void FoundPoints::add_vertex(FoundPoint p, const std::array<int, 3>& facet_nodes, const std::array<double, 3>& shares,

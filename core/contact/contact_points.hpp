@@ -18,6 +18,7 @@ struct FoundPoint {
   std::uint64_t family;  ///< points that lie on the same two patches, or on the same two creases
   PointKind kind;
   std::array<int, 2> facets;  ///< of the first body and of the second
+  std::array<int, 2> bodies;  ///< once the stencil is closed
   std::array<int, 2> patches;
   int node;                      ///< whose contact it is; −1: two edges'
   int joint;                     ///< −1: the pair's
