@@ -89,10 +89,10 @@ Block make_block(const Project& project, MesherBlock meshed) {
   return block;
 }
 
-std::vector<std::string> names_of(const BlockSystem& system) {
-  std::vector<std::string> names;
-  for (const Block& block : system.blocks) names.push_back(block.name);
-  return names;
+std::vector<BuiltBlock> built_blocks(const BlockSystem& system) {
+  std::vector<BuiltBlock> built;
+  for (const Block& block : system.blocks) built.push_back({block.name, block.body});
+  return built;
 }
 
 /// The mesher has gone without a word: what it did last tells where.
@@ -131,7 +131,7 @@ BlockSystem build_blocks(const Project& project, const std::filesystem::path& fo
         break;
       case MessageKind::end:
         system.solids_volume = from_bytes<MesherEnd>(message->bytes).solids_volume;
-        validate_against_blocks(project, names_of(system));
+        validate_against_blocks(project, built_blocks(system));
         progress.report(1, "meshed");
         return system;
       case MessageKind::error: {

@@ -1,5 +1,9 @@
 #include "io/project_reader.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace talus {
 namespace {
 
@@ -22,11 +26,33 @@ void read(const OrderedJson& object, const char* key, Vec3& target) {
   if (const auto found = object.find(key); found != object.end()) target = vector_from(*found);
 }
 
-BodyKind body_from(const OrderedJson& value) {
-  for (const auto kind : {BodyKind::fixed, BodyKind::rigid, BodyKind::affine}) {
-    if (value.get<std::string>() == to_string(kind)) return kind;
+void read(const OrderedJson& object, const char* key, Voigt& target) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  for (std::size_t i = 0; i < 6; ++i) target[static_cast<Eigen::Index>(i)] = found->at(i).get<double>();
+}
+
+/// The one of `choices` whose word the value is.
+template <typename Choice>
+void read_word(const OrderedJson& object, const char* key, Choice& choice, std::initializer_list<Choice> choices) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  for (const Choice candidate : choices) {
+    if (to_string(candidate) == found->get<std::string>()) choice = candidate;
   }
-  return BodyKind::tetrahedra;
+}
+
+void read_body(const OrderedJson& object, BodyKind& body) {
+  read_word(object, "body", body, {BodyKind::fixed, BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra});
+}
+
+/// Materials and joints are members of an object, by their names.
+template <typename T>
+void read_by_name(const OrderedJson& object, const char* key, std::vector<T>& list,
+                  T (*item_from)(const std::string&, const OrderedJson&)) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  for (const auto& [name, item] : found->items()) list.push_back(item_from(name, item));
 }
 
 Material material_from(const std::string& name, const OrderedJson& value) {
@@ -34,6 +60,7 @@ Material material_from(const std::string& name, const OrderedJson& value) {
   read(value, "density", material.density);
   read(value, "young", material.young);
   read(value, "poisson", material.poisson);
+  read(value, "damping", material.damping);
   return material;
 }
 
@@ -73,7 +100,7 @@ Solid read_item(const OrderedJson& value, Solid solid) {
     solid.shape = file_from(value);
   }
   read(value, "material", solid.material);
-  if (value.contains("body")) solid.body = body_from(value.at("body"));
+  read_body(value, solid.body);
   read(value, "mesh_size", solid.mesh_size);
   return solid;
 }
@@ -92,7 +119,7 @@ Cut read_item(const OrderedJson& value, Cut cut) {
 BlockOverride read_item(const OrderedJson& value, BlockOverride block) {
   read(value, "name", block.name);
   read(value, "at", block.at);
-  if (value.contains("body")) block.body = body_from(value.at("body"));
+  if (value.contains("body")) read_body(value, block.body.emplace());
   read(value, "material", block.material);
   read(value, "mesh_size", block.mesh_size);
   return block;
@@ -104,9 +131,37 @@ Interface read_item(const OrderedJson& value, Interface interface) {
   return interface;
 }
 
+/// A number where there is none is found out by the rules: NaN.
+double number_from(const OrderedJson& value) {
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+TimeTable table_from(const OrderedJson& value) {
+  TimeTable table;
+  for (const auto& row : value) {
+    table.push_back({number_from(row.at(0)), {number_from(row.at(1)), number_from(row.at(2)), number_from(row.at(3))}});
+  }
+  return table;
+}
+
+/// A component is free that no row gives.
+void read_moves(const OrderedJson& value, Constraint& constraint) {
+  constraint.table = table_from(value);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const auto is_free = [&](const TableRow& row) { return std::isnan(row.value[i]); };
+    if (!std::all_of(constraint.table.begin(), constraint.table.end(), is_free)) continue;
+    constraint.displacement[static_cast<std::size_t>(i)].reset();
+    for (auto& row : constraint.table) row.value[i] = 0;
+  }
+}
+
 Constraint read_item(const OrderedJson& value, Constraint constraint) {
   read(value, "block", constraint.block);
   if (value.contains("at")) read(value, "at", constraint.at.emplace());
+  if (value.contains("table")) {
+    read_moves(value.at("table"), constraint);
+    return constraint;
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& component = value.at("displacement").at(i);
     constraint.displacement[i] = component.is_null() ? std::nullopt : std::optional(component.get<double>());
@@ -118,6 +173,7 @@ PointLoad read_item(const OrderedJson& value, PointLoad load) {
   read(value, "block", load.block);
   read(value, "at", load.at);
   read(value, "force", load.force);
+  if (value.contains("table")) load.table = table_from(value.at("table"));
   return load;
 }
 
@@ -128,14 +184,28 @@ InitialVelocity read_item(const OrderedJson& value, InitialVelocity velocity) {
   return velocity;
 }
 
-Stage read_item(const OrderedJson& value, Stage stage) {
-  read(value, "name", stage.name);
-  stage.kind =
-      value.at("type").get<std::string>() == to_string(StageKind::static_) ? StageKind::static_ : StageKind::dynamic;
-  read(value, "time_step", stage.time_step);
-  read(value, "steps", stage.steps);
-  read(value, "duration", stage.duration);
-  return stage;
+InSituStress read_item(const OrderedJson& value, InSituStress in_situ) {
+  read(value, "blocks", in_situ.blocks);
+  read(value, "stress", in_situ.stress);
+  read(value, "gradient", in_situ.gradient);
+  read(value, "level", in_situ.level);
+  return in_situ;
+}
+
+JointChange joint_change_from(const std::string& name, const OrderedJson& value) {
+  JointChange change;
+  change.name = name;
+  read(value, "friction_angle", change.friction_angle);
+  read(value, "residual_friction_angle", change.residual_friction_angle);
+  read(value, "cohesion", change.cohesion);
+  read(value, "tensile_strength", change.tensile_strength);
+  return change;
+}
+
+BlockChange read_item(const OrderedJson& value, BlockChange change) {
+  read(value, "name", change.name);
+  read_body(value, change.body);
+  return change;
 }
 
 Monitor read_item(const OrderedJson& value, Monitor monitor) {
@@ -155,24 +225,7 @@ Expectation read_item(const OrderedJson& value, Expectation expectation) {
   return expectation;
 }
 
-/// The one of `choices` whose word the value is.
-template <typename Choice>
-void read_word(const OrderedJson& object, const char* key, Choice& choice, std::initializer_list<Choice> choices) {
-  const auto found = object.find(key);
-  if (found == object.end()) return;
-  for (const Choice candidate : choices)
-    if (to_string(candidate) == found->get<std::string>()) choice = candidate;
-}
-
-SolverSettings solver_from(const OrderedJson& value) {
-  SolverSettings solver;
-  read_word(value, "strain", solver.strain, {Strain::corotational, Strain::incremental});
-  read_word(value, "integrator", solver.integrator,
-            {Integrator::newmark, Integrator::constant_acceleration, Integrator::generalized_alpha});
-  read(value, "contact_stiffness", solver.contact_stiffness);
-  read(value, "open_close_limit", solver.open_close_limit);
-  return solver;
-}
+Stage read_item(const OrderedJson& value, Stage stage);  // which is in a list and holds lists
 
 template <typename T>
 void read_list(const OrderedJson& object, const char* key, std::vector<T>& list) {
@@ -181,18 +234,59 @@ void read_list(const OrderedJson& object, const char* key, std::vector<T>& list)
   for (const auto& item : *found) list.push_back(read_item(item, T{}));
 }
 
+template <typename T>
+void read_list(const OrderedJson& object, const char* key, std::optional<std::vector<T>>& list) {
+  if (object.contains(key)) read_list(object, key, list.emplace());
+}
+
+Stage read_item(const OrderedJson& value, Stage stage) {
+  read(value, "name", stage.name);
+  read_word(value, "type", stage.kind, {StageKind::static_, StageKind::dynamic});
+  read(value, "time_step", stage.time_step);
+  read(value, "steps", stage.steps);
+  read(value, "duration", stage.duration);
+  read(value, "until_equilibrium", stage.until_equilibrium);
+  read(value, "equilibrium_tolerance", stage.equilibrium_tolerance);
+  read(value, "damping", stage.damping);
+  read_by_name(value, "joints", stage.joints, joint_change_from);
+  read_list(value, "loads", stage.loads);
+  read_list(value, "constraints", stage.constraints);
+  read_list(value, "blocks", stage.blocks);
+  return stage;
+}
+
+AdaptiveSteps adaptive_from(const OrderedJson& value) {
+  AdaptiveSteps steps;
+  read(value, "displacement_limit", steps.displacement_limit);
+  read(value, "error_limit", steps.error_limit);
+  read(value, "iterations", steps.iterations);
+  read(value, "shortest", steps.shortest);
+  return steps;
+}
+
+SolverSettings solver_from(const OrderedJson& value) {
+  SolverSettings solver;
+  read_word(value, "strain", solver.strain, {Strain::corotational, Strain::incremental});
+  read_word(value, "integrator", solver.integrator,
+            {Integrator::newmark, Integrator::constant_acceleration, Integrator::generalized_alpha});
+  read(value, "spectral_radius", solver.spectral_radius);
+  read_word(value, "contact", solver.contact, {ContactModel::area, ContactModel::facet_wise});
+  read(value, "contact_stiffness", solver.contact_stiffness);
+  read(value, "penetration_tolerance", solver.penetration_tolerance);
+  read(value, "open_close_limit", solver.open_close_limit);
+  read_word(value, "time_step_control", solver.time_step_control, {TimeStepControl::fixed, TimeStepControl::adaptive});
+  if (value.contains("adaptive")) solver.adaptive = adaptive_from(value.at("adaptive"));
+  return solver;
+}
+
 }  // namespace
 
 Project project_from_json(const OrderedJson& value) {
   Project project;
   read(value, "name", project.name);
   read(value, "gravity", project.gravity);
-  for (const auto& [name, material] : value.at("materials").items()) {
-    project.materials.push_back(material_from(name, material));
-  }
-  if (value.contains("joints")) {
-    for (const auto& [name, joint] : value.at("joints").items()) project.joints.push_back(joint_from(name, joint));
-  }
+  read_by_name(value, "materials", project.materials, material_from);
+  read_by_name(value, "joints", project.joints, joint_from);
   read(value, "default_joint", project.default_joint);
   read_list(value, "solids", project.solids);
   read_list(value, "cuts", project.cuts);
@@ -201,6 +295,7 @@ Project project_from_json(const OrderedJson& value) {
   read_list(value, "constraints", project.constraints);
   read_list(value, "loads", project.loads);
   read_list(value, "velocities", project.velocities);
+  read_list(value, "in_situ", project.in_situ);
   read_list(value, "stages", project.stages);
   if (value.contains("solver")) project.solver = solver_from(value.at("solver"));
   read_list(value, "monitors", project.monitors);

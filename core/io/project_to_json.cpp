@@ -5,13 +5,28 @@ namespace {
 
 OrderedJson json_from(const Vec3& vector) { return OrderedJson::array({vector[0], vector[1], vector[2]}); }
 
+OrderedJson json_from(const Voigt& stress) { return std::vector<double>(stress.begin(), stress.end()); }
+
 template <typename T>
 void write(OrderedJson& object, const char* key, const std::optional<T>& value) {
   if (value) object[key] = *value;
 }
 
+/// For what most projects leave as it is.
+template <typename T>
+void write_unless_usual(OrderedJson& object, const char* key, const T& value, const T& usual) {
+  if (value != usual) object[key] = value;
+}
+
+template <typename Word>
+void write_word_unless_usual(OrderedJson& object, const char* key, Word value, Word usual) {
+  if (value != usual) object[key] = to_string(value);
+}
+
 OrderedJson json_from(const Material& material) {
-  return {{"density", material.density}, {"young", material.young}, {"poisson", material.poisson}};
+  OrderedJson json{{"density", material.density}, {"young", material.young}, {"poisson", material.poisson}};
+  write_unless_usual(json, "damping", material.damping, 0.0);
+  return json;
 }
 
 OrderedJson json_from(const Joint& joint) {
@@ -78,33 +93,50 @@ OrderedJson json_from(const Interface& interface) {
 OrderedJson json_from(const Constraint& constraint) {
   OrderedJson json{{"block", constraint.block}};
   if (constraint.at) json["at"] = json_from(*constraint.at);
-  for (const auto& component : constraint.displacement) {
-    json["displacement"].push_back(component ? OrderedJson(*component) : OrderedJson());
+  const auto component = [&](std::size_t i, double value) {
+    return constraint.displacement[i] ? OrderedJson(value) : OrderedJson();
+  };
+  if (constraint.table.empty()) {
+    for (std::size_t i = 0; i < 3; ++i)
+      json["displacement"].push_back(component(i, constraint.displacement[i].value_or(0)));
+  }
+  for (const TableRow& row : constraint.table) {
+    const Vec3& u = row.value;
+    json["table"].push_back({row.time, component(0, u[0]), component(1, u[1]), component(2, u[2])});
   }
   return json;
 }
 
 OrderedJson json_from(const PointLoad& load) {
-  return {{"block", load.block}, {"at", json_from(load.at)}, {"force", json_from(load.force)}};
+  OrderedJson json{{"block", load.block}, {"at", json_from(load.at)}};
+  if (load.table.empty()) json["force"] = json_from(load.force);
+  for (const TableRow& row : load.table) json["table"].push_back({row.time, row.value[0], row.value[1], row.value[2]});
+  return json;
 }
 
 OrderedJson json_from(const InitialVelocity& velocity) {
   return {{"block", velocity.block}, {"linear", json_from(velocity.linear)}, {"angular", json_from(velocity.angular)}};
 }
 
-OrderedJson json_from(const Stage& stage) {
-  OrderedJson json{{"name", stage.name}, {"type", to_string(stage.kind)}, {"time_step", stage.time_step}};
-  write(json, "steps", stage.steps);
-  write(json, "duration", stage.duration);
+OrderedJson json_from(const InSituStress& in_situ) {
+  OrderedJson json;
+  if (!in_situ.blocks.empty()) json["blocks"] = in_situ.blocks;
+  json["stress"] = json_from(in_situ.stress);
+  if (in_situ.gradient != Voigt::Zero()) json["gradient"] = json_from(in_situ.gradient);
+  write_unless_usual(json, "level", in_situ.level, 0.0);
   return json;
 }
 
-OrderedJson json_from(const SolverSettings& solver) {
-  return {{"strain", to_string(solver.strain)},
-          {"integrator", to_string(solver.integrator)},
-          {"contact_stiffness", solver.contact_stiffness},
-          {"open_close_limit", solver.open_close_limit}};
+OrderedJson json_from(const JointChange& change) {
+  auto json = OrderedJson::object();
+  write(json, "friction_angle", change.friction_angle);
+  write(json, "cohesion", change.cohesion);
+  write(json, "tensile_strength", change.tensile_strength);
+  write(json, "residual_friction_angle", change.residual_friction_angle);
+  return json;
 }
+
+OrderedJson json_from(const BlockChange& change) { return {{"name", change.name}, {"body", to_string(change.body)}}; }
 
 OrderedJson json_from(const Monitor& monitor) {
   return {{"name", monitor.name}, {"block", monitor.block}, {"at", json_from(monitor.at)}};
@@ -120,16 +152,69 @@ OrderedJson json_from(const Expectation& expectation) {
   return json;
 }
 
+OrderedJson json_from(const Stage& stage);  // which is in a list and holds lists
+
 template <typename Things>
-void write_list(OrderedJson& object, const char* key, const Things& things) {
-  for (const auto& thing : things) object[key].push_back(json_from(thing));
+OrderedJson list_from(const Things& things) {
+  auto list = OrderedJson::array();
+  for (const auto& thing : things) list.push_back(json_from(thing));
+  return list;
 }
 
-/// Materials and joints are objects by name; materials are there even when empty, as the schema asks.
+template <typename Things>
+void write_list(OrderedJson& object, const char* key, const Things& things) {
+  if (!things.empty()) object[key] = list_from(things);
+}
+
+/// An empty list is written too: it takes away what was there before.
+template <typename Things>
+void write_list(OrderedJson& object, const char* key, const std::optional<Things>& things) {
+  if (things) object[key] = list_from(*things);
+}
+
+/// Materials and joints are objects by name.
 template <typename Things>
 OrderedJson by_name(const Things& things) {
   auto json = OrderedJson::object();
   for (const auto& thing : things) json[thing.name] = json_from(thing);
+  return json;
+}
+
+OrderedJson json_from(const Stage& stage) {
+  OrderedJson json{{"name", stage.name}, {"type", to_string(stage.kind)}, {"time_step", stage.time_step}};
+  write(json, "steps", stage.steps);
+  write(json, "duration", stage.duration);
+  const Stage usual;
+  write_unless_usual(json, "until_equilibrium", stage.until_equilibrium, usual.until_equilibrium);
+  write_unless_usual(json, "equilibrium_tolerance", stage.equilibrium_tolerance, usual.equilibrium_tolerance);
+  write(json, "damping", stage.damping);
+  if (!stage.joints.empty()) json["joints"] = by_name(stage.joints);
+  write_list(json, "loads", stage.loads);
+  write_list(json, "constraints", stage.constraints);
+  write_list(json, "blocks", stage.blocks);
+  return json;
+}
+
+OrderedJson json_from(const AdaptiveSteps& steps) {
+  const AdaptiveSteps usual;
+  OrderedJson json;
+  write_unless_usual(json, "displacement_limit", steps.displacement_limit, usual.displacement_limit);
+  write_unless_usual(json, "error_limit", steps.error_limit, usual.error_limit);
+  write_unless_usual(json, "iterations", steps.iterations, usual.iterations);
+  write_unless_usual(json, "shortest", steps.shortest, usual.shortest);
+  return json;
+}
+
+OrderedJson json_from(const SolverSettings& solver) {
+  const SolverSettings usual;
+  OrderedJson json{{"strain", to_string(solver.strain)}, {"integrator", to_string(solver.integrator)}};
+  write_unless_usual(json, "spectral_radius", solver.spectral_radius, usual.spectral_radius);
+  write_word_unless_usual(json, "contact", solver.contact, usual.contact);
+  json["contact_stiffness"] = solver.contact_stiffness;
+  write(json, "penetration_tolerance", solver.penetration_tolerance);
+  json["open_close_limit"] = solver.open_close_limit;
+  write_word_unless_usual(json, "time_step_control", solver.time_step_control, usual.time_step_control);
+  if (solver.adaptive != usual.adaptive) json["adaptive"] = json_from(solver.adaptive);
   return json;
 }
 
@@ -139,7 +224,7 @@ OrderedJson project_to_json(const Project& project) {
   OrderedJson json{{"talus", 1}};
   if (!project.name.empty()) json["name"] = project.name;
   json["gravity"] = json_from(project.gravity);
-  json["materials"] = by_name(project.materials);
+  json["materials"] = by_name(project.materials);  // also when empty, as the schema asks
   if (!project.joints.empty()) json["joints"] = by_name(project.joints);
   if (!project.default_joint.empty()) json["default_joint"] = project.default_joint;
   write_list(json, "solids", project.solids);
@@ -149,6 +234,7 @@ OrderedJson project_to_json(const Project& project) {
   write_list(json, "constraints", project.constraints);
   write_list(json, "loads", project.loads);
   write_list(json, "velocities", project.velocities);
+  write_list(json, "in_situ", project.in_situ);
   write_list(json, "stages", project.stages);
   json["solver"] = json_from(project.solver);
   write_list(json, "monitors", project.monitors);

@@ -75,6 +75,7 @@ std::string type_words(const Json& type) {
   if (name == "number") return "a number";
   if (name == "integer") return "a whole number";
   if (name == "string") return "a text in quotes";
+  if (name == "boolean") return "true or false";
   if (name == "object") return "an object { … }";
   if (name == "array") return "a list [ … ]";
   return name;
@@ -87,6 +88,7 @@ bool has_type(const Json& value, const Json& type) {
   if (name == "number") return value.is_number();
   if (name == "integer") return value.is_number_integer();
   if (name == "string") return value.is_string();
+  if (name == "boolean") return value.is_boolean();
   if (name == "object") return value.is_object();
   if (name == "array") return value.is_array();
   return value.is_null();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "model/actions.hpp"
 #include "model/block_names.hpp"
 #include "model/quantity.hpp"
 #include "model/require.hpp"
@@ -67,6 +68,11 @@ void check_joints(const Project& project) {
   for (std::size_t i = 0; i < project.interfaces.size(); ++i) {
     check_joint(project, project.interfaces[i].joint, Place() / "interfaces" / i / "joint");
   }
+  for (std::size_t i = 0; i < project.stages.size(); ++i) {
+    for (const auto& change : project.stages[i].joints) {
+      check_joint(project, change.name, Place() / "stages" / i / "joints" / change.name);
+    }
+  }
   const Place place = Place() / "default_joint";
   if (!project.default_joint.empty()) return check_joint(project, project.default_joint, place);
   require(project.joints.empty(), place, "no joint is named for contacts that lie on no cut",
@@ -90,6 +96,21 @@ void check_expected_quantity(const std::string& text, const Place& place) {
   require(parse_quantity(text).has_value(), place, "cannot read the quantity '" + text + "'",
           "write NAME.displacement.z or NAME.velocity.magnitude: a monitor or block, displacement or velocity, "
           "and x, y, z or magnitude");
+}
+
+using BlockVisit = std::function<void(const Place&, const std::string&)>;
+
+void visit_listed_blocks(const Project& project, const BlockVisit& visit) {
+  for (std::size_t i = 0; i < project.in_situ.size(); ++i) {
+    const auto& blocks = project.in_situ[i].blocks;
+    for (std::size_t j = 0; j < blocks.size(); ++j) visit(Place() / "in_situ" / i / "blocks" / j, blocks[j]);
+  }
+  for (std::size_t i = 0; i < project.stages.size(); ++i) {
+    const auto& changes = project.stages[i].blocks;
+    for (std::size_t j = 0; j < changes.size(); ++j) {
+      visit(Place() / "stages" / i / "blocks" / j / "name", changes[j].name);
+    }
+  }
 }
 
 }  // namespace
@@ -141,10 +162,11 @@ void for_each_block_reference(const Project& project,
   const auto visit_list = [&](const auto& things, const char* list) {
     for (std::size_t i = 0; i < things.size(); ++i) visit(Place() / list / i / "block", things[i].block);
   };
-  visit_list(project.constraints, "constraints");
-  visit_list(project.loads, "loads");
+  for_each_constraint(project, [&](const Place& place, const Constraint& c) { visit(place / "block", c.block); });
+  for_each_load(project, [&](const Place& place, const PointLoad& load) { visit(place / "block", load.block); });
   visit_list(project.velocities, "velocities");
   visit_list(project.monitors, "monitors");
+  visit_listed_blocks(project, visit);
 
   const auto monitors = names_of(project.monitors);
   for (std::size_t i = 0; i < project.expect.size(); ++i) {

@@ -2,16 +2,21 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
-#include <set>
+#include <map>
 
 #include "base/error.hpp"
+#include "model/action_rules.hpp"
+#include "model/actions.hpp"
+#include "model/body_rules.hpp"
+#include "model/joint_rules.hpp"
 #include "model/number_text.hpp"
 #include "model/place.hpp"
 #include "model/polyhedron.hpp"
 #include "model/references.hpp"
 #include "model/require.hpp"
+#include "model/solver_rules.hpp"
+#include "model/stage_rules.hpp"
 #include "model/suggestion.hpp"
 
 namespace talus {
@@ -25,31 +30,7 @@ void check(const Material& material) {
   require(material.poisson > -1 && material.poisson < 0.5, place / "poisson",
           "Poisson's ratio must lie between -1 and 0.5, is " + number_text(material.poisson),
           "rock has 0.1 to 0.35; use 0.49 for nearly incompressible");
-}
-
-void check_friction_angle(double angle, const Place& place) {
-  require_finite(angle, place);
-  require(angle >= 0 && angle < 90, place,
-          "the friction angle must be at least 0 and below 90, is " + number_text(angle), "give it in degrees");
-}
-
-void check(const Joint& joint) {
-  const Place place = Place() / "joints" / joint.name;
-  check_friction_angle(joint.friction_angle, place / "friction_angle");
-  require_not_negative(joint.cohesion, place / "cohesion", "cohesion", "Pa");
-  require_not_negative(joint.tensile_strength, place / "tensile_strength", "tensile strength", "Pa");
-  if (joint.residual_friction_angle) {
-    check_friction_angle(*joint.residual_friction_angle, place / "residual_friction_angle");
-    require(*joint.residual_friction_angle <= joint.friction_angle, place / "residual_friction_angle",
-            "the residual friction angle exceeds the friction angle",
-            "give at most the friction angle, or leave it out");
-  }
-  if (joint.normal_stiffness) {
-    require_positive(*joint.normal_stiffness, place / "normal_stiffness", "normal stiffness", "Pa/m");
-  }
-  if (joint.shear_stiffness) {
-    require_positive(*joint.shear_stiffness, place / "shear_stiffness", "shear stiffness", "Pa/m");
-  }
+  require_not_negative(material.damping, place / "damping", "damping", "1/s");
 }
 
 void check_shape(const BoxShape& box, const Place& solid) {
@@ -121,53 +102,6 @@ void check(const Interface& interface, const Place& place) {
           "name the two blocks that touch");
 }
 
-void check(const Constraint& constraint, const Place& place) {
-  if (constraint.at) require_finite(*constraint.at, place / "at");
-  bool held = false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!constraint.displacement[i]) continue;
-    held = true;
-    require_finite(*constraint.displacement[i], place / "displacement" / i);
-  }
-  require(held, place / "displacement", "every component is free: this constraint holds nothing",
-          "give at least one component in m, or remove the constraint");
-}
-
-void check(const PointLoad& load, const Place& place) {
-  require_finite(load.at, place / "at");
-  require_finite(load.force, place / "force");
-}
-
-void check(const InitialVelocity& velocity, const Place& place) {
-  require_finite(velocity.linear, place / "linear");
-  require_finite(velocity.angular, place / "angular");
-}
-
-void check(const Stage& stage, const Place& place) {
-  require_positive(stage.time_step, place / "time_step", "the time step", "seconds");
-  require(stage.steps.has_value() != stage.duration.has_value(), place,
-          stage.steps ? "has both steps and duration" : "has neither steps nor duration",
-          "give one of them: the number of steps, or the duration in seconds");
-  if (stage.steps) {
-    require(*stage.steps >= 1, place / "steps", "steps must be at least 1, is " + std::to_string(*stage.steps),
-            "give the number of time steps");
-  }
-  if (!stage.duration) return;
-  require_positive(*stage.duration, place / "duration", "the duration", "seconds");
-  require(*stage.duration >= stage.time_step, place / "duration",
-          "the stage is shorter than one time step of " + number_text(stage.time_step) + " s",
-          "lengthen the duration or shorten time_step");
-}
-
-void check(const SolverSettings& solver) {
-  const Place place = Place() / "solver";
-  require_positive(solver.contact_stiffness, place / "contact_stiffness", "contact stiffness",
-                   "E/h, a number without unit; 10 is usual");
-  require(solver.open_close_limit >= 1, place / "open_close_limit",
-          "at least one open–close iteration is needed, not " + std::to_string(solver.open_close_limit),
-          "give the iterations after which the step is cut; 20 is usual");
-}
-
 void check(const Monitor& monitor, const Place& place) { require_finite(monitor.at, place / "at"); }
 
 double end_time(const Project& project) {
@@ -204,18 +138,17 @@ void validate(const Project& project) {
   require_finite(project.gravity, Place() / "gravity");
   validate_names(project);
   for (const auto& material : project.materials) check(material);
-  for (const auto& joint : project.joints) check(joint);
+  for (const auto& joint : project.joints) check(joint, Place() / "joints" / joint.name);
   require(!project.solids.empty(), Place() / "solids", "the project has no solid", "add a box, a polyhedron or a file");
   check_each(project.solids, "solids");
   check_each(project.cuts, "cuts");
   check_each(project.blocks, "blocks");
   check_each(project.interfaces, "interfaces");
-  check_each(project.constraints, "constraints");
-  check_each(project.loads, "loads");
+  for_each_constraint(project, [](const Place& place, const Constraint& constraint) { check(constraint, place); });
+  for_each_load(project, [](const Place& place, const PointLoad& load) { check(load, place); });
   check_each(project.velocities, "velocities");
-  require(!project.stages.empty(), Place() / "stages", "the project has no stage",
-          "add one with a type, a time_step, and steps or a duration");
-  check_each(project.stages, "stages");
+  check_each(project.in_situ, "in_situ");
+  check_stages(project);
   check(project.solver);
   check_each(project.monitors, "monitors");
   for (std::size_t i = 0; i < project.expect.size(); ++i) {
@@ -223,19 +156,23 @@ void validate(const Project& project) {
   }
   require_positive(project.output.every, Place() / "output" / "every", "the time between frames", "seconds");
   validate_references(project);
+  check_bodies(project, [&](const std::string& block) { return body_before_cutting(project, block); });
 }
 
-void validate_against_blocks(const Project& project, const std::vector<std::string>& block_names) {
-  std::set<std::string> blocks;
-  for (const auto& name : block_names) {
-    require(blocks.insert(name).second, Place() / "solids", "two blocks come out with the name '" + name + "'",
+void validate_against_blocks(const Project& project, const std::vector<BuiltBlock>& blocks) {
+  std::map<std::string, BodyKind> bodies;
+  std::vector<std::string> names;
+  for (const auto& [name, body] : blocks) {
+    require(bodies.emplace(name, body).second, Place() / "solids", "two blocks come out with the name '" + name + "'",
             "rename a solid, or name one of the blocks under blocks");
+    names.push_back(name);
   }
   for_each_block_reference(project, [&](const Place& place, const std::string& name) {
-    if (blocks.contains(name)) return;
+    if (bodies.contains(name)) return;
     throw InputError(place.text(), "no block is called '" + name + "' once the solids are cut",
-                     suggest_name(name, block_names));
+                     suggest_name(name, names));
   });
+  check_bodies(project, [&](const std::string& block) { return bodies.at(block); });
 }
 
 }  // namespace talus

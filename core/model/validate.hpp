@@ -11,8 +11,14 @@ namespace talus {
 /// polyhedra, what this version computes. Throws InputError for the first broken rule, with a JSON pointer as place.
 void validate(const Project& project);
 
-/// Checks every reference to a block once geometry has named the blocks: interfaces, constraints, loads, velocities,
-/// monitors and expectations. Throws InputError like `validate`.
-void validate_against_blocks(const Project& project, const std::vector<std::string>& block_names);
+/// A block as geometry made it.
+struct BuiltBlock {
+  std::string name;
+  BodyKind body;
+};
+
+/// Checks every reference to a block once geometry has named the blocks, and what is asked of their bodies. Throws
+/// InputError like `validate`.
+void validate_against_blocks(const Project& project, const std::vector<BuiltBlock>& blocks);
 
 }  // namespace talus

@@ -108,18 +108,6 @@ const std::vector<BadText> not_computed{
      "does not compute 'rigid' bodies yet", "'tetrahedra'"},
     {"\"material\": \"rock\"", "\"material\": \"rock\", \"body\": \"affine\"", "line 12, /solids/0/body",
      "does not compute 'affine' bodies yet", "'tetrahedra'"},
-    {"\"steps\": 100", "\"until_equilibrium\": true", "line 18, /stages/0/until_equilibrium",
-     "does not compute this yet", "'steps'"},
-    {"\"steps\": 100", "\"steps\": 100, \"joints\": {}", "line 18, /stages/0/joints", "does not compute this yet",
-     "one set"},
-    {"\"default_joint\"", "\"solver\": {\"time_step_control\": \"adaptive\"}, \"default_joint\"",
-     "line 10, /solver/time_step_control", "does not compute this yet", "leave it out"},
-    {"\"default_joint\"",
-     "\"loads\": [{\"block\": \"slope.1\", \"at\": [0, 0, 0], \"table\": [[0, 1]]}], \"default_joint\"",
-     "line 10, /loads/0/table", "does not compute this yet", "'force'"},
-    {"\"default_joint\"",
-     "\"constraints\": [{\"block\": \"slope.1\", \"at\": [0, 0, 0], \"table\": [[0, 1]]}], \"default_joint\"",
-     "line 10, /constraints/0/table", "does not compute this yet", "'displacement'"},
 };
 INSTANTIATE_TEST_SUITE_P(NotComputed, BadProject, testing::ValuesIn(not_computed));
 
@@ -146,6 +134,108 @@ const std::vector<BadText> against_rules{
      "line 12, /solids/0/file", "outside", "--allow-outside"},
 };
 INSTANTIATE_TEST_SUITE_P(AgainstRules, BadProject, testing::ValuesIn(against_rules));
+
+/// `list` is added to the small project.
+BadText added(const std::string& list, const std::string& place, const std::string& problem,
+              const std::string& remedy) {
+  return {"\"default_joint\"", list + ", \"default_joint\"", "line 10, " + place, problem, remedy};
+}
+
+const std::vector<BadText> actions{
+    added(R"("constraints": [{"block": "slope.1", "at": [0, 0, 0]}])", "/constraints/0",
+          "none of 'displacement', 'table' is given", "exactly one"),
+    added(
+        R"("constraints": [{"block": "slope.1", "at": [0, 0, 0], "displacement": [0, 0, 0], "table": [[0, 1, 1, 1]]}])",
+        "/constraints/0", "'displacement' and 'table' are given together", "exactly one"),
+    added(R"("constraints": [{"block": "slope.1", "at": [0, 0, 0], "table": []}])", "/constraints/0/table",
+          "at least 1 entries", "rows [t, x, y, z]"),
+    added(R"("constraints": [{"block": "slope.1", "at": [0, 0, 0], "table": [[0, 0, 0, 0], [0, 1, 1, 1]]}])",
+          "/constraints/0/table/1/0", "times of a table must ascend, and 0 s follows 0 s", "sort the rows"),
+    added(R"("constraints": [{"block": "slope.1", "at": [0, 0, 0], "table": [[null, 0, 0, 0]]}])",
+          "/constraints/0/table/0/0", "not a finite number", "finite number"),
+    added(R"("constraints": [{"block": "slope.1", "at": [0, 0, 0], "table": [[0, 0, 0, 0], [1, 0, null, 0]]}])",
+          "/constraints/0/table/1/2", "is no number here, and one in another row", "null in every row"),
+    added(R"("constraints": [{"block": "slope.1", "at": [0, 0, 0], "table": [[0, null, null, null]]}])",
+          "/constraints/0/table", "holds nothing", "at least one component"),
+    added(R"("constraints": [{"block": "slope.1", "displacement": [0, 0, 0]}])", "/constraints/0",
+          "moves block 'slope.1' as a whole, which is not fixed", "add the point 'at'"),
+    added(R"("loads": [{"block": "slope.1", "at": [0, 0, 0]}])", "/loads/0", "none of 'force', 'table' is given",
+          "exactly one"),
+    added(R"("loads": [{"block": "slope.1", "at": [0, 0, 0], "force": [0, 0, 0], "table": [[0, 1, 1, 1]]}])",
+          "/loads/0", "'force' and 'table' are given together", "exactly one"),
+    added(R"("loads": [{"block": "slope.1", "at": [0, 0, 0], "table": [[0, 1]]}])", "/loads/0/table/0",
+          "must have 4 entries, has 2", "a row [t, x, y, z]"),
+    added(R"("loads": [{"block": "slope.1", "at": [0, 0, 0], "table": [[0, 1, 1, null]]}])", "/loads/0/table/0/3",
+          "must be a number, is null", "force, N"),
+    added(R"("loads": [{"block": "slope.1", "at": [0, 0, 0], "table": [[2, 0, 0, 0], [1, 1, 1, 1]]}])",
+          "/loads/0/table/1/0", "1 s follows 2 s", "sort the rows"),
+    added(R"("in_situ": [{"gradient": [0, 0, 0, 0, 0, 0]}])", "/in_situ/0", "'stress' is missing", "Pa"),
+    added(R"("in_situ": [{"stress": [0, 0, 0]}])", "/in_situ/0/stress", "must have 6 entries, has 3", "xx, yy, zz"),
+    added(R"("in_situ": [{"stress": [0, 0, 0, 0, 0, 0], "blocks": ["slop"]}])", "/in_situ/0/blocks/0",
+          "nothing is called 'slop'", "did you mean 'slope'?"),
+    {"\"poisson\": 0.24", "\"poisson\": 0.24, \"damping\": -1", "line 4, /materials/rock/damping",
+     "must be at least 0, is -1", "1/s"},
+};
+INSTANTIATE_TEST_SUITE_P(Actions, BadProject, testing::ValuesIn(actions));
+
+/// `keys` are added to the small project's dynamic stage.
+BadText staged(const std::string& keys, const std::string& place, const std::string& problem,
+               const std::string& remedy) {
+  return {"\"steps\": 100", "\"steps\": 100, " + keys, "line 18, /stages/0" + place, problem, remedy};
+}
+
+const std::vector<BadText> stages{
+    staged(R"("until_equilibrium": true)", "/until_equilibrium", "a dynamic stage does not end at equilibrium",
+           "make the stage static"),
+    staged(R"("until_equilibrium": 1)", "/until_equilibrium", "must be true or false, is 1", "nothing moves"),
+    staged(R"("equilibrium_tolerance": 1e-3)", "/equilibrium_tolerance", "does not ask for equilibrium",
+           "\"until_equilibrium\": true"),
+    staged(R"("equilibrium_tolerance": 0)", "/equilibrium_tolerance", "greater than 0, is 0", "1e-5"),
+    staged(R"("damping": -1)", "/damping", "at least 0, is -1", "1/s"),
+    staged(R"("joints": {"J3": {"cohesion": 0}})", "/joints/J3", "joint 'J3' is used here but not defined",
+           "use one of J1, J2"),
+    staged(R"("joints": {"J1": {}})", "/joints/J1", "changes nothing", "friction_angle"),
+    staged(R"("joints": {"J1": {"normal_stiffness": 1e9}})", "/joints/J1/normal_stiffness", "is not known here",
+           "use one of"),
+    staged(R"("joints": {"J1": {"residual_friction_angle": 31}})", "/joints/J1/residual_friction_angle",
+           "the residual friction angle, 31°, exceeds the friction angle, 30°", "at most"),
+    staged(R"("loads": [{"block": "slip", "at": [0, 0, 0], "force": [0, 0, 0]}])", "/loads/0/block",
+           "nothing is called 'slip'", "slope"),
+    staged(R"("constraints": [{"block": "slip", "at": [0, 0, 0], "displacement": [0, 0, 0]}])", "/constraints/0/block",
+           "nothing is called 'slip'", "slope"),
+    staged(R"("constraints": [{"block": "slope.1", "displacement": [0, 0, 0]}])", "/constraints/0",
+           "moves block 'slope.1' as a whole", "'fixed'"),
+    staged(R"("blocks": [{"name": "slope.1"}])", "/blocks/0", "'body' is missing", "built as"),
+    staged(R"("blocks": [{"name": "slip", "body": "fixed"}])", "/blocks/0/name", "nothing is called 'slip'", "slope"),
+    staged(R"("blocks": [{"name": "slope.1", "body": "rigid"}])", "/blocks/0/body",
+           "is built as 'tetrahedra' and cannot become 'rigid'", "'fixed' to hold it, or 'tetrahedra'"),
+    staged(R"("blocks": [{"name": "slope.1", "body": "fixed"}, {"name": "slope.1", "body": "tetrahedra"}])",
+           "/blocks/1/name", "'slope.1' is changed twice in this stage", "keep one"),
+};
+INSTANTIATE_TEST_SUITE_P(Stages, BadProject, testing::ValuesIn(stages));
+
+BadText solved(const std::string& keys, const std::string& place, const std::string& problem,
+               const std::string& remedy) {
+  return added("\"solver\": {" + keys + "}", "/solver" + place, problem, remedy);
+}
+
+const std::vector<BadText> solver{
+    solved(R"("strain": "corotatonal")", "/strain", "\"corotatonal\" is not known", "did you mean 'corotational'?"),
+    solved(R"("spectral_radius": 0.5)", "/spectral_radius", "'newmark' has no spectral radius", "generalized-alpha"),
+    solved(R"("integrator": "generalized-alpha", "spectral_radius": 1.5)", "/spectral_radius", "at most 1, is 1.5",
+           "damps most"),
+    solved(R"("contact": "points")", "/contact", "\"points\" is not known", "use one of"),
+    solved(R"("penetration_tolerance": 0)", "/penetration_tolerance", "greater than 0, is 0", "mesh size"),
+    solved(R"("time_step_control": "adaptiv")", "/time_step_control", "\"adaptiv\" is not known",
+           "did you mean 'adaptive'?"),
+    solved(R"("adaptive": {"iterations": 5})", "/adaptive", "the steps are fixed",
+           "\"time_step_control\": \"adaptive\""),
+    solved(R"("time_step_control": "adaptive", "adaptive": {"shortest": 2})", "/adaptive/shortest", "at most 1, is 2",
+           "time_step"),
+    solved(R"("time_step_control": "adaptive", "adaptive": {"limit": 2})", "/adaptive/limit", "'limit' is not known",
+           "use one of"),
+};
+INSTANTIATE_TEST_SUITE_P(Solver, BadProject, testing::ValuesIn(solver));
 
 TEST(BadText, OtherKindsOfText) {
   expect_refused("", {"", "", "line 1", "empty", "begins with"});

@@ -123,7 +123,7 @@ void shuffle_some(Things& things, Random& random) {
 
 Project changed(Project project, Random& random) {
   for (std::size_t changes = 1 + below(random, 5); changes > 0; --changes) {
-    switch (below(random, 10)) {
+    switch (below(random, 16)) {
       case 0:
         project.gravity[static_cast<Eigen::Index>(below(random, 3))] = 0.1 * static_cast<double>(random());
         break;
@@ -150,6 +150,25 @@ Project changed(Project project, Random& random) {
         break;
       case 8:
         project.output.every = 0.1;
+        break;
+      case 9:
+        shuffle_some(project.constraints, random);
+        break;
+      case 10:
+        shuffle_some(project.in_situ, random);
+        break;
+      case 11:
+        project.loads.push_back({"top", {5, 5, 10}, {0, 0, 0}, {{0.5, {0, 1, 0}}, {1.5, {0, 0, -1}}}});
+        break;
+      case 12:
+        std::swap(project.stages[1].joints[0], project.stages[1].joints[1]);
+        project.stages[1].joints[0].cohesion = static_cast<double>(random());
+        break;
+      case 13:
+        project.stages[below(random, 2)].loads = project.loads;
+        break;
+      case 14:
+        project.stages[below(random, 2)].constraints.reset();
         break;
       default:
         project.name = below(random, 2) ? "" : "another // name";

@@ -22,7 +22,7 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   EXPECT_TRUE(std::signbit(p.gravity[1]));
   ASSERT_EQ(p.materials.size(), 2u);
   EXPECT_EQ(p.materials[0], (Material{"soft rock", 2100, 1e9, 0.3}));
-  EXPECT_EQ(p.materials[1], (Material{"hard/rock", 2600, 25e9, -0.1}));
+  EXPECT_EQ(p.materials[1], (Material{"hard/rock", 2600, 25e9, -0.1, 0.5}));
   ASSERT_EQ(p.joints.size(), 2u);
   EXPECT_EQ(p.joints[0], (Joint{"J2", 8, 0, 0, {}, {}, {}}));
   EXPECT_EQ(p.joints[1], (Joint{"J1", 30, 2e5, 1e4, 25, 1e10, 4e9}));
@@ -41,34 +41,101 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   EXPECT_EQ(p.blocks[0], (BlockOverride{"top", {5, 5, 9}, BodyKind::tetrahedra, "hard/rock", 0.5}));
   EXPECT_EQ(p.blocks[1], (BlockOverride{"foot", {5, 5, 1}, BodyKind::fixed, {}, {}}));
   EXPECT_EQ(p.interfaces.at(0), (Interface{{"top", "wedge"}, "J2"}));
-  EXPECT_EQ(p.constraints.at(0), (Constraint{"foot", Vec3(0, 0, 0), {0.0, std::nullopt, -0.001}}));
-  EXPECT_EQ(p.loads.at(0), (PointLoad{"top", {5, 5, 10}, {0, 0, -1e6}}));
+  ASSERT_EQ(p.constraints.size(), 3u);
+  EXPECT_EQ(p.constraints[0], (Constraint{"foot", Vec3(0, 0, 0), {0.0, std::nullopt, -0.001}}));
+  EXPECT_EQ(p.constraints[1],
+            (Constraint{"foot", {}, {0, 0, 0}, {{0, {0, 0, 0}}, {0.5, {0.02, 0, 0}}, {1, {-0.02, 0, 1e-3}}}}));
+  EXPECT_EQ(p.constraints[2],
+            (Constraint{"top", Vec3(5, 5, 10), {0, {}, 0}, {{0, {0, 0, 0}}, {2.5, {0.001, 0, -0.5}}}}));
+  ASSERT_EQ(p.loads.size(), 2u);
+  EXPECT_EQ(p.loads[0], (PointLoad{"top", {5, 5, 10}, {0, 0, -1e6}}));
+  EXPECT_EQ(p.loads[1], (PointLoad{"top", {5, 0, 10}, {0, 0, 0}, {{0, {0, 0, 0}}, {1, {0, 0.25, -2e6}}}}));
   ASSERT_EQ(p.velocities.size(), 2u);
   EXPECT_EQ(p.velocities[0], (InitialVelocity{"wedge", {1, 0, 0}, {0, 0, 0.1}}));
   EXPECT_EQ(p.velocities[1], (InitialVelocity{"top", {0, 0, 0}, {0, 0, 0}}));
+  EXPECT_EQ(p.monitors.at(0), (Monitor{"P1", "top", {5, 5, 10}}));
+  ASSERT_EQ(p.expect.size(), 2u);
+  EXPECT_EQ(p.expect[0], (Expectation{"P1.displacement.z", 41, -4.905, 1e-6, 40.0, "½gt²"}));
+  EXPECT_EQ(p.expect[1], (Expectation{"slope.2.velocity.magnitude", 100, 0, 1e-9, {}, ""}));
+  EXPECT_EQ(p.output, (Output{0.25}));
+}
+
+TEST(ProjectRoundTrip, StressesInSituAreRead) {
+  const Project p = parse_project(full_project);
+  ASSERT_EQ(p.in_situ.size(), 2u);
+  InSituStress everywhere;
+  everywhere.stress << -1e6, -2e6, -3e6, 1, 2, 3;
+  everywhere.gradient << 1e4, 2e4, 26e3, 0, 0, 0.5;
+  everywhere.level = 10;
+  EXPECT_EQ(p.in_situ[0], everywhere);
+  InSituStress locked;
+  locked.blocks = {"top", "slope.2"};
+  locked.stress << 0, 0, 0, 0, 0, 4e5;
+  EXPECT_EQ(p.in_situ[1], locked);
+}
+
+TEST(ProjectRoundTrip, StagesAndTheirChangesAreRead) {
+  const Project p = parse_project(full_project);
   ASSERT_EQ(p.stages.size(), 2u);
   Stage gravity;
   gravity.name = "gravity";
   gravity.kind = StageKind::static_;
   gravity.time_step = 0.01;
   gravity.steps = 4000;
+  gravity.until_equilibrium = true;
+  gravity.equilibrium_tolerance = 0.001;
+  gravity.damping = 0.2;
+  gravity.blocks = {{"top", BodyKind::fixed}};
   EXPECT_EQ(p.stages[0], gravity);
   Stage slide;
   slide.name = "slide";
   slide.time_step = 0.005;
   slide.duration = 60;
+  slide.joints = {{"J2", 6, {}, {}, {}}, {"J1", 20, 15, 0, 5e3}};
+  slide.loads.emplace();
+  slide.constraints = {{"top", Vec3(5, 5, 10), {{{}, 0, {}}}, {}}};
+  slide.blocks = {{"top", BodyKind::tetrahedra}};
   EXPECT_EQ(p.stages[1], slide);
+}
+
+TEST(ProjectRoundTrip, SolverSettingsAreRead) {
   SolverSettings solver;
   solver.strain = Strain::incremental;
-  solver.integrator = Integrator::constant_acceleration;
+  solver.integrator = Integrator::generalized_alpha;
+  solver.spectral_radius = 0.6;
+  solver.contact = ContactModel::facet_wise;
   solver.contact_stiffness = 12.5;
+  solver.penetration_tolerance = 1e-6;
   solver.open_close_limit = 8;
-  EXPECT_EQ(p.solver, solver);
-  EXPECT_EQ(p.monitors.at(0), (Monitor{"P1", "top", {5, 5, 10}}));
-  ASSERT_EQ(p.expect.size(), 2u);
-  EXPECT_EQ(p.expect[0], (Expectation{"P1.displacement.z", 41, -4.905, 1e-6, 40.0, "½gt²"}));
-  EXPECT_EQ(p.expect[1], (Expectation{"slope.2.velocity.magnitude", 100, 0, 1e-9, {}, ""}));
-  EXPECT_EQ(p.output, (Output{0.25}));
+  solver.time_step_control = TimeStepControl::adaptive;
+  solver.adaptive = {0.01, 1e-5, 6, 0.01};
+  EXPECT_EQ(parse_project(full_project).solver, solver);
+}
+
+/// Each word of a choice comes back as the choice it was.
+TEST(ProjectRoundTrip, EveryChoiceOfTheSolverComesBack) {
+  Project project = parse_project(small_project);
+  for (const auto integrator : {Integrator::newmark, Integrator::constant_acceleration, Integrator::generalized_alpha})
+    for (const auto strain : {Strain::corotational, Strain::incremental})
+      for (const auto contact : {ContactModel::area, ContactModel::facet_wise})
+        for (const auto control : {TimeStepControl::fixed, TimeStepControl::adaptive}) {
+          project.solver.integrator = integrator;
+          project.solver.strain = strain;
+          project.solver.contact = contact;
+          project.solver.time_step_control = control;
+          EXPECT_EQ(parse_project(write_project(project)).solver, project.solver);
+        }
+}
+
+/// Loads that a stage takes away are something else than loads it leaves alone.
+TEST(ProjectRoundTrip, AnEmptyListInAStageIsNotAbsence) {
+  Project project = parse_project(small_project);
+  EXPECT_FALSE(project.stages[0].loads);
+  project.stages[0].loads.emplace();
+  project.stages[0].constraints.emplace();
+  const std::string written = write_project(project, small_project);
+  EXPECT_EQ(written, replaced(small_project, "\"steps\": 100}", "\"steps\": 100, \"loads\": [], \"constraints\": []}"));
+  EXPECT_EQ(parse_project(written), project);
 }
 
 TEST(ProjectRoundTrip, WhatIsLeftOutHasItsDefault) {
@@ -125,6 +192,34 @@ TEST(ProjectMerge, AChangedDefaultIsAdded) {
   project.gravity = {0, 0, -1.62};
   EXPECT_EQ(write_project(project, small_project),
             replaced(small_project, "  \"materials\"", "  \"gravity\": [0, 0, -1.62],\n  \"materials\""));
+}
+
+TEST(ProjectMerge, ARowAddedToATableLeavesTheOthersAlone) {
+  Project project = parse_project(full_project);
+  project.constraints[1].table.push_back({1.5, {0, 0, 0}});
+  EXPECT_EQ(write_project(project, full_project),
+            replaced(full_project, "[1, -0.02, 0, 1e-3]]}",
+                     "[1, -0.02, 0, 1e-3],\n                                [1.5, 0, 0, 0]]}"));
+}
+
+TEST(ProjectMerge, ATableMayTakeThePlaceOfAForce) {
+  Project project = parse_project(full_project);
+  project.loads[0].force.setZero();
+  project.loads[0].table = {{0, {0, 0, -1e6}}, {2, {0, 0, 0}}};
+  EXPECT_EQ(write_project(project, full_project),
+            replaced(full_project, "\"force\": [0, 0, -1e6]", "\"table\": [[0, 0, 0, -1e6], [2, 0, 0, 0]]"));
+}
+
+TEST(ProjectMerge, WhatBecomesUsualAgainIsTakenAway) {
+  Project project = parse_project(full_project);
+  project.stages[0].until_equilibrium = false;
+  project.stages[0].equilibrium_tolerance = Stage{}.equilibrium_tolerance;
+  project.solver.time_step_control = TimeStepControl::fixed;
+  project.solver.adaptive = {};
+  const std::string text = write_project(project, full_project);
+  EXPECT_EQ(parse_project(text), project);
+  for (const char* key : {"until_equilibrium", "equilibrium_tolerance", "time_step_control", "adaptive"})
+    EXPECT_THAT(text, Not(HasSubstr(key)));
 }
 
 TEST(ProjectMerge, AThingAddedInTheMiddleLeavesTheOthersAlone) {

@@ -15,7 +15,7 @@ inline const std::string full_project = R"(// A slope above a road.
      laboratory */
   "materials": {
     "soft rock": {"density": 2.1e3, "young": 1e9, "poisson": 0.3}, // first, though later in the alphabet
-    "hard/rock": {"density": 2600, "young": 25E+9, "poisson": -0.1}
+    "hard/rock": {"density": 2600, "young": 25E+9, "poisson": -0.1, "damping": 0.5}
   },
   "joints": {
     // bedding
@@ -47,15 +47,39 @@ inline const std::string full_project = R"(// A slope above a road.
   ],
   "interfaces": [{"between": ["top", "wedge"], "joint": "J2"}],
   "constraints": [
-    {"block": "foot", "at": [0, 0, 0], "displacement": [0, null, -0.001]}
+    {"block": "foot", "at": [0, 0, 0], "displacement": [0, null, -0.001]},
+    {"block": "foot", "table": [[0, 0, 0, 0], [0.5, 0.02, 0, 0], // the base shakes
+                                [1, -0.02, 0, 1e-3]]},
+    {"block": "top", "at": [5, 5, 10], "table": [[0, 0, null, 0], [2.5, 0.001, null, -0.5]]}
   ],
-  "loads": [{"block": "top", "at": [5, 5, 10], "force": [0, 0, -1e6]}],
+  "loads": [
+    {"block": "top", "at": [5, 5, 10], "force": [0, 0, -1e6]},
+    {"block": "top", "at": [5, 0, 10], "table": [[0, 0, 0, 0], [1, 0, 0.25, -2e6]]}
+  ],
   "velocities": [{"block": "wedge", "linear": [1, 0, 0], "angular": [0, 0, 0.1]}, {"block": "top"}],
-  "stages": [
-    {"name": "gravity", "type": "static", "time_step": 0.01, "steps": 4000},
-    {"name": "slide", "type": "dynamic", "time_step": 0.005, "duration": 60}
+  "in_situ": [
+    {"stress": [-1e6, -2e6, -3e6, 1, 2, 3], "gradient": [1e4, 2e4, 26e3, 0, 0, 0.5], "level": 10}, // under the road
+    {"blocks": ["top", "slope.2"], "stress": [0, 0, 0, 0, 0, 4e5]}
   ],
-  "solver": {"strain": "incremental", "integrator": "constant-acceleration", "contact_stiffness": 12.5, "open_close_limit": 8},
+  "stages": [
+    {"name": "gravity", "type": "static", "time_step": 0.01, "steps": 4000,
+     "until_equilibrium": true, "equilibrium_tolerance": 0.001, "damping": 0.2,
+     "blocks": [{"name": "top", "body": "fixed"}]}, // held until it is let go
+    {"name": "slide", "type": "dynamic", "time_step": 0.005, "duration": 60,
+     "joints": {
+       "J2": {"friction_angle": 6}, // wet
+       "J1": {"friction_angle": 20, "residual_friction_angle": 15, "cohesion": 0, "tensile_strength": 5e3}
+     },
+     "loads": [], // nothing presses any more
+     "constraints": [{"block": "top", "at": [5, 5, 10], "displacement": [null, 0, null]}],
+     "blocks": [{"name": "top", "body": "tetrahedra"}]}
+  ],
+  "solver": {
+    "strain": "incremental", "integrator": "generalized-alpha", "spectral_radius": 0.6,
+    "contact": "facet-wise", "contact_stiffness": 12.5, "penetration_tolerance": 1e-6, "open_close_limit": 8,
+    "time_step_control": "adaptive",
+    "adaptive": {"displacement_limit": 0.01, "error_limit": 1e-5, "iterations": 6, "shortest": 0.01} // of time_step
+  },
   "monitors": [{"name": "P1", "block": "top", "at": [5, 5, 10]}],
   "expect": [
     {"quantity": "P1.displacement.z", "time": 41, "since": 40, "value": -4.905, "tolerance": 1e-6, "source": "½gt²"},
