@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
 namespace talus::cli {
 
@@ -11,12 +10,6 @@ namespace {
 std::string without_trailing_spaces(std::string line) {
   line.erase(line.find_last_not_of(' ') + 1);
   return line;
-}
-
-bool is_number(const std::string& text) {
-  char* end = nullptr;
-  std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0';
 }
 
 std::string gap(const std::string& text, std::size_t width) {
@@ -33,14 +26,6 @@ std::size_t width_of(const std::string& text) {
 std::string padded(const std::string& text, std::size_t width) { return text + gap(text, width); }
 
 std::string padded_left(const std::string& text, std::size_t width) { return gap(text, width) + text; }
-
-std::string alignment_of(std::size_t columns, const std::vector<std::vector<std::string>>& rows) {
-  std::string alignment(columns, 'r');
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < std::min(columns, row.size()); ++i)
-      if (!row[i].empty() && !is_number(row[i])) alignment[i] = 'l';
-  return alignment;
-}
 
 Table::Table(std::vector<std::string> headings, std::string alignment) : alignment_(std::move(alignment)) {
   rows_.push_back(std::move(headings));

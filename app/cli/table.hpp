@@ -18,9 +18,6 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// For `Table`, of rows that hold both: r for columns in which every cell that is not empty is a number.
-std::string alignment_of(std::size_t columns, const std::vector<std::vector<std::string>>& rows);
-
 /// Characters of UTF-8 text.
 std::size_t width_of(const std::string& text);
 /// `text` with spaces after it, or before it, up to `width` characters.

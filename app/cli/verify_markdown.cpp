@@ -70,8 +70,7 @@ std::string findings_text(const std::vector<Finding>& findings) {
 }
 
 std::string table_text(const CaseTable& table) {
-  std::string text =
-      table.title + ":\n\n" + heading_text(table.columns, alignment_of(table.columns.size(), table.rows));
+  std::string text = table.title + ":\n\n" + heading_text(table.columns, alignment_of(table));
   for (const auto& row : table.rows) text += row_text(row);
   return text + '\n';
 }

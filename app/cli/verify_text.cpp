@@ -48,7 +48,7 @@ std::string indented(const std::string& text, const std::string& margin) {
 }
 
 std::string table_text(const CaseTable& content) {
-  Table table(content.columns, alignment_of(content.columns.size(), content.rows));
+  Table table(content.columns, alignment_of(content));
   for (const auto& row : content.rows) table.add(row);
   return "\n  " + content.title + '\n' + indented(table.text(), "    ");
 }
@@ -81,6 +81,12 @@ std::string repetition_text(const Repetition& repetition) {
   if (repetition.same_bits) return which + "the same bits";
   return which + (repetition.passed ? "the same; differs by " : "DIFFERS by ") +
          finite(repetition.largest_difference, 2) + " at most (" + repetition.quantity + ")";
+}
+
+std::string alignment_of(const CaseTable& table) {
+  std::string alignment;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) alignment += table.holds_words(i) ? 'l' : 'r';
+  return alignment;
 }
 
 std::string case_columns() {

@@ -25,6 +25,9 @@ struct FindingWords {
 };
 FindingWords words_of(const Finding& finding);
 
+/// For `Table`: a letter a column, l or r.
+std::string alignment_of(const CaseTable& table);
+
 /// "2 threads: the same bits", "scale 0.1: differs by 3e-12 at most (acceleration)".
 std::string repetition_text(const Repetition& repetition);
 

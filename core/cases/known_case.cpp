@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace talus {
 
@@ -15,6 +16,20 @@ bool Finding::passed() const { return error() <= tolerance; }
 double Finding::relative() const {
   const double whole = expected != 0 ? expected : tolerance;
   return whole != 0 ? computed / whole : computed;
+}
+
+namespace {
+
+bool is_word(const std::string& cell) {
+  char* end = nullptr;
+  std::strtod(cell.c_str(), &end);
+  return *end != '\0' && cell != "–";
+}
+
+}  // namespace
+
+bool CaseTable::holds_words(std::size_t column) const {
+  return std::any_of(rows.begin(), rows.end(), [column](const auto& row) { return is_word(row[column]); });
 }
 
 bool CaseOutcome::passed() const {

@@ -19,7 +19,7 @@ struct CaseOptions {
 /// scales what it expects, and an absolute tolerance, as it scales its scene; `relative` is then the same at any scale.
 struct Finding {
   std::string quantity;  ///< "acceleration", "critical friction angle"
-  std::string unit;      ///< "" for a pure number
+  std::string unit{};    ///< "" for a pure number
   double expected = 0, computed = 0;
   double tolerance = 0;   ///< relative to |expected|; in the unit itself where `absolute`
   bool absolute = false;  ///< always where expected is zero
@@ -36,6 +36,7 @@ struct CaseTable {
   std::string title;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
+  bool holds_words(std::size_t column) const;  ///< some cell is neither a number nor empty nor "–"
 };
 
 struct CaseOutcome {

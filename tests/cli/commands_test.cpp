@@ -225,9 +225,56 @@ TEST_F(Commands, VerifyEndsWithOneWhenACaseFails) {
   Json project = Json::parse(text_of(sample("free_fall")));
   project["expect"][1]["value"] = -5;
   write_text(*folder / "samples/wrong/wrong.talus", project.dump());
-  const Ending ending = talus_cli({"verify", "--samples", place("samples")});
+  const Ending ending = talus_cli({"verify", "wrong", "--samples", place("samples")});
   EXPECT_EQ(ending.exit_code, 1) << ending.err;
   EXPECT_THAT(ending.out, HasSubstr("0 of 1 cases passed"));
+}
+
+TEST_F(Commands, VerifyPrintsACaseOnceWithUnitsAndItsSource) {
+  const Ending ending = talus_cli({"verify", "free_fall", "--repeat"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(ending.out, HasSubstr("free_fall: Free fall: passed"));
+  EXPECT_THAT(ending.out, HasSubstr("P1.velocity.z at 1 s"));
+  EXPECT_THAT(ending.out, HasSubstr("m/s"));
+  EXPECT_THAT(ending.out, HasSubstr("2 threads, scale 1: the same bits"));
+  EXPECT_THAT(ending.out, HasSubstr("1 thread, scale 0.1: the same"));
+  EXPECT_THAT(ending.out, HasSubstr("Source: -g t^2 / 2; -g t; no force along x"));
+  EXPECT_EQ(ending.out.find("free_fall"), ending.out.rfind("free_fall"));
+}
+
+TEST_F(Commands, VerifyRunsAtAnotherScale) {
+  const Ending ending = talus_cli({"verify", "free_fall", "--scale", "0.01", "--json"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  const Json check = Json::parse(ending.out)["cases"][0]["checks"][1];
+  EXPECT_NEAR(check["expected"], -0.04905, 1e-15);
+  EXPECT_LT(check["error"], 1e-10);
+}
+
+TEST_F(Commands, VerifyWritesItsTableIntoAPageAndKeepsTheRest) {
+  write_text(*folder / "page.md",
+             "# Prose\n<!-- talus-cli verify: begin -->\nold\n<!-- talus-cli verify: end -->\nEnd\n");
+  const Ending ending = talus_cli({"verify", "free_fall", "--markdown", place("page.md")});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  const std::string page = text_of(place("page.md"));
+  EXPECT_THAT(page, testing::StartsWith("# Prose\n<!-- talus-cli verify: begin -->\n"));
+  EXPECT_THAT(page, testing::EndsWith("<!-- talus-cli verify: end -->\nEnd\n"));
+  EXPECT_THAT(page, HasSubstr("| [free_fall](#free_fall) | Free fall | 5 |"));
+  EXPECT_THAT(page, testing::Not(HasSubstr("old")));
+
+  write_text(*folder / "plain.md", "# Prose\n");
+  const Ending refused = talus_cli({"verify", "free_fall", "--markdown", place("plain.md")});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("has no part for the tables of verify"));
+  EXPECT_EQ(text_of(place("plain.md")), "# Prose\n");
+}
+
+TEST_F(Commands, VerifyListsAllCasesAndWhichTakeLong) {
+  const Ending ending = talus_cli({"verify", "--list"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(ending.out, testing::ContainsRegex("free_fall +always +Free fall"));
+  EXPECT_THAT(ending.out, testing::ContainsRegex("jiweishan +with --all +Jiweishan rockslide"));
+  const Json list = Json::parse(talus_cli({"verify", "--list", "--json"}).out);
+  EXPECT_GE(list["cases"].size(), 5U);
 }
 
 TEST_F(Commands, VerifyNamesTheCasesThereAre) {
