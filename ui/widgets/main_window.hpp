@@ -11,6 +11,7 @@
 namespace talus {
 
 class ExportStrip;
+class KnownAnswers;
 class Rail;
 class StartPage;
 class StepBar;
@@ -57,6 +58,7 @@ class MainWindow : public QMainWindow {
   bool saveAs();
   void askForPicture();
   void askForFilm();
+  void showKnownAnswers();
   void showAbout();
   ExportTask exportTask(const std::filesystem::path& path, int width) const;
   QString folderForDialogs() const;
@@ -74,6 +76,7 @@ class MainWindow : public QMainWindow {
   Timeline* timeline_;
   QDockWidget *left_, *right_, *bottom_;
   QStackedWidget* rightPages_;
+  KnownAnswers* knownAnswers_ = nullptr;  ///< once it has been asked for
   QList<QToolBar*> bars_;
   QLabel *message_, *place_;
   bool docksSized_ = false;

@@ -2,6 +2,8 @@
 #include <QFileDialog>
 #include <QMessageBox>
 
+#include "base/error.hpp"
+#include "widgets/known_answers.hpp"
 #include "widgets/main_window.hpp"
 #include "widgets/samples.hpp"
 #include "widgets/start_page.hpp"
@@ -29,6 +31,7 @@ void MainWindow::connectActions() {
   connect(actions_->saveFilm, &QAction::triggered, this, &MainWindow::askForFilm);
   connect(actions_->startPage, &QAction::triggered, this, [this] { showStart(true); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
+  connect(actions_->knownAnswers, &QAction::triggered, this, &MainWindow::showKnownAnswers);
   connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_->viewAlone, &QAction::toggled, this, &MainWindow::showViewAlone);
   connect(topBar_->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::showRecent);
@@ -85,6 +88,21 @@ void MainWindow::askForFilm() {
   const QString name =
       QFileDialog::getSaveFileName(this, tr("Save a film"), folderForDialogs(), tr("Films (*.mp4 *.gif)"));
   if (!name.isEmpty()) saveFilm(withEnding(name, ".mp4"));
+}
+
+void MainWindow::showKnownAnswers() {
+  if (!knownAnswers_) {
+    try {
+      knownAnswers_ = new KnownAnswers(all_cases(samplesFolder()), this);
+    } catch (const InputError& error) {
+      workspace_.addProblem({Problem::Severity::error, QString::fromStdString(error.place()),
+                             QString::fromStdString(error.problem()), QString::fromStdString(error.remedy())});
+      return;
+    }
+  }
+  knownAnswers_->show();
+  knownAnswers_->raise();
+  knownAnswers_->activateWindow();
 }
 
 void MainWindow::showAbout() {

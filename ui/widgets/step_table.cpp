@@ -197,16 +197,6 @@ StepRows rowsOf(Step step, const Project& project, const BlockSystem* system) {
 }
 
 StepTable::StepTable(Workspace& workspace) : workspace_(workspace) {
-  verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(theme::now().metrics.row);
-  verticalHeader()->setMinimumSectionSize(20);
-  setShowGrid(false);
-  setSelectionBehavior(QAbstractItemView::SelectRows);
-  setSelectionMode(QAbstractItemView::SingleSelection);
-  setEditTriggers(QAbstractItemView::NoEditTriggers);
-  setTextElideMode(Qt::ElideRight);
-  horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   setAccessibleName(tr("What the project holds in this step"));
   connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
     if (row >= 0 && row < static_cast<int>(content_.rows.size()))
@@ -222,21 +212,11 @@ StepTable::StepTable(Workspace& workspace) : workspace_(workspace) {
 void StepTable::refresh() {
   const QSignalBlocker silent(this);
   content_ = rowsOf(workspace_.step(), workspace_.document().project(), workspace_.system().get());
-  clear();
-  setRowCount(static_cast<int>(content_.rows.size()));
-  setColumnCount(static_cast<int>(content_.heads.size()));
-  setHorizontalHeaderLabels(content_.heads);
-  auto alignment = [this](int column) {
-    return (column < content_.wordColumns ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
-  };
-  for (int column = 0; column < columnCount(); ++column) {
-    horizontalHeaderItem(column)->setTextAlignment(alignment(column));
-    for (int row = 0; row < rowCount(); ++row) {
-      auto* cell = new QTableWidgetItem(content_.rows[static_cast<size_t>(row)].cells.value(column));
-      cell->setTextAlignment(alignment(column));
-      setItem(row, column, cell);
-    }
-  }
+  std::vector<QStringList> rows;
+  for (const auto& row : content_.rows) rows.push_back(row.cells);
+  std::vector<bool> words(static_cast<size_t>(content_.heads.size()));
+  std::fill_n(words.begin(), content_.wordColumns, true);
+  setContent(content_.heads, rows, words);
   showSelection();
   blockSignals(false);
   emit titleChanged(content_.title);

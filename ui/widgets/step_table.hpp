@@ -1,8 +1,8 @@
 #pragma once
 
-#include <QTableWidget>
 #include <vector>
 
+#include "widgets/plain_table.hpp"
 #include "widgets/workspace.hpp"
 
 namespace talus {
@@ -24,7 +24,7 @@ struct StepRows {
 StepRows rowsOf(Step step, const Project& project, const BlockSystem* system);
 
 /// The table under the view: what the project holds in the step that is open.
-class StepTable : public QTableWidget {
+class StepTable : public PlainTable {
   Q_OBJECT
  public:
   explicit StepTable(Workspace& workspace);

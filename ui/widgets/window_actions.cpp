@@ -104,6 +104,7 @@ void WindowActions::makeRunActions() {
   nextFrame = add(tr("Next frame"), QStringLiteral("step"), QKeySequence(Qt::Key_Right));
   firstFrame = add(tr("First frame"), QStringLiteral("first"), QKeySequence(tr("Ctrl+Home")));
   lastFrame = add(tr("Last frame"), QStringLiteral("last"), QKeySequence(tr("Ctrl+End")));
+  knownAnswers = add(tr("Known answers…"), QStringLiteral("report"));
   about = add(tr("About Talus"), QStringLiteral("info"));
 }
 
@@ -149,7 +150,7 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   menu(tr("Solve"), {steps.at(Step::solve), nullptr, solve, pause, oneStep, stop});
   menu(tr("Results"), {steps.at(Step::results), nullptr, play, previousFrame, nextFrame, firstFrame, lastFrame, nullptr,
                        savePicture, saveFilm});
-  menu(tr("Help"), {about});
+  menu(tr("Help"), {knownAnswers, nullptr, about});
 }
 
 void WindowActions::allow(QAction* action, const QString& whyNot) {
@@ -188,7 +189,7 @@ void WindowActions::refresh() {
   allow(stop, workspace_.job().isBusy() ? QString() : tr("Nothing runs"));
   for (auto* action : {play, previousFrame, nextFrame, firstFrame, lastFrame}) allow(action, noFrames);
   for (const auto& [step, action] : steps) allow(action, noProject);
-  for (auto* action : {dark, viewAlone, clearSelection, quit, about}) allow(action, {});
+  for (auto* action : {dark, viewAlone, clearSelection, quit, knownAnswers, about}) allow(action, {});
 }
 
 }  // namespace talus

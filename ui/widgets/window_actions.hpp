@@ -31,7 +31,7 @@ class WindowActions : public QObject {
   QAction *mesh, *solve, *pause, *oneStep, *stop;
   // Results
   QAction *play, *previousFrame, *nextFrame, *firstFrame, *lastFrame;
-  QAction* about;
+  QAction *knownAnswers, *about;
   std::map<Step, QAction*> steps;
 
   /// Connects what only the view and the timeline can do.

@@ -36,7 +36,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"core/study", {"core/cases", "core/geometry", "core/io"}},
     {"ui/render", {"core/results"}},
     {"ui/document", {"core/model", "core/io"}},
-    {"ui/run", {"core/solve", "core/geometry", "core/io"}},
+    {"ui/run", {"core/study"}},
     {"ui/widgets", {"ui/document", "ui/run", "ui/render"}},
     {"app/cli", {"core/study", "ui/render"}},
     {"app/window", {"ui/widgets"}},

@@ -1,0 +1,59 @@
+#include "run/verify_job.hpp"
+
+namespace talus {
+
+namespace {
+constexpr int heartbeat_ms = 100;  // as SolverJob: quick to the eye, cheap for the window
+}  // namespace
+
+VerifyJob::VerifyJob(QObject* parent) : QObject(parent) {
+  heartbeat_.setInterval(heartbeat_ms);
+  connect(&heartbeat_, &QTimer::timeout, this, [this] {
+    const JobNews news = exchange_->take();
+    timeLeft_.update(static_cast<double>(clock_.elapsed()) / 1000, news.fraction);
+    emit progressed(news.fraction, QString::fromStdString(news.what));
+  });
+}
+
+VerifyJob::~VerifyJob() {
+  if (!thread_) return;
+  thread_->disconnect(this);
+  exchange_->stop();
+  thread_->wait();
+}
+
+void VerifyJob::start(std::vector<KnownCase> cases, const VerifyOptions& options) {
+  Q_ASSERT(!isBusy());
+  exchange_ = std::make_unique<RunExchange>();
+  timeLeft_ = {};
+  clock_.start();
+  thread_.reset(QThread::create([this, cases = std::move(cases), options] { work(cases, options); }));
+  connect(thread_.get(), &QThread::finished, this, &VerifyJob::finish);
+  thread_->start(QThread::LowPriority);
+  heartbeat_.start();
+}
+
+void VerifyJob::work(const std::vector<KnownCase>& cases, const VerifyOptions& options) {
+  try {
+    verify(cases, options, *exchange_, [this](const CaseResult& result) {
+      QMetaObject::invokeMethod(
+          this, [this, result] { emit caseEnded(result); }, Qt::QueuedConnection);
+    });
+  } catch (const Cancelled&) {
+    return;
+  }
+}
+
+void VerifyJob::cancel() {
+  if (exchange_) exchange_->stop();
+}
+
+void VerifyJob::finish() {
+  thread_->wait();
+  heartbeat_.stop();
+  thread_.reset();
+  exchange_.reset();
+  emit ended();
+}
+
+}  // namespace talus

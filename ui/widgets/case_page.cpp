@@ -1,0 +1,150 @@
+#include "widgets/case_page.hpp"
+
+#include <QHeaderView>
+#include <cmath>
+
+#include "widgets/numbers.hpp"
+#include "widgets/plain_table.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int most_rows = 14;  // of a table before it scrolls by itself
+constexpr int figures = 7;
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+void clearLayout(QLayout& layout) {
+  while (auto* item = layout.takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+}
+
+QString value(double number, int digits = figures) { return numbers::significant(number, digits); }
+
+/// Error and tolerance: relative as they are, absolute with ± before them.
+QString margin(const Finding& finding, double number) {
+  return finding.absolute && std::isfinite(number) ? QChar(0xb1) + value(number, 2) : value(number, 2);
+}
+
+QStringList cellsOf(const Finding& finding) {
+  return {text(finding.quantity),
+          text(finding.unit),
+          value(finding.expected),
+          value(finding.computed),
+          margin(finding, finding.error()),
+          finding.reported ? QStringLiteral("–") : margin(finding, finding.tolerance),
+          finding.reported   ? QObject::tr("shown")
+          : finding.passed() ? QObject::tr("yes")
+                             : QObject::tr("no")};
+}
+
+QString sentenceOf(const Repetition& repetition) {
+  const QString which =
+      QObject::tr("%1 at scale %2")
+          .arg(numbers::counted(repetition.options.threads, "thread"), value(repetition.options.scale, 3));
+  if (!repetition.failure.empty()) return QObject::tr("%1: failed, %2").arg(which, text(repetition.failure));
+  if (repetition.same_bits) return QObject::tr("%1: the same bits").arg(which);
+  return QObject::tr("%1: differs by %2 at most (%3)")
+      .arg(which, value(repetition.largest_difference, 2), text(repetition.quantity));
+}
+
+}  // namespace
+
+CasePage::CasePage() : title_(makeLabel({}, "title")), verdict_(makeLabel({}, "chip")) {
+  auto* column = new QVBoxLayout(this);
+  setMargins(column, 0, 0);
+  auto* head = makePlane("header");
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(12, 6, 12, 6);
+  row->setSpacing(8);
+  title_->setWordWrap(true);
+  row->addWidget(title_, 1);
+  row->addWidget(verdict_, 0, Qt::AlignVCenter);
+  column->addWidget(head);
+  auto* inner = makePlane("surface");
+  content_ = new QVBoxLayout(inner);
+  content_->setContentsMargins(12, 8, 12, 12);
+  content_->setSpacing(8);
+  column->addWidget(makeScrolled(inner), 1);
+}
+
+void CasePage::show(const KnownCase& known, const CaseResult* result) {
+  title_->setText(text(known.title));
+  setRole(verdict_, !result ? "chip" : result->passed() ? "chipOk" : "chipWarn");
+  verdict_->setText(
+      !result ? tr("not run yet")
+              : (result->passed() ? tr("passed in %1") : tr("failed in %1")).arg(numbers::duration(result->seconds)));
+  clearLayout(*content_);
+  addSentence(tr("Source: %1").arg(text(known.source)), "muted");
+  if (result) {
+    if (!result->failure.empty()) addSentence(tr("Came to no answer: %1").arg(text(result->failure)), "error");
+    if (!result->outcome.findings.empty()) addFindings(*result);
+    addSentences(*result);
+    for (const CaseTable& table : result->outcome.tables) addTable(table);
+  } else if (known.takes_long) {
+    addSentence(tr("This case takes minutes."), "muted");
+  }
+  content_->addStretch();
+}
+
+void CasePage::addFindings(const CaseResult& result) {
+  auto* table = new PlainTable;
+  table->setObjectName(QStringLiteral("findings"));
+  std::vector<QStringList> rows;
+  for (const Finding& finding : result.outcome.findings) rows.push_back(cellsOf(finding));
+  table->setContent(
+      {tr("Quantity"), tr("Unit"), tr("Expected"), tr("Computed"), tr("Error"), tr("Tolerance"), tr("Passed")}, rows,
+      {true, true, false, false, false, false, true});
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  for (int row = 0; row < table->rowCount(); ++row) {
+    const Finding& finding = result.outcome.findings[static_cast<size_t>(row)];
+    table->item(row, 0)->setToolTip(text(finding.quantity));
+    if (finding.reported) continue;
+    table->item(row, 6)->setIcon(finding.passed() ? theme::icon(QStringLiteral("ok"), theme::Tone::ok)
+                                                  : theme::icon(QStringLiteral("error"), theme::Tone::error));
+  }
+  table->fitHeight(most_rows);
+  content_->addWidget(table);
+  addSentence(tr("Error and tolerance are relative to the expected number; with ± they are in its unit."), "faint");
+}
+
+void CasePage::addSentences(const CaseResult& result) {
+  for (const Repetition& repetition : result.repetitions)
+    addSentence(sentenceOf(repetition), repetition.passed ? nullptr : "error");
+  for (const std::string& remark : result.outcome.remarks) addSentence(text(remark));
+}
+
+void CasePage::addTable(const CaseTable& content) {
+  content_->addWidget(makeLabel(text(content.title), "section"));
+  auto* table = new PlainTable;
+  QStringList heads;
+  std::vector<bool> words;
+  for (std::size_t column = 0; column < content.columns.size(); ++column) {
+    heads << text(content.columns[column]);
+    words.push_back(content.holds_words(column));
+  }
+  std::vector<QStringList> rows;
+  for (const auto& cells : content.rows) {
+    QStringList row;
+    for (const std::string& cell : cells) row << text(cell);
+    rows.push_back(row);
+  }
+  table->setContent(heads, rows, words);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setStretchLastSection(true);
+  table->fitHeight(most_rows);
+  content_->addWidget(table);
+}
+
+void CasePage::addSentence(const QString& words, const char* role) {
+  auto* label = makeLabel(words, role);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  content_->addWidget(label);
+}
+
+}  // namespace talus
