@@ -1,0 +1,31 @@
+#include "cases/block_scene.hpp"
+#include "cases/wedge_cases.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr double time_step = 1e-3;  // s; a wedge that falls takes 56 of them
+constexpr int settling_steps = 10;
+constexpr double longest = 1;  // s; a wedge that has not gone 5 % of its length by then has a factor above 0.99
+
+}  // namespace
+
+Scene wedge_test_scene(const WedgeTest& test, double friction_angle, int refinements, double duration) {
+  Joint planes;
+  planes.name = "planes";
+  planes.friction_angle = friction_angle;
+  Scene scene = wedge_in_mould(test.shape(), test.turn(), plaster(), planes, refinements);
+  scene.project.stages = {settling(time_step, settling_steps), motion(time_step, duration)};
+  return scene;
+}
+
+WedgeMotion run_wedge_test(const WedgeTest& test, double friction_angle, int refinements, const CaseOptions& options,
+                           Progress& progress) {
+  const Scene scene = scaled(wedge_test_scene(test, friction_angle, refinements, longest), options.scale);
+  WedgeWatch watch(scene, turned(test.shape().planes(), test.turn()), test.shape().length() * options.scale);
+  run_scene(scene, progress, [&](const Simulation& simulation, const StepReport&) { return watch.look(simulation); });
+  return watch.motion();
+}
+
+}  // namespace talus
