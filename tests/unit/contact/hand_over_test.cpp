@@ -104,7 +104,7 @@ TEST(HandOver, ACubeThatTipsOverItsEdgePushesAsBefore) {
   turn_to(cube.scene, 3.05);
   cube.detect();
   EXPECT_FALSE(cube.facing);
-  EXPECT_NEAR(cube.normal, before, 1e-3 * before);  // ten times that without what is left out of the gap
+  EXPECT_NEAR(cube.normal, before, 1e-3 * before);  // five times without what is left out of the gap
 }
 
 TEST(HandOver, ACubeThatRocksBackKeepsItsShear) {
