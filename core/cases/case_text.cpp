@@ -14,7 +14,7 @@ std::string decimals(double value, int digits) {
 }
 
 std::string direction_text(const Vec3& direction) {
-  if (direction.isZero()) return "-";
+  if (direction.isZero()) return "–";
   return "(" + decimals(direction.x(), 2) + ", " + decimals(direction.y(), 2) + ", " + decimals(direction.z(), 2) + ")";
 }
 

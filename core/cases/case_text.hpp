@@ -10,7 +10,7 @@ namespace talus {
 /// "26.50": a fixed number of digits after the point, never "-0.00".
 std::string decimals(double value, int digits);
 
-/// "(0.45, 0.63, -0.63)", or "-" for a zero vector.
+/// "(0.45, 0.63, -0.63)", or "–" for a zero vector.
 std::string direction_text(const Vec3& direction);
 
 }  // namespace talus

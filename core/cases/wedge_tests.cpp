@@ -49,7 +49,7 @@ CaseTable table_of(const std::vector<TestOutcome>& outcomes) {
     const auto& coupled = test.coupled_direction;
     table.rows.push_back({test.name(), number_text(test.beta), number_text(test.alpha),
                           std::string(to_string(outcome.motion.mode)), direction_text(outcome.motion.direction),
-                          outcome.motion.direction.isZero() ? "-" : decimals(outcome.deviation(), 3),
+                          outcome.motion.direction.isZero() ? "–" : decimals(outcome.deviation(), 3),
                           std::string(to_string(test.coupled)), direction_text({coupled[0], coupled[1], coupled[2]}),
                           std::string(to_string(test.physical)), std::string(to_string(outcome.expected())),
                           decimals(outcome.factor(), 3), outcome.threshold() ? "yes" : ""});
@@ -67,7 +67,7 @@ void hold(const std::vector<TestOutcome>& outcomes, int refinements, CaseOutcome
     wrong += row.motion.mode != row.expected();
     deviation = std::max(deviation, row.deviation());
   }
-  const std::string mesh = ", " + std::to_string(1 << (3 * refinements)) + " tetrahedra";
+  const std::string mesh = " (tetrahedra: " + std::to_string(1 << (3 * refinements)) + ")";
   outcome.findings.push_back({.quantity = "rows off the thresholds with another mode than limit equilibrium" + mesh,
                               .unit = "",
                               .computed = static_cast<double>(wrong),
