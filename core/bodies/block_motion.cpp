@@ -2,22 +2,15 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "bodies/polar.hpp"
 
 namespace talus {
 
 namespace {
-
-Mat3 nearest_rotation(const Mat3& gradient) {
-  const Eigen::JacobiSVD<Mat3> svd(gradient, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Mat3 sign = Mat3::Identity();
-  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * sign * svd.matrixV().transpose();
-}
 
 Mat3 edge_matrix(const std::vector<Vec3>& points, const std::array<int, 4>& nodes) {
   Mat3 edges;
@@ -63,7 +56,7 @@ BlockMotion block_motion(const BodySet& set, int index) {
   motion.displacement /= mass;
   motion.velocity /= mass;
   motion.relative_volume_change = volume / body.reference_volume - 1;
-  motion.rotation = std::abs(Eigen::AngleAxisd(nearest_rotation(gradient)).angle());
+  motion.rotation = std::abs(Eigen::AngleAxisd(rotation_of(gradient)).angle());
   return motion;
 }
 

@@ -73,17 +73,25 @@ double ContactDetector::State::bond_reach() const {
   return widest;
 }
 
-/// The fast common plane tells which of the pairs are apart; the boxes know it only along the axes.
+/// The planes of both facets tell most of the pairs that are apart; the boxes know it only along the axes.
 void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach) {
   near.clear();
-  const auto corners = [&](int facet) {
-    const auto& n = features.facets[facet].nodes;
-    return Triangle{x[n[0]], x[n[1]], x[n[2]]};
+  const std::span<const Vec3> normals = broad.normals();
+  const auto apart = [&](int facet, int from, double distance) {
+    const auto &n = features.facets[facet].nodes, &m = features.facets[from].nodes;
+    const Vec3 &normal = normals[from], &origin = x[m[0]];
+    const double h0 = normal.dot(x[n[0]] - origin), h1 = normal.dot(x[n[1]] - origin), h2 = normal.dot(x[n[2]] - origin);
+    return std::min({h0, h1, h2}) > distance || std::max({h0, h1, h2}) < -distance;
   };
+  int body_a = -1, body_b = -1;
+  double distance = 0;
   for (const FacetPair& pair : pairs) {
     const int a = features.facets[pair.a].body, b = features.facets[pair.b].body;
-    const double distance = broad.search_distance(a, b, reach) + reach_slack * broad.scale(a, b).size;
-    if (common_plane(corners(pair.a), corners(pair.b), distance).gap <= distance) near.push_back(pair);
+    if (a != body_a || b != body_b) {
+      body_a = a, body_b = b;
+      distance = broad.search_distance(a, b, reach) + reach_slack * broad.scale(a, b).size;
+    }
+    if (!apart(pair.a, pair.b, distance) && !apart(pair.b, pair.a, distance)) near.push_back(pair);
   }
 }
 

@@ -14,4 +14,12 @@ void BodyForce::add_gradient(const Increment&, Eigen::VectorXd& sum) const {
     for (const int freedom : element.freedoms) sum.segment<3>(3 * freedom) -= element.mass / 4 * gravity_;
 }
 
+double BodyForce::stored_energy() const {
+  double sum = 0;
+  for (const Element& element : set_.elements)
+    for (const int node : element.nodes)
+      sum -= element.mass / 4 * gravity_.dot(set_.nodes.position[node] - set_.nodes.reference[node]);
+  return sum;
+}
+
 }  // namespace talus

@@ -11,8 +11,10 @@ class BodyForce final : public Effect {
   /// `gravity` [m/s²].
   BodyForce(const BodySet& set, const Vec3& gravity) : set_(set), gravity_(gravity) {}
   std::string_view name() const override { return "body force"; }
+  EnergyAccount account() const override { return EnergyAccount::potential; }
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  double stored_energy() const override;  ///< above the reference positions
 
  private:
   const BodySet& set_;

@@ -3,11 +3,15 @@
 #include <algorithm>
 
 #include "effects/body_force.hpp"
+#include "effects/corotational_elasticity.hpp"
+#include "effects/damping.hpp"
 #include "effects/displacement_constraint.hpp"
 #include "effects/elasticity.hpp"
+#include "effects/in_situ_stress.hpp"
 #include "effects/inertia.hpp"
 #include "effects/initial_stress.hpp"
 #include "effects/point_load.hpp"
+#include "model/stage_changes.hpp"
 
 namespace talus {
 
@@ -35,8 +39,8 @@ std::vector<LoadedPoint> loaded_points(const Project& project, const BlockSystem
   for (std::size_t i = 0; i < project.loads.size(); ++i) {
     const PointLoad& load = project.loads[i];
     const double tolerance = point_tolerance * block_size(block_named(system, load.block));
-    loads.push_back(
-        {material_point(system, load.block, load.at, tolerance, "/loads/" + std::to_string(i)), load.force});
+    loads.push_back({material_point(system, load.block, load.at, tolerance, "/loads/" + std::to_string(i)), load.force,
+                     load.table});
   }
   return loads;
 }
@@ -50,8 +54,8 @@ std::vector<HeldPoint> held_points(const Project& project, const BlockSystem& sy
     const double size = block_size(block);
     const MaterialPoint point = material_point(system, constraint.block, *constraint.at, point_tolerance * size,
                                                "/constraints/" + std::to_string(i));
-    points.push_back(
-        {point, constraint.displacement, constraint_stiffness * project.materials[block.material].young * size});
+    points.push_back({point, constraint.displacement,
+                      constraint_stiffness * project.materials[block.material].young * size, constraint.table});
   }
   return points;
 }
@@ -63,63 +67,101 @@ std::string joints_where(const Project& project, bool (*resists)(const Joint&)) 
   return names;
 }
 
+/// All stages' projects in one: an effect is on if any stage calls for it.
+template <class Calls>
+bool in_any_stage(const Project& project, Calls calls) {
+  for (int stage = 0; stage < static_cast<int>(project.stages.size()); ++stage)
+    if (calls(project_in_stage(project, stage))) return true;
+  return calls(project);
+}
+
+bool holds_points(const Project& project) {
+  return std::any_of(project.constraints.begin(), project.constraints.end(),
+                     [](const Constraint& c) { return c.at.has_value(); });
+}
+
+bool damps(const Project& project) {
+  return std::any_of(project.materials.begin(), project.materials.end(),
+                     [](const Material& m) { return m.damping > 0; }) ||
+         std::any_of(project.stages.begin(), project.stages.end(),
+                     [](const Stage& s) { return s.damping.value_or(0) > 0; });
+}
+
+std::vector<double> damping_rates(const Project& project, const BlockSystem& system, const Stage& stage) {
+  std::vector<double> rates;
+  for (const Block& block : system.blocks)
+    rates.push_back(project.materials[block.material].damping + stage.damping.value_or(0));
+  return rates;
+}
+
 }  // namespace
 
 std::vector<EffectStatus> called_effects(const Project& project, const BlockSystem& system) {
   const auto movable = static_cast<std::size_t>(std::count_if(
       system.blocks.begin(), system.blocks.end(), [](const Block& b) { return b.body != BodyKind::fixed; }));
   const bool touching = movable > 0 && system.blocks.size() > 1;
-  const std::string shear =
-      joints_where(project, [](const Joint& j) { return j.friction_angle > 0 || j.cohesion > 0; });
-  const std::string bonds =
-      joints_where(project, [](const Joint& j) { return j.cohesion > 0 || j.tensile_strength > 0; });
-  const bool any_static = std::any_of(project.stages.begin(), project.stages.end(),
-                                      [](const Stage& s) { return s.kind == StageKind::static_; });
-  const auto choose = [](bool active, const std::string& on, const std::string& off) { return active ? on : off; };
+  const bool corotational = project.solver.strain == Strain::corotational;
   std::vector<EffectStatus> list;
   const auto add = [&](const char* name, bool active, const std::string& on, const std::string& off) {
-    list.push_back({name, active, choose(active, on, off)});
+    list.push_back({name, active, active ? on : off});
   };
-  add("elasticity", movable > 0, count(movable, "block deforms", "blocks deform"), "every block is fixed");
-  add("initial stress", movable > 0, "stress is carried from step to step", "every block is fixed");
+  const auto resists = [](const Joint& j) { return j.friction_angle > 0 || j.cohesion > 0; };
+  const auto bonds = [](const Joint& j) { return j.cohesion > 0 || j.tensile_strength > 0; };
+  const std::string frame = corotational ? ", measured in the rotated frame" : ", summed up step by step";
+  const std::string still = "every block is fixed";
+  add("elasticity", movable > 0, count(movable, "block deforms", "blocks deform") + frame, still);
+  add("initial stress", movable > 0 && (!corotational || !project.in_situ.empty()),
+      corotational ? "stress in situ" : "stress is carried from step to step",
+      movable == 0 ? still : "no stress in situ; corotational strain carries none from step to step");
+  const bool any_static = std::any_of(project.stages.begin(), project.stages.end(),
+                                      [](const Stage& s) { return s.kind == StageKind::static_; });
   add("inertia", movable > 0,
-      any_static ? "always; static stages start every step at rest" : "always; the velocity is carried on",
-      "every block is fixed");
-  add("displacement constraint", !project.constraints.empty(),
-      count(project.constraints.size(), "point is held", "points are held"), "no point is held");
-  add("point load", !project.loads.empty(), count(project.loads.size(), "load", "loads"), "no point load");
+      any_static ? "always; static stages start every step at rest" : "always; the velocity is carried on", still);
+  add("displacement constraint", in_any_stage(project, holds_points), "points are held", "no point is held");
+  add("point load", in_any_stage(project, [](const Project& p) { return !p.loads.empty(); }), "forces on points",
+      "no point load");
   add("body force", movable > 0 && project.gravity.norm() > 0, "gravity", "no gravity");
   add("normal contact", touching, count(system.blocks.size(), "block", "blocks") + " can touch", "nothing can touch");
-  add("shear contact", touching && !shear.empty(), "friction or cohesion on " + shear, "no joint resists shear");
-  add("cohesion and tension", touching && !bonds.empty(), "bonds on " + bonds,
+  const auto any_joint = [&](bool (*has)(const Joint&)) {
+    return in_any_stage(project, [&](const Project& p) { return std::any_of(p.joints.begin(), p.joints.end(), has); });
+  };
+  add("shear contact", touching && any_joint(resists), "friction or cohesion on " + joints_where(project, resists),
+      "no joint resists shear");
+  add("cohesion and tension", touching && any_joint(bonds), "bonds on " + joints_where(project, bonds),
       "no joint has cohesion or tensile strength");
-  add("damping", false, "", "no stage or material asks for it");
+  add("damping", movable > 0 && damps(project), "a stage or a material asks for it",
+      "no stage or material asks for it");
   return list;
 }
 
-Composition compose(const Project& project, const BlockSystem& system, BodySet& set, const ContactSet& contacts) {
+Composition compose(const Project& project, const BlockSystem& system, int stage, BodySet& set,
+                    const ContactSet& contacts) {
   Composition composition;
+  auto& effects = composition.effects;
+  const auto add = [&](auto effect) {
+    auto* kept = effect.get();
+    effects.push_back(std::move(effect));
+    return kept;
+  };
+  const Project now = project_in_stage(project, stage);
+  const bool corotational = project.solver.strain == Strain::corotational;
   for (const EffectStatus& status : called_effects(project, system)) {
     if (!status.active) continue;
-    auto& effects = composition.effects;
-    if (status.name == "elasticity") effects.push_back(std::make_unique<Elasticity>(set));
-    if (status.name == "initial stress") effects.push_back(std::make_unique<InitialStress>(set));
-    if (status.name == "inertia") effects.push_back(std::make_unique<Inertia>(set));
-    if (status.name == "displacement constraint")
-      effects.push_back(std::make_unique<DisplacementConstraints>(set, held_points(project, system)));
-    if (status.name == "point load")
-      effects.push_back(std::make_unique<PointLoads>(set, loaded_points(project, system)));
-    if (status.name == "body force") effects.push_back(std::make_unique<BodyForce>(set, project.gravity));
-    if (status.name == "normal contact") {
-      auto normal = std::make_unique<NormalContact>(set, contacts);
-      composition.normal = normal.get();
-      effects.push_back(std::move(normal));
-    }
-    if (status.name == "shear contact") {
-      auto shear = std::make_unique<ShearContact>(set, contacts);
-      composition.shear = shear.get();
-      effects.push_back(std::move(shear));
-    }
+    if (status.name == "elasticity" && corotational) add(std::make_unique<CorotationalElasticity>(set));
+    if (status.name == "elasticity" && !corotational) add(std::make_unique<Elasticity>(set));
+    if (status.name == "initial stress" && corotational) add(std::make_unique<InSituStresses>(project, system, set));
+    if (status.name == "initial stress" && !corotational) add(std::make_unique<InitialStress>(set));
+    if (status.name == "inertia") composition.inertia = add(std::make_unique<Inertia>(set));
+    if (status.name == "displacement constraint" && holds_points(now))
+      add(std::make_unique<DisplacementConstraints>(set, held_points(now, system)));
+    if (status.name == "point load" && !now.loads.empty())
+      add(std::make_unique<PointLoads>(set, loaded_points(now, system)));
+    if (status.name == "body force") add(std::make_unique<BodyForce>(set, project.gravity));
+    if (status.name == "normal contact") composition.normal = add(std::make_unique<NormalContact>(set, contacts));
+    if (status.name == "shear contact") composition.shear = add(std::make_unique<ShearContact>(set, contacts));
+    const std::vector<double> rates = damping_rates(project, system, project.stages[stage]);
+    if (status.name == "damping" && *std::max_element(rates.begin(), rates.end()) > 0)
+      add(std::make_unique<Damping>(set, rates));
   }
   return composition;
 }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "effects/inertia.hpp"
 #include "effects/normal_contact.hpp"
 #include "effects/shear_contact.hpp"
 #include "model/project.hpp"
@@ -16,17 +17,19 @@ struct EffectStatus {
   std::string reason;
 };
 
-/// Which effects a scene calls for; costs no solving.
+/// Which effects a scene calls for in any of its stages; costs no solving.
 std::vector<EffectStatus> called_effects(const Project& project, const BlockSystem& system);
 
-/// The effects of a scene, made once. What is not called for is not here.
+/// The effects of a stage. What is not called for is not here.
 struct Composition {
   std::vector<std::unique_ptr<Effect>> effects;
+  Inertia* inertia = nullptr;       ///< among effects; null where every block is fixed
   NormalContact* normal = nullptr;  ///< among effects; null where nothing can touch
   ShearContact* shear = nullptr;    ///< among effects; null where no joint resists shear
 };
 
 /// `set` and `contacts` outlive the composition. Throws InputError for a load or a constraint outside its block.
-Composition compose(const Project& project, const BlockSystem& system, BodySet& set, const ContactSet& contacts);
+Composition compose(const Project& project, const BlockSystem& system, int stage, BodySet& set,
+                    const ContactSet& contacts);
 
 }  // namespace talus

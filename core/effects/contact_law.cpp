@@ -9,13 +9,20 @@ Vec3 relative_displacement(const ContactSet& contacts, const ContactPoint& point
   Vec3 u = Vec3::Zero();
   for (int k = point.stencil_begin; k < point.stencil_end; ++k) {
     const int freedom = set.nodes.freedom[contacts.nodes[k]];
-    if (freedom >= 0) u += contacts.weights[k] * d.segment<3>(3 * freedom);
+    if (freedom >= 0)
+      u += contacts.weights[k] * d.segment<3>(3 * freedom);
+    else if (set.nodes.any_prescribed)
+      u += contacts.weights[k] * set.nodes.prescribed[contacts.nodes[k]];
   }
   return u;
 }
 
 double normal_force(const ContactPoint& point, double gap) {
-  return std::max(point.bonded ? -point.tension : 0.0, -point.normal_stiffness * gap);
+  return std::max(point.bonded ? -point.tension : 0.0, point.multiplier - point.normal_stiffness * gap);
+}
+
+bool resists_elastically(const ContactPoint& point, double gap) {
+  return point.multiplier - point.normal_stiffness * gap > (point.bonded ? -point.tension : 0.0);
 }
 
 double shear_strength(const ContactPoint& point, double normal_force) {
@@ -28,6 +35,14 @@ void subtract_contact_force(const ContactSet& contacts, const ContactPoint& poin
     const int freedom = set.nodes.freedom[contacts.nodes[k]];
     if (freedom >= 0) sum.segment<3>(3 * freedom) -= contacts.weights[k] * force;
   }
+}
+
+double work_on_held_nodes(const ContactSet& contacts, const ContactPoint& point, const BodySet& set,
+                          const Vec3& force) {
+  double work = 0;
+  for (int k = point.stencil_begin; k < point.stencil_end; ++k)
+    work -= contacts.weights[k] * force.dot(set.nodes.prescribed[contacts.nodes[k]]);
+  return work;
 }
 
 void add_contact_spring(const ContactSet& contacts, const ContactPoint& point, const BodySet& set, const Mat3& spring,

@@ -1,6 +1,17 @@
 #include "effects/displacement_constraint.hpp"
 
+#include "model/time_table.hpp"
+
 namespace talus {
+
+void DisplacementConstraints::begin_step(const StepContext& step) {
+  for (HeldPoint& held : points_) {
+    if (held.table.empty()) continue;
+    const Vec3 wanted = value_at(held.table, step.time + step.length);
+    for (int k = 0; k < 3; ++k)
+      if (held.displacement[k]) held.displacement[k] = wanted[k];
+  }
+}
 
 Vec3 DisplacementConstraints::excess(const HeldPoint& held, const Increment& d) const {
   const Vec3 start = held.point.at(set_.nodes.position) - held.point.at(set_.nodes.reference);

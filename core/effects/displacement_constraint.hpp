@@ -12,6 +12,7 @@ struct HeldPoint {
   MaterialPoint point;
   std::array<std::optional<double>, 3> displacement;  ///< m, since the start of the run; empty: free
   double stiffness = 0;                               ///< N/m
+  TimeTable table = {};                               ///< m; where not empty it moves the components that are held
 };
 
 /// Very stiff springs that hold points where they are wanted, paper (22)–(24):
@@ -21,6 +22,8 @@ class DisplacementConstraints final : public Effect {
  public:
   DisplacementConstraints(const BodySet& set, std::vector<HeldPoint> points) : set_(set), points_(std::move(points)) {}
   std::string_view name() const override { return "displacement constraint"; }
+  EnergyAccount account() const override { return EnergyAccount::constraint; }
+  void begin_step(const StepContext& step) override;
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;

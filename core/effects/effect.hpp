@@ -6,15 +6,20 @@
 
 #include "bodies/body_set.hpp"
 #include "effects/symmetric_blocks.hpp"
+#include "effects/time_integration.hpp"
 
 namespace talus {
 
 /// The step that is about to be tried.
 struct StepContext {
-  double time = 0;            ///< s, at the start of the step
-  double length = 0;          ///< s, Δ
-  double dynamic_factor = 1;  ///< share of the velocity that enters the step: 0 static, 1 dynamic
+  double time = 0;                ///< s, at the start of the step
+  double length = 0;              ///< s, Δ
+  double dynamic_factor = 1;      ///< share of the velocity that enters the step: 0 static, 1 dynamic
+  TimeIntegration integration{};  ///< of this step; in static stages all forces are taken at its end
 };
+
+/// The column of the energy ledger that an effect's energy belongs to.
+enum class EnergyAccount { kinetic, elastic, potential, contact, damping, constraint };
 
 /// One term Π_e(D) of the incremental potential whose minimum is the step, METHOD §1. Evaluations are const: a trial
 /// step may be rejected, and history moves in `accept` alone.
@@ -22,18 +27,32 @@ class Effect {
  public:
   virtual ~Effect() = default;
   virtual std::string_view name() const = 0;
+  virtual EnergyAccount account() const = 0;
 
   /// Does the Hessian stay the same for all D of a step? Such effects are assembled once a step.
   virtual bool quadratic() const { return true; }
+  /// Smooth forces are taken at the share of D that the time integration says, the others at its end.
+  virtual bool smooth() const { return false; }
   /// Pairs of movable nodes that the Hessian may couple.
   virtual void add_couplings(std::vector<std::pair<int, int>>&) const {}
   /// The bodies stand at the start of the step; D is zero.
   virtual void begin_step(const StepContext&) {}
   virtual double energy(const Increment& d) const = 0;                            ///< J
   virtual void add_gradient(const Increment& d, Eigen::VectorXd& sum) const = 0;  ///< N
-  virtual void add_hessian(const Increment&, SymmetricBlocks&) const {}           ///< N/m
+  /// Never negative: where the exact Hessian has a negative eigenvalue, its part is left out [N/m].
+  virtual void add_hessian(const Increment&, SymmetricBlocks&) const {}
+  /// y += T x, with T what the derivative of the gradient has beyond the Hessian [N].
+  virtual void add_unsymmetric(const Increment&, const Eigen::VectorXd&, Eigen::VectorXd&) const {}
   /// The step is taken; the bodies' positions have not moved yet.
   virtual void accept(const Increment&) {}
+
+  // For the ledger.
+  virtual double stored_energy() const { return 0; }                 ///< J, of the present state
+  virtual double dissipated(const Increment&) const { return 0; }    ///< J, in a step that is accepted
+  virtual double work_on_held(const Increment&) const { return 0; }  ///< J, gradient·D over nodes without freedom
+
+  /// Adds the effect's share of the present Cauchy stress, an element of the BodySet [Pa].
+  virtual void add_stress(std::vector<Voigt>&) const {}
 };
 
 }  // namespace talus

@@ -1,5 +1,7 @@
 #include "effects/elasticity.hpp"
 
+#include "effects/corotational_elasticity.hpp"
+
 namespace talus {
 
 Voigt Elasticity::new_stress(std::size_t e, const Increment& d) const {
@@ -8,9 +10,7 @@ Voigt Elasticity::new_stress(std::size_t e, const Increment& d) const {
 }
 
 void Elasticity::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
-  for (const Element& element : set_.elements)
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < a; ++b) couplings.emplace_back(element.freedoms[a], element.freedoms[b]);
+  add_element_couplings(set_, couplings);
 }
 
 double Elasticity::energy(const Increment& d) const {
@@ -41,6 +41,17 @@ void Elasticity::add_hessian(const Increment&, SymmetricBlocks& sum) const {
 
 void Elasticity::accept(const Increment& d) {
   for (std::size_t e = 0; e < set_.elements.size(); ++e) set_.stress[e] += new_stress(e, d);
+}
+
+double Elasticity::stored_energy() const {
+  double sum = 0;
+  for (std::size_t e = 0; e < set_.elements.size(); ++e)
+    sum += set_.shapes[e].volume * set_.bodies[set_.elements[e].body].elastic.energy_density(set_.stress[e]);
+  return sum;
+}
+
+void Elasticity::add_stress(std::vector<Voigt>& stress) const {
+  for (std::size_t e = 0; e < stress.size(); ++e) stress[e] += set_.stress[e];
 }
 
 }  // namespace talus

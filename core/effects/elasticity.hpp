@@ -11,11 +11,15 @@ class Elasticity final : public Effect {
  public:
   explicit Elasticity(BodySet& set) : set_(set) {}
   std::string_view name() const override { return "elasticity"; }
+  EnergyAccount account() const override { return EnergyAccount::elastic; }
+  bool smooth() const override { return true; }
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
+  double stored_energy() const override;
+  void add_stress(std::vector<Voigt>& stress) const override;
 
  private:
   Voigt new_stress(std::size_t element, const Increment& d) const;

@@ -1,10 +1,10 @@
 #include "effects/inertia.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace talus {
 
-namespace {
-
-/// uᵀ M u of one element: the consistent mass matrix of a four-node tetrahedron is m/20 (1 + δ_ab).
 double mass_square(double mass, const Corners& u) {
   const Vec3 sum = u[0] + u[1] + u[2] + u[3];
   double squares = sum.squaredNorm();
@@ -12,35 +12,45 @@ double mass_square(double mass, const Corners& u) {
   return mass / 20 * squares;
 }
 
-}  // namespace
-
-void Inertia::begin_step(const StepContext& step) { step_ = step; }
-
-Corners Inertia::departure(const Element& element, const Increment& d) const {
-  Corners u = set_.corner_increments(element, d);
-  const double scale = step_.length * step_.dynamic_factor;
-  for (int i = 0; i < 4; ++i) u[i] -= scale * set_.nodes.velocity[element.nodes[i]];
-  return u;
+Vec3 Inertia::acceleration(int node, const Increment& d) const {
+  const double beta = step_.integration.beta, length = step_.length;
+  const Vec3 free = length * step_.dynamic_factor * set_.nodes.velocity[node] +
+                    (0.5 - beta) * length * length * start_acceleration(node);
+  return (set_.node_increment(node, d) - free) / (beta * length * length);
 }
 
 double Inertia::energy(const Increment& d) const {
+  const auto [beta, gamma, alpha_m, alpha_f] = step_.integration;
   double sum = 0;
-  for (const Element& element : set_.elements) sum += mass_square(element.mass, departure(element, d));
-  return sum / (step_.length * step_.length);
+  for (const Element& element : set_.elements) {
+    Corners a1, a0, u = set_.corner_increments(element, d), mixed;
+    for (int i = 0; i < 4; ++i) {
+      a1[i] = acceleration(element.nodes[i], d);
+      a0[i] = start_acceleration(element.nodes[i]);
+      mixed[i] = a0[i] + u[i];
+    }
+    sum +=
+        (1 - alpha_m) * beta / 2 * step_.length * step_.length * mass_square(element.mass, a1) +
+        alpha_m / 2 * (mass_square(element.mass, mixed) - mass_square(element.mass, a0) - mass_square(element.mass, u));
+  }
+  return sum;
 }
 
 void Inertia::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+  const double alpha_m = step_.integration.alpha_m;
   for (const Element& element : set_.elements) {
-    const Corners u = departure(element, d);
-    const Vec3 total = u[0] + u[1] + u[2] + u[3];
-    const double scale = 2 * element.mass / (20 * step_.length * step_.length);
-    for (int a = 0; a < 4; ++a) sum.segment<3>(3 * element.freedoms[a]) += scale * (total + u[a]);
+    Corners a;
+    for (int i = 0; i < 4; ++i)
+      a[i] = (1 - alpha_m) * acceleration(element.nodes[i], d) + alpha_m * start_acceleration(element.nodes[i]);
+    const Vec3 total = a[0] + a[1] + a[2] + a[3];
+    for (int i = 0; i < 4; ++i) sum.segment<3>(3 * element.freedoms[i]) += element.mass / 20 * (total + a[i]);
   }
 }
 
 void Inertia::add_hessian(const Increment&, SymmetricBlocks& sum) const {
+  const double scale = (1 - step_.integration.alpha_m) / (20 * step_.integration.beta * step_.length * step_.length);
   for (const Element& element : set_.elements) {
-    const Mat3 block = 2 * element.mass / (20 * step_.length * step_.length) * Mat3::Identity();
+    const Mat3 block = scale * element.mass * Mat3::Identity();
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b <= a; ++b) sum.add(element.freedoms[a], element.freedoms[b], a == b ? 2 * block : block);
   }
@@ -48,12 +58,25 @@ void Inertia::add_hessian(const Increment&, SymmetricBlocks& sum) const {
 
 void Inertia::accept(const Increment& d) {
   NodeSet& nodes = set_.nodes;
-  for (std::size_t i = 0; i < nodes.velocity.size(); ++i) {
-    if (nodes.freedom[i] < 0) continue;
-    Vec3& v = nodes.velocity[i];
-    v = step_.dynamic_factor == 0 ? Vec3(Vec3::Zero())
-                                  : Vec3(2 / step_.length * set_.node_increment(static_cast<int>(i), d) - v);
+  for (int n = 0; n < static_cast<int>(nodes.velocity.size()); ++n) {
+    if (nodes.freedom[n] < 0) {
+      nodes.velocity[n] = step_.dynamic_factor / step_.length * nodes.prescribed[n];
+    } else if (step_.dynamic_factor == 0) {
+      nodes.velocity[n] = nodes.acceleration[n] = Vec3::Zero();
+    } else {
+      const double gamma = step_.integration.gamma;
+      const Vec3 a0 = start_acceleration(n), a1 = acceleration(n, d);
+      nodes.velocity[n] = step_.dynamic_factor * nodes.velocity[n] + step_.length * ((1 - gamma) * a0 + gamma * a1);
+      nodes.acceleration[n] = a1;
+    }
   }
+}
+
+double Inertia::time_error(const Increment& d) const {
+  double largest = 0;
+  for (int n = 0; n < static_cast<int>(set_.nodes.velocity.size()); ++n)
+    if (set_.nodes.freedom[n] >= 0) largest = std::max(largest, (acceleration(n, d) - start_acceleration(n)).norm());
+  return std::abs(step_.integration.beta - 1.0 / 6) * step_.length * step_.length * largest;
 }
 
 double Inertia::kinetic_energy(const BodySet& set) {

@@ -4,29 +4,39 @@
 
 namespace talus {
 
-/// Inertia with constant acceleration over the step, paper (12)–(21):
-///   Π = 1/Δ² (D − Δ V₀)ᵀ M (D − Δ V₀)  [J],  M = ∫ ρ NᵀN dv
-/// whose gradient M(2/Δ² D − 2/Δ V₀) is the paper's (18). V₀ is the velocity at the start of the step times the stage's
-/// dynamic factor. This is Newmark's method with β = ½, γ = 1. `accept` moves the velocity by (21); in a static stage
-/// to zero.
+/// Inertia, paper (12)–(21), for any integrator of TimeIntegration's family:
+///   Π = (1 − α_m) βΔ²/2 a₁ᵀ M a₁ + α_m a₀ᵀ M D  [J],  M = ∫ ρ NᵀN dv
+///   a₁ = (D − Δ V₀ − (½ − β) Δ² a₀) / (βΔ²)
+/// whose gradient is M[(1 − α_m) a₁ + α_m a₀]; with β = ½, α_m = 0 it is the paper's (18), M(2/Δ² D − 2/Δ V₀). V₀ and
+/// a₀ are taken times the stage's dynamic factor. `accept` moves velocity and acceleration; in a static stage to zero.
 class Inertia final : public Effect {
  public:
   explicit Inertia(BodySet& set) : set_(set) {}
   std::string_view name() const override { return "inertia"; }
-  void begin_step(const StepContext& step) override;
+  EnergyAccount account() const override { return EnergyAccount::kinetic; }
+  void begin_step(const StepContext& step) override { step_ = step; }
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
+  double stored_energy() const override { return kinetic_energy(set_); }
+
+  /// Estimated error of the displacement that time integration makes in this step [m], the largest of all nodes:
+  /// |β − 1/6| Δ² |a₁ − a₀| (Zienkiewicz & Xie 1991).
+  double time_error(const Increment& d) const;
 
   /// ½ VᵀMV of the bodies' present velocities [J].
   static double kinetic_energy(const BodySet& set);
 
  private:
-  /// D − Δ V₀ at the element's corners [m].
-  Corners departure(const Element& element, const Increment& d) const;
+  /// a₁ of a node [m/s²].
+  Vec3 acceleration(int node, const Increment& d) const;
+  Vec3 start_acceleration(int node) const { return step_.dynamic_factor * set_.nodes.acceleration[node]; }
   BodySet& set_;
   StepContext step_;
 };
+
+/// uᵀ M u of one element: the consistent mass matrix of a four-node tetrahedron is m/20 (1 + δ_ab).
+double mass_square(double mass, const Corners& u);
 
 }  // namespace talus

@@ -10,6 +10,8 @@ class InitialStress final : public Effect {
  public:
   explicit InitialStress(const BodySet& set) : set_(set) {}
   std::string_view name() const override { return "initial stress"; }
+  EnergyAccount account() const override { return EnergyAccount::elastic; }
+  bool smooth() const override { return true; }
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
 

@@ -10,8 +10,8 @@ double NormalContact::energy(const Increment& d) const {
   double sum = 0;
   for (const ContactPoint& point : contacts_.points) {
     const double g = gap(point, d), force = normal_force(point, g), k = point.normal_stiffness;
-    const bool elastic = force == -k * g;
-    sum += elastic ? 0.5 * k * g * g : -force * g - 0.5 * force * force / k;
+    sum += resists_elastically(point, g) ? force * force / (2 * k)
+                                         : -force * g - force * force / (2 * k) + force * point.multiplier / k;
   }
   return sum;
 }
@@ -24,12 +24,25 @@ void NormalContact::add_gradient(const Increment& d, Eigen::VectorXd& sum) const
 }
 
 void NormalContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  for (const ContactPoint& point : contacts_.points) {
-    const double g = gap(point, d);
-    const bool elastic = normal_force(point, g) == -point.normal_stiffness * g;
-    if (elastic && (g < 0 || point.bonded))
+  for (const ContactPoint& point : contacts_.points)
+    if (resists_elastically(point, gap(point, d)))
       add_contact_spring(contacts_, point, set_, point.normal_stiffness * point.normal * point.normal.transpose(), sum);
+}
+
+void NormalContact::accept(const Increment& d) {
+  stored_ = 0;
+  for (const ContactPoint& point : contacts_.points) {
+    const double compression = (normal_force(point, gap(point, d)) - point.multiplier) / point.normal_stiffness;
+    if (resists_elastically(point, gap(point, d)) || point.bonded)
+      stored_ += 0.5 * point.normal_stiffness * compression * compression;
   }
+}
+
+double NormalContact::work_on_held(const Increment& d) const {
+  double sum = 0;
+  for (const ContactPoint& point : contacts_.points)
+    sum += work_on_held_nodes(contacts_, point, set_, normal_force(point, gap(point, d)) * point.normal);
+  return sum;
 }
 
 }  // namespace talus

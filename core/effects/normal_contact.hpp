@@ -12,15 +12,20 @@ class NormalContact final : public Effect {
  public:
   NormalContact(const BodySet& set, const ContactSet& contacts) : set_(set), contacts_(contacts) {}
   std::string_view name() const override { return "normal contact"; }
+  EnergyAccount account() const override { return EnergyAccount::contact; }
   bool quadratic() const override { return false; }
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+  void accept(const Increment& d) override;
+  double stored_energy() const override { return stored_; }
+  double work_on_held(const Increment& d) const override;
 
  private:
   double gap(const ContactPoint& point, const Increment& d) const;
   const BodySet& set_;
   const ContactSet& contacts_;
+  double stored_ = 0;  ///< J, in the springs at the end of the last step
 };
 
 }  // namespace talus

@@ -1,6 +1,14 @@
 #include "effects/point_load.hpp"
 
+#include "model/time_table.hpp"
+
 namespace talus {
+
+void PointLoads::begin_step(const StepContext& step) {
+  const double time = step.time + step.integration.smooth_share() * step.length;
+  for (LoadedPoint& load : loads_)
+    if (!load.table.empty()) load.force = value_at(load.table, time);
+}
 
 double PointLoads::energy(const Increment& d) const {
   double sum = 0;

@@ -8,12 +8,15 @@ Vec3 ShearContact::spring_force(std::size_t i, const Increment& d) const {
   return point.shear_start - point.shear_stiffness * (u - point.normal * point.normal.dot(u));
 }
 
+double ShearContact::gap(const ContactPoint& point, const Increment& d) const {
+  return point.gap + point.normal.dot(relative_displacement(contacts_, point, set_, d));
+}
+
 void ShearContact::update_strength(const Increment& d) {
   strength_.resize(contacts_.points.size());
   for (std::size_t i = 0; i < strength_.size(); ++i) {
     const ContactPoint& point = contacts_.points[i];
-    const double gap = point.gap + point.normal.dot(relative_displacement(contacts_, point, set_, d));
-    strength_[i] = shear_strength(point, normal_force(point, gap));
+    strength_[i] = shear_strength(point, normal_force(point, gap(point, d)));
   }
 }
 
@@ -50,6 +53,46 @@ void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
       spring = strength_[i] / length * (spring - trial * trial.transpose() / (length * length));
     add_contact_spring(contacts_, point, set_, point.shear_stiffness * spring, sum);
   }
+}
+
+void ShearContact::add_unsymmetric(const Increment& d, const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
+    const ContactPoint& point = contacts_.points[i];
+    if (strength_[i] == 0 || point.friction == 0) continue;
+    const Vec3 trial = spring_force(i, d);
+    const double length = trial.norm();
+    if (length <= strength_[i] || !resists_elastically(point, gap(point, d))) continue;
+    double closing = 0;  // of x along the normal; prescribed nodes do not follow x
+    for (int k = point.stencil_begin; k < point.stencil_end; ++k)
+      if (const int freedom = set_.nodes.freedom[contacts_.nodes[k]]; freedom >= 0)
+        closing -= contacts_.weights[k] * point.normal.dot(x.segment<3>(3 * freedom));
+    const double growth = point.friction * point.normal_stiffness * closing;  // N, of the strength
+    subtract_contact_force(contacts_, point, set_, growth / length * trial, y);
+  }
+}
+
+void ShearContact::accept(const Increment& d) {
+  stored_ = 0;
+  for (std::size_t i = 0; i < contacts_.points.size(); ++i)
+    stored_ += force(i, d).squaredNorm() / (2 * contacts_.points[i].shear_stiffness);
+}
+
+double ShearContact::slip(std::size_t i, const Increment& d) const {
+  const double spring = spring_force(i, d).norm(), excess = spring - force(i, d).norm();
+  return excess > 1e-12 * spring ? excess / contacts_.points[i].shear_stiffness : 0;
+}
+
+double ShearContact::dissipated(const Increment& d) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < contacts_.points.size(); ++i) sum += force(i, d).norm() * slip(i, d);
+  return sum;
+}
+
+double ShearContact::work_on_held(const Increment& d) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < contacts_.points.size(); ++i)
+    sum += work_on_held_nodes(contacts_, contacts_.points[i], set_, force(i, d));
+  return sum;
 }
 
 }  // namespace talus

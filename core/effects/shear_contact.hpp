@@ -6,21 +6,27 @@
 namespace talus {
 
 /// Shear springs and friction, paper (32)–(40), as one potential. With the spring force τ* = τ₀ − k_s u_t, the relative
-/// displacement u_t in the contact plane, and the strength F = c·A + F_n tan φ at the normal force of the last
-/// iteration:
+/// displacement u_t in the contact plane, and the strength F = c·A + F_n tan φ at the normal force of this iterate:
 ///   stick, |τ*| < F:  Π = |τ*|² / 2k_s                 [J]   paper (34)
 ///   slip:             Π = F|τ*| / k_s − F² / 2k_s       [J]   paper (37) but for terms of second order
 /// Both meet with the same force: sliding needs no state of its own to be told from sticking. The gradient in slip is
 /// the paper's friction force F against the direction of sliding; its Hessian keeps that direction from flipping
-/// between iterations where the paper takes it from the previous displacement.
+/// between iterations where the paper takes it from the previous displacement. That the strength follows the normal
+/// force has no potential: its part of the tangent, tan φ k_n s⊗n, is what add_unsymmetric gives.
 class ShearContact final : public Effect {
  public:
   ShearContact(const BodySet& set, const ContactSet& contacts) : set_(set), contacts_(contacts) {}
   std::string_view name() const override { return "shear contact"; }
+  EnergyAccount account() const override { return EnergyAccount::contact; }
   bool quadratic() const override { return false; }
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+  void add_unsymmetric(const Increment& d, const Eigen::VectorXd& x, Eigen::VectorXd& y) const override;
+  void accept(const Increment& d) override;
+  double stored_energy() const override { return stored_; }
+  double dissipated(const Increment& d) const override;
+  double work_on_held(const Increment& d) const override;
 
   /// Takes the strength of every point from the normal forces at D, paper (36).
   void update_strength(const Increment& d);
@@ -28,12 +34,16 @@ class ShearContact final : public Effect {
   Vec3 spring_force(std::size_t point, const Increment& d) const;
   /// Shear force on the first body at D [N].
   Vec3 force(std::size_t point, const Increment& d) const;
+  /// Path slipped in the step at D, over all the spring's excess [m].
+  double slip(std::size_t point, const Increment& d) const;
   double strength(std::size_t point) const { return strength_[point]; }
 
  private:
+  double gap(const ContactPoint& point, const Increment& d) const;
   const BodySet& set_;
   const ContactSet& contacts_;
   std::vector<double> strength_;  ///< N, a point
+  double stored_ = 0;             ///< J, in the springs at the end of the last step
 };
 
 }  // namespace talus

@@ -29,9 +29,9 @@ void SymmetricBlocks::add(int i, int j, const Mat3& block) {
   assert(found != end && *found == row && "an effect couples nodes that it did not announce");
   Mat3& value = values_[found - rows_.begin()];
   if (i >= j)
-    value += block;
+    value += weight_ * block;
   else
-    value += block.transpose();
+    value += weight_ * block.transpose();
 }
 
 void SymmetricBlocks::set_zero() { std::fill(values_.begin(), values_.end(), Mat3::Zero()); }

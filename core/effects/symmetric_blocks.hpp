@@ -17,6 +17,9 @@ class SymmetricBlocks {
   /// Adds `block` at row i, column j, and its transpose at (j, i). The pair must be in the pattern.
   void add(int i, int j, const Mat3& block);
 
+  /// What is added from now on counts this much.
+  void set_weight(double weight) { weight_ = weight; }
+
   void set_zero();
   /// Takes over the values of a matrix with the same pattern.
   void assign(const SymmetricBlocks& other) { values_ = other.values_; }
@@ -32,6 +35,7 @@ class SymmetricBlocks {
   std::vector<int> column_begin_{0};
   std::vector<int> rows_;  ///< ascending in each column, the diagonal first
   std::vector<Mat3> values_;
+  double weight_ = 1;
 };
 
 }  // namespace talus

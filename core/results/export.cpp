@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "base/error.hpp"
+#include "base/line_attitude.hpp"
 #include "model/number_text.hpp"
 #include "results/history.hpp"
 #include "results/steps.hpp"
@@ -55,6 +56,19 @@ void write_blocks(std::ostream& stream, const BlockSystem& system) {
     const Block& block = system.blocks[b];
     stream << b << ',' << csv_field(block.name) << ',' << to_string(block.body) << ',' << number_text(block.volume)
            << ',' << block.mesh.nodes.size() << ',' << block.mesh.tetrahedra.size() << '\n';
+  }
+}
+
+void write_motions(std::ostream& stream, const BlockSystem& system, const Frame& frame) {
+  const MotionNames names = motion_names(system);
+  stream << "block,name,mode,motion,trend [deg],plunge [deg],share of rotation\n";
+  for (std::size_t b = 0; b < frame.motions.size(); ++b) {
+    const MotionClass& motion = frame.motions[b];
+    const bool goes = !motion.direction.isZero();
+    const LineAttitude attitude = attitude_of(motion.direction);
+    stream << b << ',' << csv_field(names.blocks[b]) << ',' << to_string(motion.mode) << ','
+           << csv_field(motion_text(motion, names)) << ',' << (goes ? csv_line({attitude.trend, attitude.plunge}) : ",")
+           << ',' << number_text(motion.rotation_share) << '\n';
   }
 }
 
@@ -146,6 +160,7 @@ void export_csv(const ResultReader& results, const fs::path& folder, Progress& p
     table("nodes", write_nodes);
     table("tetrahedra", write_tetrahedra);
     table("contacts", write_contacts);
+    table("motions", write_motions);
   });
 }
 

@@ -13,8 +13,9 @@ namespace talus {
 void export_vtu(const ResultReader& results, const std::filesystem::path& folder, Progress& progress);
 
 /// Writes blocks.csv, history.csv, steps.csv, frames.csv (times) and for every frame nodes_00000.csv …,
-/// tetrahedra_00000.csv … and contacts_00000.csv …; headers name the units, numbers read back exactly.
-/// The folder is made; it must be empty. Throws InputError when it is not or cannot be written, Cancelled.
+/// tetrahedra_00000.csv …, contacts_00000.csv … and motions_00000.csv …, how blocks move; headers name the units,
+/// numbers read back exactly. The folder is made; it must be empty. Throws InputError when it is not or cannot be
+/// written, Cancelled.
 void export_csv(const ResultReader& results, const std::filesystem::path& folder, Progress& progress);
 
 }  // namespace talus

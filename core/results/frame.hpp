@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "results/motion_class.hpp"
 
 namespace talus {
 
@@ -30,6 +31,7 @@ struct Frame {
   std::vector<Vec3> velocity;      ///< m/s, a node
   std::vector<Voigt> stress;       ///< Pa, a tetrahedron, tension positive
   std::vector<ContactSample> contacts;
+  std::vector<MotionClass> motions;  ///< a block; none where nobody watched
 };
 
 }  // namespace talus

@@ -10,6 +10,12 @@ void FrameTables::open_in(const hdf5::Handle& file) {
   contact_type = stored_contact_type();
   contacts = Table(file, "/Talus/contacts", contact_type);
   contact_ends = Table(file, "/Talus/contact_end", H5T_NATIVE_INT64);
+  has_motions = hdf5::check(H5Lexists(file, "/Talus/motions", H5P_DEFAULT), "cannot be read") > 0;
+  if (has_motions) {
+    motion_type = stored_motion_type();
+    motions = Table(file, "/Talus/motions", motion_type);
+    motion_ends = Table(file, "/Talus/motion_end", H5T_NATIVE_INT64);
+  }
   index = Table(file, "/Talus/frame_index", H5T_NATIVE_INT32);
   stage = Table(file, "/Talus/frame_stage", H5T_NATIVE_INT32);
 }

@@ -1,13 +1,15 @@
 #pragma once
 
 #include "results/stored_contact.hpp"
+#include "results/stored_motion.hpp"
 
 namespace talus {
 
 /// The tables of results.h5 that a frame's values lie in, the same for who writes and who reads them.
 struct FrameTables {
-  hdf5::Handle contact_type;
-  hdf5::Table displacement, velocity, stress, contacts, contact_ends, index, stage;
+  hdf5::Handle contact_type, motion_type;
+  hdf5::Table displacement, velocity, stress, contacts, contact_ends, motions, motion_ends, index, stage;
+  bool has_motions = false;  ///< results of Talus 1.0 have none
 
   /// Opens them in a file that has them.
   void open_in(const hdf5::Handle& file);

@@ -188,6 +188,16 @@ void Table::create(hid_t parent, const std::string& path, hid_t type, hsize_t wi
       check(H5Dcreate2(parent, path.c_str(), type, space, H5P_DEFAULT, layout, H5P_DEFAULT), "cannot make " + path));
 }
 
+void insert_field(hid_t type, const char* name, std::size_t offset, hid_t number, hsize_t count) {
+  const std::string what = std::string("cannot describe ") + name;
+  if (count == 1) {
+    check(H5Tinsert(type, name, offset, number), what);
+  } else {
+    const Handle array(check(H5Tarray_create2(number, 1, &count), what));
+    check(H5Tinsert(type, name, offset, array), what);
+  }
+}
+
 Table::Table(hid_t parent, const std::string& path, hid_t type)
     : path_(path), dataset_(open_dataset(parent, path)), type_(type) {
   // What this process has read before may be out of date where another one writes.

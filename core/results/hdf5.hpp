@@ -83,6 +83,9 @@ std::string read_text_attribute(hid_t object, const std::string& name);
 template <class Number>
 Number read_number_attribute(hid_t object, const std::string& name);
 
+/// A field of a compound type: `count` numbers at `offset` of the row.
+void insert_field(hid_t type, const char* name, std::size_t offset, hid_t number, hsize_t count);
+
 /// A dataset that grows by rows.
 class Table {
  public:

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/vector.hpp"
 
@@ -43,8 +44,18 @@ struct MotionClass {
 /// Both name a plane by its joint and by the block on the other side.
 bool same_kind(const MotionClass& a, const MotionClass& b);
 
+/// What a class's numbers stand for.
+struct MotionNames {
+  std::vector<std::string> blocks, joints;
+};
+MotionNames motion_names(const BlockSystem& system);
+
 /// "sliding on J1 (B1) and J2 (B3) along 120°/35°", "toppling on J5 (B2), came to rest".
-std::string motion_text(const MotionClass& motion, const BlockSystem& system);
+std::string motion_text(const MotionClass& motion, const MotionNames& names);
+
+/// An object: mode, came_to_rest, text, joints and against by name, trend and plunge of the direction, line and axis
+/// likewise, rotation_share; null for what the mode does not have.
+std::string motion_json(const MotionClass& motion, const MotionNames& names);
 
 /// Trend and plunge, "120°/35°"; empty where a block goes nowhere.
 std::string direction_text(const Vec3& direction);

@@ -83,6 +83,19 @@ BlockSystem read_system(hid_t file) {
   return system;
 }
 
+/// The rows of a frame that has as many as it likes.
+template <class Row, class Thing>
+std::vector<Thing> read_list(const Table& table, const Table& ends, hsize_t frame) {
+  std::int64_t begin = 0, end = 0;
+  ends.read(&end, frame, 1);
+  if (frame > 0) ends.read(&begin, frame - 1, 1);
+  std::vector<Row> rows(static_cast<std::size_t>(end - begin));
+  table.read(rows.data(), static_cast<hsize_t>(begin), rows.size());
+  std::vector<Thing> things;
+  for (const Row& row : rows) things.push_back(restored(row));
+  return things;
+}
+
 }  // namespace
 
 struct ResultFileReader::State : FrameTables {
@@ -106,12 +119,8 @@ Frame ResultFileReader::State::read(int number, double time) const {
   velocity.read(frame.velocity.data(), row * node_count, node_count);
   stress.read(frame.stress.data(), row * tetrahedron_count, tetrahedron_count);
 
-  std::int64_t begin = 0, end = 0;
-  contact_ends.read(&end, row, 1);
-  if (number > 0) contact_ends.read(&begin, row - 1, 1);
-  std::vector<StoredContact> rows(static_cast<std::size_t>(end - begin));
-  contacts.read(rows.data(), static_cast<hsize_t>(begin), rows.size());
-  std::ranges::transform(rows, std::back_inserter(frame.contacts), restored);
+  frame.contacts = read_list<StoredContact, ContactSample>(contacts, contact_ends, row);
+  if (has_motions) frame.motions = read_list<StoredMotion, MotionClass>(motions, motion_ends, row);
   return frame;
 }
 

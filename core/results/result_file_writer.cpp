@@ -21,6 +21,7 @@ namespace {
 constexpr std::uint8_t vtk_tetra = 10;
 constexpr hsize_t number_chunk = 512;   // frames a piece of the small tables
 constexpr hsize_t contact_chunk = 256;  // contacts a piece
+constexpr hsize_t motion_chunk = 256;   // classes of motion a piece
 
 std::vector<std::string> names_of(const auto& things) {
   std::vector<std::string> names;
@@ -97,6 +98,8 @@ void create_talus(hid_t file, const Project& project, const BlockSystem& system,
   Table::create(group, "frame_stage", H5T_NATIVE_INT32, 0, number_chunk);
   Table::create(group, "contact_end", H5T_NATIVE_INT64, 0, number_chunk);
   Table::create(group, "contacts", stored_contact_type(), 0, contact_chunk);
+  Table::create(group, "motion_end", H5T_NATIVE_INT64, 0, number_chunk);
+  Table::create(group, "motions", stored_motion_type(), 0, motion_chunk);
 }
 
 /// The tables of /VTKHDF/Steps that say where a frame's rows begin, and how many rows it adds to what they point at.
@@ -154,6 +157,16 @@ void create_vtkhdf(hid_t file, const FlatMesh& flat) {
   create_steps(group);
 }
 
+/// Rows of which a frame has as many as it likes, and where they end.
+template <class Row, class Thing>
+void append_list(const std::vector<Thing>& things, Table& table, Table& ends, std::int64_t& end) {
+  std::vector<Row> rows;
+  for (const Thing& thing : things) rows.push_back(stored(thing));
+  table.append(rows.data(), rows.size());
+  end += static_cast<std::int64_t>(rows.size());
+  ends.append(&end, 1);
+}
+
 Handle create_file(const std::filesystem::path& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
   const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "cannot be made"));
@@ -172,7 +185,7 @@ struct ResultFileWriter::State : FrameTables {
   std::filesystem::path path;
   std::vector<double> nodes;
   hsize_t node_count = 0, tetrahedron_count = 0;
-  std::int64_t frames = 0, contact_end = 0;
+  std::int64_t frames = 0, contact_end = 0, motion_end = 0;
   Handle file, steps, step_count;
   Table points, parts, times;
   std::vector<Table> offsets;
@@ -202,11 +215,8 @@ void ResultFileWriter::State::append(const Frame& frame) {
   velocity.append(frame.velocity.data(), node_count);
   stress.append(frame.stress.data(), tetrahedron_count);
 
-  std::vector<StoredContact> rows(frame.contacts.size());
-  std::ranges::transform(frame.contacts, rows.begin(), stored);
-  contacts.append(rows.data(), rows.size());
-  contact_end += static_cast<std::int64_t>(rows.size());
-  contact_ends.append(&contact_end, 1);
+  append_list<StoredContact>(frame.contacts, contacts, contact_ends, contact_end);
+  append_list<StoredMotion>(frame.motions, motions, motion_ends, motion_end);
   index.append(&frame.index, 1);
   stage.append(&frame.stage, 1);
 

@@ -6,6 +6,7 @@
 
 #include "base/vector.hpp"
 #include "model/project.hpp"
+#include "results/motion_class.hpp"
 
 namespace talus {
 
@@ -14,10 +15,13 @@ struct Phases {
   double detect = 0, assemble = 0, factor = 0, solve = 0, update = 0, write = 0;
 };
 
-/// Energies in J. What time integration has taken is the remainder that closes the ledger.
+/// Energies in J. What effects hold, what was dissipated, and what time integration has eaten (summed up effect by
+/// effect: work of its force over the step, less what it holds and dissipates), less the work of constraints, is the
+/// energy that the run began with, but for the remainder: forces that do not balance, and round-off.
 struct EnergyLedger {
   double kinetic = 0, elastic = 0, potential = 0, contact = 0;
   double friction_dissipated = 0, damping_dissipated = 0, constraint_work = 0, integration_loss = 0;
+  double remainder = 0;
 };
 
 /// A row of steps.csv.
@@ -32,6 +36,8 @@ struct StepReport {
   double max_relative_penetration = 0;  ///< of the local mesh size
   double max_displacement = 0;          ///< m, of a node in this step
   double unbalanced_force = 0;          ///< N, norm of the residual at the end of the step
+  double time_error = 0;                ///< m, estimated error of time integration in this step
+  bool equilibrium = false;             ///< a static stage ended because nothing moves any more
   Phases phases;
   EnergyLedger energy;
 };
@@ -76,6 +82,7 @@ struct BlockOutcome {
   Vec3 displacement = Vec3::Zero();  ///< m, of the centroid
   double rotation_degrees = 0;
   Vec3 velocity = Vec3::Zero();  ///< m/s, of the centroid
+  MotionClass motion;
 };
 
 struct EffectOutcome {
@@ -99,6 +106,7 @@ struct RunReport {
   double time = 0, wall_seconds = 0;
   int steps = 0, threads = 1, frames = 0;
   std::vector<BlockOutcome> blocks;
+  MotionNames names;  ///< for the blocks' motions
   StepReport last_step;
   double max_penetration = 0, max_relative_penetration = 0;  ///< over the whole run
   long iterations = 0, cuts = 0;

@@ -34,6 +34,8 @@ void for_each_column(auto& step, auto column) {
   column("damping dissipated [J]", step.energy.damping_dissipated);
   column("constraint work [J]", step.energy.constraint_work);
   column("integration loss [J]", step.energy.integration_loss);
+  column("remainder [J]", step.energy.remainder);
+  column("time error [m]", step.time_error);
 }
 
 }  // namespace

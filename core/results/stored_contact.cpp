@@ -30,16 +30,9 @@ ContactSample restored(const StoredContact& row) {
 }
 
 hdf5::Handle stored_contact_type() {
-  using hdf5::check;
-  const std::string what = "cannot describe a contact";
-  hdf5::Handle type(check(H5Tcreate(H5T_COMPOUND, sizeof(StoredContact)), what));
+  hdf5::Handle type(hdf5::check(H5Tcreate(H5T_COMPOUND, sizeof(StoredContact)), "cannot describe a contact"));
   const auto add = [&](const char* name, std::size_t offset, hid_t number, hsize_t count) {
-    if (count == 1) {
-      check(H5Tinsert(type, name, offset, number), what);
-    } else {
-      const hdf5::Handle array(check(H5Tarray_create2(number, 1, &count), what));
-      check(H5Tinsert(type, name, offset, array), what);
-    }
+    hdf5::insert_field(type, name, offset, number, count);
   };
   add("position [m]", offsetof(StoredContact, position), H5T_NATIVE_DOUBLE, 3);
   add("normal", offsetof(StoredContact, normal), H5T_NATIVE_DOUBLE, 3);

@@ -12,14 +12,15 @@ using Json = nlohmann::ordered_json;
 // nlohmann-json writes numbers that are not finite as null, which is what the contract asks for.
 Json json(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
-Json json(const BlockOutcome& block) {
+Json json(const BlockOutcome& block, const MotionNames& names) {
   return {{"name", block.name},
           {"body", to_string(block.body)},
           {"volume", block.volume},
           {"relative_volume_change", block.relative_volume_change},
           {"displacement", json(block.displacement)},
           {"rotation_degrees", block.rotation_degrees},
-          {"velocity", json(block.velocity)}};
+          {"velocity", json(block.velocity)},
+          {"motion", Json::parse(motion_json(block.motion, names))}};
 }
 
 Json json(const EnergyLedger& energy) {
@@ -30,7 +31,8 @@ Json json(const EnergyLedger& energy) {
           {"friction_dissipated", energy.friction_dissipated},
           {"damping_dissipated", energy.damping_dissipated},
           {"constraint_work", energy.constraint_work},
-          {"integration_loss", energy.integration_loss}};
+          {"integration_loss", energy.integration_loss},
+          {"remainder", energy.remainder}};
 }
 
 Json json(const Phases& phases) {
@@ -63,6 +65,12 @@ Json json(const std::vector<Thing>& things) {
   return array;
 }
 
+Json json_of_blocks(const RunReport& report) {
+  Json array = Json::array();
+  for (const BlockOutcome& block : report.blocks) array.push_back(json(block, report.names));
+  return array;
+}
+
 Json json_of_contacts(const RunReport& report) {
   return {{"max_penetration", report.max_penetration},
           {"max_relative_penetration", report.max_relative_penetration},
@@ -83,7 +91,7 @@ std::string summary_json(const RunReport& report) {
                         {"cuts", report.cuts},
                         {"wall_seconds", report.wall_seconds},
                         {"threads", report.threads},
-                        {"blocks", json(report.blocks)},
+                        {"blocks", json_of_blocks(report)},
                         {"contacts", json_of_contacts(report)},
                         {"energy", json(report.last_step.energy)},
                         {"effects", json(report.effects)},

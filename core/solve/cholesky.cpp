@@ -79,6 +79,9 @@ void Cholesky::analyse(const SymmetricBlocks& matrix) {
   state_->factor = cholmod_analyze(&sparse, &state_->common);
 }
 
+double Cholesky::flops() const { return state_->common.fl; }
+double Cholesky::entries() const { return state_->common.lnz; }
+
 void Cholesky::factor(const SymmetricBlocks& matrix) {
   state_->set_values(matrix);
   cholmod_sparse sparse = state_->sparse();

@@ -26,6 +26,8 @@ class Cholesky {
   void factor(const SymmetricBlocks& matrix);
   /// x = K⁻¹ b with the last factor.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
+  double flops() const;    ///< of a factorisation of the analysed pattern
+  double entries() const;  ///< of its factor
 
  private:
   struct State;

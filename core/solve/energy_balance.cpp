@@ -1,51 +1,73 @@
 #include "solve/energy_balance.hpp"
 
-#include "effects/inertia.hpp"
+#include <algorithm>
 
 namespace talus {
 
-namespace {
-
-double elastic_energy(const BodySet& set) {
-  double sum = 0;
-  for (std::size_t e = 0; e < set.elements.size(); ++e)
-    sum += set.shapes[e].volume * set.bodies[set.elements[e].body].elastic.energy_density(set.stress[e]);
-  return sum;
-}
-
-double weight_energy(const BodySet& set, const Vec3& gravity) {
-  double sum = 0;
-  for (const Element& element : set.elements)
-    for (const int node : element.nodes)
-      sum -= element.mass / 4 * gravity.dot(set.nodes.position[node] - set.nodes.reference[node]);
-  return sum;
-}
-
-}  // namespace
-
-EnergyBalance::EnergyBalance(const Project& project, const BlockSystem& system) : gravity_(project.gravity) {
-  for (const PointLoad& load : project.loads)
-    loads_.emplace_back(material_point(system, load.block, load.at, 1e300, "/loads"), load.force);
-}
-
-EnergyLedger EnergyBalance::after_step(const BodySet& set, const ContactSet& contacts,
-                                       const std::vector<ContactForces>& forces) {
-  EnergyLedger ledger;
-  ledger.kinetic = Inertia::kinetic_energy(set);
-  ledger.elastic = elastic_energy(set);
-  ledger.potential = weight_energy(set, gravity_);
-  for (const auto& [point, force] : loads_)
-    ledger.potential -= force.dot(point.at(set.nodes.position) - point.at(set.nodes.reference));
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    const ContactPoint& point = contacts.points[i];
-    ledger.contact += forces[i].normal * forces[i].normal / (2 * point.normal_stiffness) +
-                      forces[i].shear.squaredNorm() / (2 * point.shear_stiffness);
-    friction_ += forces[i].shear.norm() * forces[i].slip;
+double& EnergyBalance::column(EnergyAccount account) {
+  switch (account) {
+    case EnergyAccount::kinetic:
+      return ledger_.kinetic;
+    case EnergyAccount::elastic:
+      return ledger_.elastic;
+    case EnergyAccount::potential:
+      return ledger_.potential;
+    default:
+      return ledger_.contact;
   }
-  ledger.friction_dissipated = friction_;
-  ledger.integration_loss =
-      given_ - (ledger.kinetic + ledger.elastic + ledger.potential + ledger.contact + ledger.friction_dissipated);
-  return ledger;
+}
+
+void EnergyBalance::begin_stage(const Composition& composition) {
+  const std::vector<Entry> before = std::move(entries_);
+  entries_.clear();
+  for (const auto& effect : composition.effects) {
+    const auto same =
+        std::find_if(before.begin(), before.end(), [&](const Entry& e) { return e.name == effect->name(); });
+    Entry entry{std::string(effect->name()), effect->stored_energy()};
+    if (before.empty()) {
+      column(effect->account()) += entry.stored;
+      given_ += entry.stored;
+    } else if (same != before.end() && effect->account() == EnergyAccount::contact) {
+      entry.stored = same->stored;  // springs go on from one stage to the next
+    } else if (same != before.end() && effect->name() != "point load") {
+      column(effect->account()) += entry.stored - same->stored;  // of blocks that are held from now on, or let go
+      ledger_.integration_loss -= entry.stored - same->stored;
+    }
+    entries_.push_back(entry);
+  }
+}
+
+void EnergyBalance::energy_was_given(const Composition& composition) {
+  for (std::size_t i = 0; i < composition.effects.size(); ++i) {
+    const double change = composition.effects[i]->stored_energy() - entries_[i].stored;
+    if (composition.effects[i]->account() != EnergyAccount::kinetic) continue;
+    ledger_.kinetic += change;
+    given_ += change;
+    entries_[i].stored += change;
+  }
+}
+
+const EnergyLedger& EnergyBalance::after_step(const Composition& composition, const std::vector<double>& works,
+                                              const Increment& d) {
+  for (std::size_t i = 0; i < composition.effects.size(); ++i) {
+    const Effect& effect = *composition.effects[i];
+    if (effect.account() == EnergyAccount::constraint) {
+      ledger_.constraint_work -= works[i];
+      continue;
+    }
+    const double by_held = effect.work_on_held(d), dissipated = effect.dissipated(d);
+    const double change = effect.stored_energy() - entries_[i].stored;
+    entries_[i].stored += change;
+    column(effect.account()) += change;
+    (effect.account() == EnergyAccount::damping ? ledger_.damping_dissipated : ledger_.friction_dissipated) +=
+        dissipated;
+    ledger_.constraint_work += by_held;
+    ledger_.integration_loss += works[i] + by_held - change - dissipated;
+  }
+  ledger_.remainder = ledger_.kinetic + ledger_.elastic + ledger_.potential + ledger_.contact +
+                      ledger_.friction_dissipated + ledger_.damping_dissipated + ledger_.integration_loss -
+                      ledger_.constraint_work - given_;
+  return ledger_;
 }
 
 }  // namespace talus

@@ -1,34 +1,31 @@
 #pragma once
 
-#include "bodies/block_motion.hpp"
 #include "effects/compose.hpp"
 #include "results/run_report.hpp"
 
 namespace talus {
 
-/// What a contact point came to when a step was taken, for the ledger and for frames.
-struct ContactForces {
-  double normal = 0;          ///< N, compression positive
-  Vec3 shear = Vec3::Zero();  ///< N, on the first body
-  double gap = 0;             ///< m, at the end of the step
-  double slip = 0;            ///< m, in this step
-  ContactMode mode = ContactMode::open;
-};
-
-/// Keeps the energy ledger of a run [J]. What is missing from the energy it began with is the integration loss.
+/// Keeps the energy ledger of a run [J]. The forces of all effects balance in a step, so their works Σ ∇Π_e·D over the
+/// free nodes cancel; what an effect's work is more than the energy it then holds and has dissipated, time integration
+/// has eaten.
 class EnergyBalance {
  public:
-  EnergyBalance(const Project& project, const BlockSystem& system);
-
+  /// The effects of a stage, before its first step.
+  void begin_stage(const Composition& composition);
   /// Velocities were given from outside: their energy is new.
-  void energy_was_given(double joules) { given_ += joules; }
-  /// After the bodies have moved: adds the step's dissipation and takes stock.
-  EnergyLedger after_step(const BodySet& set, const ContactSet& contacts, const std::vector<ContactForces>& forces);
+  void energy_was_given(const Composition& composition);
+  /// After effects have accepted D and bodies have moved. `works`: ∇Π_e·D over free nodes, an effect [J].
+  const EnergyLedger& after_step(const Composition& composition, const std::vector<double>& works, const Increment& d);
 
  private:
-  Vec3 gravity_;
-  std::vector<std::pair<MaterialPoint, Vec3>> loads_;
-  double given_ = 0, friction_ = 0;
+  struct Entry {
+    std::string name;
+    double stored = 0;  ///< J
+  };
+  double& column(EnergyAccount account);
+  EnergyLedger ledger_;
+  std::vector<Entry> entries_;  ///< one an effect of the stage
+  double given_ = 0;
 };
 
 }  // namespace talus

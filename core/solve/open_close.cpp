@@ -12,108 +12,185 @@ namespace {
 /// Internal forces of stressed rock cancel in equilibrium: round-off in them must not count as imbalance, nor may their
 /// size hide one.
 constexpr double internal_share = 1e-3;
-/// The same for the change of momentum that a free flight would need: M·2V/Δ.
+/// The same for the change of momentum that a free flight would need.
 constexpr double momentum_share = 1e-6;
-
-bool internal(const Effect& effect) { return effect.name() == "elasticity" || effect.name() == "initial stress"; }
+/// A shorter step is taken when the residual falls by at least this share of what the tangent promises.
+constexpr double worthwhile = 0.1;
 
 }  // namespace
 
-OpenClose::OpenClose(Composition& composition, OpenCloseSettings settings)
-    : composition_(composition), settings_(settings) {
-  times_.effects.assign(composition.effects.size(), 0);
+std::map<std::string, double> OpenClose::effect_seconds() const {
+  std::map<std::string, double> seconds = earlier_seconds_;
+  for (std::size_t i = 0; i < seconds_.size(); ++i)
+    seconds[std::string(composition_->effects[i]->name())] += seconds_[i];
+  return seconds;
+}
+
+void OpenClose::end_stage() {
+  earlier_seconds_ = effect_seconds();
+  seconds_.clear();
+}
+
+void OpenClose::begin_stage(Composition& composition) {
+  composition_ = &composition;
+  seconds_.assign(composition.effects.size(), 0);
+  works_.assign(composition.effects.size(), 0);
+  norms_.assign(composition.effects.size(), 0);
 }
 
 void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
   const Stopwatch watch(times_.factor);
-  for (const auto& effect : composition_.effects) effect->add_couplings(couplings);
+  for (const auto& effect : composition_->effects) effect->add_couplings(couplings);
   constant_.set_pattern(nodes, couplings);
   matrix_.set_pattern(nodes, std::move(couplings));
   cholesky_.analyse(matrix_);
+  zero_.setZero(3 * nodes);
+  factored_length_ = 0;
+  // A solve with a factor touches each of its entries twice; what a factor costs beside it, at the rates of one core.
+  constexpr double factor_rate = 20e9, solve_rate = 10e9;
+  patience_ =
+      std::clamp(static_cast<int>(cholesky_.flops() / factor_rate / (16 * cholesky_.entries() / solve_rate)), 5, 30);
 }
 
-void OpenClose::begin_step() {
+void OpenClose::begin_step(const StepContext& step) {
   const Stopwatch watch(times_.assemble);
+  share_ = step.integration.smooth_share();
+  length_ = step.length;
   constant_.set_zero();
-  const Increment none = Increment::Zero(3 * constant_.nodes());
-  part_.resize(none.size());
+  part_.resize(zero_.size());
   momentum_scale_ = 0;
-  for (std::size_t i = 0; i < composition_.effects.size(); ++i) {
-    const Stopwatch share(times_.effects[i]);
-    const Effect& effect = *composition_.effects[i];
-    if (effect.quadratic()) effect.add_hessian(none, constant_);
-    if (effect.name() != "inertia") continue;
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+    const Effect& effect = *composition_->effects[i];
+    const Stopwatch share(seconds_[i]);
+    constant_.set_weight(effect.smooth() ? share_ : 1);
+    if (effect.quadratic()) effect.add_hessian(zero_, constant_);
+    if (effect.account() != EnergyAccount::kinetic) continue;
     part_.setZero();
-    effect.add_gradient(none, part_);
+    effect.add_gradient(zero_, part_);
     momentum_scale_ = momentum_share * part_.norm();
   }
 }
 
 void OpenClose::evaluate(const Increment& d) {
   const Stopwatch watch(times_.update);
+  if (composition_->shear) composition_->shear->update_strength(d);
   gradient_.setZero(d.size());
   part_.resize(d.size());
+  scaled_ = share_ * d;
   force_scale_ = momentum_scale_;
-  for (std::size_t i = 0; i < composition_.effects.size(); ++i) {
-    const Stopwatch share(times_.effects[i]);
-    const Effect& effect = *composition_.effects[i];
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+    const Effect& effect = *composition_->effects[i];
+    const Stopwatch share(seconds_[i]);
     part_.setZero();
-    effect.add_gradient(d, part_);
+    effect.add_gradient(effect.smooth() ? scaled_ : d, part_);
     gradient_ += part_;
-    force_scale_ = std::max(force_scale_, (internal(effect) ? internal_share : 1.0) * part_.norm());
+    works_[i] = part_.dot(d);
+    norms_[i] = part_.norm();
+    const double counts = effect.account() == EnergyAccount::elastic ? internal_share : 1;
+    force_scale_ = std::max(force_scale_, counts * norms_[i]);
   }
 }
 
 double OpenClose::residual_at(const Increment& d) {
-  if (composition_.shear) composition_.shear->update_strength(d);
   evaluate(d);
   return gradient_.norm();
+}
+
+double OpenClose::imbalance() const {
+  double inertia = 0, largest = 0;
+  for (std::size_t i = 0; i < norms_.size(); ++i) {
+    const bool kinetic = composition_->effects[i]->account() == EnergyAccount::kinetic;
+    double& norm = kinetic ? inertia : largest;
+    norm = std::max(norm, norms_[i]);
+  }
+  return largest > 0 ? inertia / largest : 0;
+}
+
+const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
+  evaluate(zero_);
+  matrix_.set_zero();
+  matrix_.set_weight(1);
+  for (const auto& effect : composition_->effects) {
+    if (effect->account() != EnergyAccount::kinetic) continue;
+    part_.setZero();
+    effect->add_gradient(zero_, part_);
+    gradient_ -= part_;
+    effect->add_hessian(zero_, matrix_);  // c M
+  }
+  factor();
+  factored_length_ = 0;  // of no use for a step
+  cholesky_.solve(-gradient_, direction_);
+  direction_ *= (1 - step.integration.alpha_m) / (step.integration.beta * step.length * step.length);
+  return direction_;
 }
 
 void OpenClose::assemble(const Increment& d) {
   const Stopwatch watch(times_.assemble);
   matrix_.assign(constant_);
-  for (std::size_t i = 0; i < composition_.effects.size(); ++i) {
-    const Stopwatch share(times_.effects[i]);
-    if (!composition_.effects[i]->quadratic()) composition_.effects[i]->add_hessian(d, matrix_);
+  scaled_ = share_ * d;
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+    const Effect& effect = *composition_->effects[i];
+    if (effect.quadratic()) continue;
+    const Stopwatch share(seconds_[i]);
+    matrix_.set_weight(effect.smooth() ? share_ : 1);
+    effect.add_hessian(effect.smooth() ? scaled_ : d, matrix_);
   }
 }
 
+void OpenClose::factor() {
+  const Stopwatch watch(times_.factor);
+  cholesky_.factor(matrix_);
+  factored_length_ = length_;
+}
+
+void OpenClose::find_direction(const Increment& d) {
+  if (factored_length_ != length_ || linear_iterations_ > patience_) factor();
+  const auto apply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+    matrix_.multiply(x, y);
+    for (const auto& effect : composition_->effects) effect->add_unsymmetric(d, x, y);
+  };
+  const auto precondition = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { cholesky_.solve(x, y); };
+  const auto solve = [&] {
+    const Stopwatch watch(times_.solve);
+    return gmres_.solve(apply, precondition, gradient_, direction_, settings_.linear_tolerance, settings_.linear_limit);
+  };
+  linear_iterations_ = solve();
+  if (linear_iterations_ < settings_.linear_limit) return;
+  factor();
+  linear_iterations_ = solve();
+}
+
 void OpenClose::move(Increment& d) {
-  const double slope_before = gradient_.dot(step_);  // negative: the matrix is positive definite
-  const Increment start = d;
-  double share = 1;
-  for (int k = 0;; ++k) {
-    d = start + share * step_;
-    if (k == settings_.shortenings) return;
-    evaluate(d);
-    const double slope = gradient_.dot(step_);
-    if (!(slope > -settings_.overshoot * slope_before)) return;  // the valley's floor lies ahead or near
-    share *= slope_before / (slope_before - slope);
+  const double before = gradient_.norm();
+  start_ = d;
+  double share = 1, least = 1e300;
+  for (int k = 0; k <= settings_.shortenings; ++k, share *= 0.5) {
+    d = start_ - share * direction_;
+    const double residual = residual_at(d);
+    if (residual < (1 - worthwhile * share) * before) return;
+    if (residual < least) {
+      least = residual;
+      best_ = d;
+    }
   }
+  d = best_;
+  evaluate(d);
 }
 
 Settling OpenClose::settle(Increment& d) {
   Settling result;
-  double best = 1e300;
+  double last = 1e300;
+  evaluate(d);
   for (;; ++result.iterations) {
-    result.residual = residual_at(d);
+    result.residual = gradient_.norm();
     result.force_scale = force_scale_;
     if (!std::isfinite(result.residual)) return result;
-    const bool stalled =
-        result.iterations > 2 && result.residual > 0.5 * best && result.residual <= settings_.round_off * force_scale_;
+    const bool stalled = result.residual > 0.5 * last && result.residual <= settings_.round_off * force_scale_;
     result.settled = result.residual <= settings_.tolerance * force_scale_ || stalled;
     if (result.settled || result.iterations >= settings_.iteration_limit) break;
-    best = std::min(best, result.residual);
+    last = result.residual;
     assemble(d);
-    {
-      const Stopwatch watch(times_.factor);
-      cholesky_.factor(matrix_);
-    }
-    {
-      const Stopwatch watch(times_.solve);
-      cholesky_.solve(-gradient_, step_);
-    }
+    find_direction(d);
     move(d);
   }
   if (!result.settled && gradient_.size() > 0) {

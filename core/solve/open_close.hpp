@@ -1,14 +1,17 @@
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "effects/compose.hpp"
 #include "solve/cholesky.hpp"
+#include "solve/gmres.hpp"
 
 namespace talus {
 
-/// Wall seconds of the parts of an iteration, and of each effect in Composition's order.
+/// Wall seconds of the parts of an iteration.
 struct SolveTimes {
   double assemble = 0, factor = 0, solve = 0, update = 0;
-  std::vector<double> effects;
 };
 
 /// How the open–close iteration of one trial step ended.
@@ -25,42 +28,67 @@ struct OpenCloseSettings {
   int iteration_limit = 20;  ///< then the step is cut
   double tolerance = 1e-9;   ///< residual over force scale at which a step has settled
   double round_off = 1e-7;   ///< a residual below this that no longer falls is round-off, and has settled too
-  double overshoot = 0.5;    ///< a full step whose slope turns round by more than this is shortened
-  int shortenings = 5;
+  double linear_tolerance =
+      1e-4;               ///< of the linear solves: the last iteration but one then leaves 1e-4 of the residual
+  int linear_limit = 40;  ///< GMRES iterations after which the matrix is factored anew
+  int shortenings = 6;    ///< halvings of an iteration's step that does not bring the residual down
 };
 
-/// Finds the increment D that minimises the sum of the effects, with the friction strength of each contact taken from
-/// the normal force of the last iteration, until that changes nothing any more (paper, section 3). In effect Newton's
-/// method on a potential that is quadratic but for the opening and closing, sticking and sliding of contacts.
+/// Finds the increment D at which all forces balance, contacts open and closed, stuck and sliding, each with the
+/// strength of this very iterate: a semismooth Newton method (Alart & Curnier 1991), where the paper's section 3
+/// iterates on the states. The tangent is symmetric but for friction's dependence on the normal force; a Cholesky
+/// factor of the symmetric part, as old as it serves, preconditions GMRES on all of it.
 class OpenClose {
  public:
-  OpenClose(Composition& composition, OpenCloseSettings settings);
+  explicit OpenClose(OpenCloseSettings settings) : settings_(settings) {}
 
+  /// The effects of a stage; they must live until end_stage.
+  void begin_stage(Composition& composition);
+  void end_stage();
   /// The couplings of contacts have changed: orders and analyses anew.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
+  /// Assembles what stays the same through a step; called once after Effect::begin_step.
+  void begin_step(const StepContext& step);
 
   /// The bodies and contacts stand at the start of a step. `d`: a first guess in, the increment out.
   Settling settle(Increment& d);
-
-  /// Norm of the out-of-balance force at D [N]; makes no change to D.
+  /// Norm of the out-of-balance force at D [N].
   double residual_at(const Increment& d);
-  /// Assembles what stays the same through a step; called once after Effect::begin_step.
-  void begin_step();
+  /// Accelerations a₀ [m/s²] at the start of a stage, 3 numbers a movable node: M a₀ balances all forces but inertia at
+  /// D = 0. Between begin_step and settle.
+  const Eigen::VectorXd& start_accelerations(const StepContext& step);
 
+  /// ∇Π_e·D of each effect at the last D that was looked at [J].
+  const std::vector<double>& works() const { return works_; }
+  /// Norm of inertia's force over that of the largest force, at the last D: how far from static equilibrium.
+  double imbalance() const;
   const SolveTimes& times() const { return times_; }
+  std::map<std::string, double> effect_seconds() const;  ///< wall seconds by name, of all stages
 
  private:
   void evaluate(const Increment& d);
   void assemble(const Increment& d);
+  void factor();
+  void find_direction(const Increment& d);
   void move(Increment& d);
 
-  Composition& composition_;
+  Composition* composition_ = nullptr;
   OpenCloseSettings settings_;
   SymmetricBlocks constant_, matrix_;
   Cholesky cholesky_;
-  Eigen::VectorXd gradient_, part_, step_;
+  Gmres gmres_;
+  Eigen::VectorXd gradient_, part_, direction_, zero_;
+  Increment scaled_, start_, best_;
+  std::vector<double> works_, norms_;
+  double share_ = 1;            ///< of D at which smooth forces are taken
+  double factored_length_ = 0;  ///< s, Δ of the factor; 0: there is none for this pattern
+  double length_ = 0;           ///< s, Δ
+  int linear_iterations_ = 0;   ///< of the last direction
+  int patience_ = 5;            ///< GMRES iterations that cost as much as a factor
   double force_scale_ = 0, momentum_scale_ = 0;
   SolveTimes times_;
+  std::vector<double> seconds_;  ///< of each effect of the stage
+  std::map<std::string, double> earlier_seconds_;
 };
 
 }  // namespace talus

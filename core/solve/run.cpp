@@ -8,6 +8,7 @@
 #include "results/result_folder.hpp"
 #include "solve/event_watch.hpp"
 #include "solve/expectation_watch.hpp"
+#include "solve/motion_watch.hpp"
 #include "solve/simulation.hpp"
 #include "solve/stopwatch.hpp"
 
@@ -34,15 +35,22 @@ void add_step(RunReport& report, const StepReport& step) {
   report.last_step = step;
 }
 
-std::vector<BlockOutcome> block_outcomes(const BlockSystem& system, const BodySet& bodies) {
+std::vector<BlockOutcome> block_outcomes(const BlockSystem& system, const BodySet& bodies,
+                                         const std::vector<MotionClass>& motions) {
   std::vector<BlockOutcome> outcomes;
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
     const Block& block = system.blocks[b];
     const BlockMotion motion = block_motion(bodies, static_cast<int>(b));
     outcomes.push_back({block.name, block.body, block.volume, motion.relative_volume_change, motion.displacement,
-                        degrees(motion.rotation), motion.velocity});
+                        degrees(motion.rotation), motion.velocity, motions[b]});
   }
   return outcomes;
+}
+
+std::vector<Event> merged(std::vector<Event> events, const std::vector<Event>& more) {
+  events.insert(events.end(), more.begin(), more.end());
+  std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
+  return events;
 }
 
 std::string describe(const StepReport& step) {
@@ -62,6 +70,7 @@ class Recording {
         simulation_(simulation),
         observer_(observer),
         events_(system),
+        motions_(project, system, simulation.bodies()),
         expectations_(project, system),
         writer_(options.out, project, system, options.project_text),
         next_frame_(project.output.every) {
@@ -77,7 +86,9 @@ class Recording {
       const HistoryRow row = simulation_.history();
       writer_.add_history(row);
       expectations_.look(simulation_, row);
-      events_.look(simulation_, simulation_.contacts());
+      const std::vector<ContactSample> contacts = simulation_.contacts();
+      events_.look(simulation_, contacts);
+      motions_.look(simulation_.time(), simulation_.stage_ended(), simulation_.bodies(), contacts);
       const bool due = simulation_.time() >= next_frame_ - 1e-9 * step.time_step;
       if (due || simulation_.stage_ended() || simulation_.finished()) {
         write_frame();
@@ -101,9 +112,10 @@ class Recording {
     }
     report_.time = simulation_.time();
     report_.wall_seconds = wall;
-    report_.blocks = block_outcomes(system_, simulation_.bodies());
+    report_.blocks = block_outcomes(system_, simulation_.bodies(), motions_.classes(simulation_.bodies()));
+    report_.names = motion_names(system_);
     report_.effects = simulation_.effects();
-    report_.events = events_.events();
+    report_.events = merged(events_.events(), motions_.events());
     report_.expect = expectations_.outcomes();
     writer_.finish(report_);
     return report_;
@@ -111,7 +123,8 @@ class Recording {
 
  private:
   void write_frame() {
-    const auto frame = std::make_shared<const Frame>(simulation_.frame(report_.frames++));
+    const auto frame = std::make_shared<Frame>(simulation_.frame(report_.frames++));
+    frame->motions = motions_.classes(simulation_.bodies());
     writer_.add_frame(*frame);
     observer_.on_frame(frame);
   }
@@ -121,6 +134,7 @@ class Recording {
   const Simulation& simulation_;
   RunObserver& observer_;
   EventWatch events_;
+  MotionWatch motions_;
   ExpectationWatch expectations_;
   ResultWriter writer_;
   double next_frame_;  ///< s

@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/units.hpp"
 #include "contact/contact_detector.hpp"
-#include "effects/inertia.hpp"
+#include "effects/in_situ_stress.hpp"
+#include "model/stage_changes.hpp"
+#include "solve/contact_outcomes.hpp"
 #include "solve/energy_balance.hpp"
+#include "solve/initial_motion.hpp"
 #include "solve/joint_laws.hpp"
 #include "solve/open_close.hpp"
+#include "solve/prescribed_motion.hpp"
 #include "solve/stage_clock.hpp"
+#include "solve/step_control.hpp"
 #include "solve/stopwatch.hpp"
 
 namespace talus {
@@ -25,8 +29,11 @@ constexpr double shortest_share = 0.01;
 constexpr double reach_factor = 2.5;
 /// … and this share of the smallest mesh size, so that touching faces are found at rest.
 constexpr double reach_share = 1e-3;
-/// A bond that has opened by more than this share of the mesh size is broken.
-constexpr double opening_tolerance = 2e-4;
+/// Rounds of the augmented Lagrangian in a step; each brings penetration down by about the contact's over the rock's
+/// stiffness.
+constexpr int augmentation_limit = 10;
+/// A static stage is in equilibrium no sooner than after this many steps.
+constexpr int fewest_static_steps = 2;
 
 std::vector<Surface> surfaces_of(const BlockSystem& system) {
   std::vector<Surface> surfaces;
@@ -43,6 +50,7 @@ std::vector<ContactBody> contact_bodies(const BodySet& set, const std::vector<Su
 
 ContactSettings contact_settings(const Project& project) {
   ContactSettings settings;
+  settings.model = project.solver.contact;
   settings.stiffness = project.solver.contact_stiffness;
   return settings;
 }
@@ -51,6 +59,24 @@ OpenCloseSettings open_close_settings(const Project& project) {
   OpenCloseSettings settings;
   settings.iteration_limit = project.solver.open_close_limit;
   return settings;
+}
+
+double smallest_mesh_size(const BodySet& bodies, const std::vector<Surface>& surfaces) {
+  double size = 1e300;
+  for (std::size_t b = 0; b < bodies.bodies.size(); ++b)
+    if (!bodies.bodies[b].built_fixed) size = std::min(size, surfaces[b].size);
+  return size;
+}
+
+/// Half the height of all blocks [m]; of a flat model half its longest side.
+double half_height(const BodySet& bodies) {
+  Vec3 low = Vec3::Constant(1e300), high = -low;
+  for (const Vec3& x : bodies.nodes.reference) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const Vec3 sides = high - low;
+  return 0.5 * (sides.z() > 0 ? sides.z() : sides.maxCoeff());
 }
 
 }  // namespace
@@ -62,47 +88,50 @@ struct Simulation::State {
         bodies(p, s),
         clock(p.stages),
         surfaces(surfaces_of(s)),
+        smallest_size(smallest_mesh_size(bodies, surfaces)),
         detector(contact_bodies(bodies, surfaces), joint_laws(p), pair_joints(p, s), contact_settings(p)),
-        composition(compose(p, s, bodies, contacts)),
-        open_close(composition, open_close_settings(p)),
-        energy(p, s),
-        increment(Increment::Zero(bodies.unknowns())),
-        last_increment(increment) {
+        open_close(open_close_settings(p)),
+        control(p.solver.adaptive, half_height(bodies), smallest_size) {
     for (const Monitor& monitor : p.monitors) {
       const double tolerance = 1e-6 * std::cbrt(s.solids_volume);
       monitors.push_back(material_point(s, monitor.block, monitor.at, tolerance, "monitor '" + monitor.name + "'"));
     }
-    smallest_size = 1e300;
-    for (std::size_t b = 0; b < bodies.bodies.size(); ++b)
-      if (!bodies.bodies[b].fixed) smallest_size = std::min(smallest_size, surfaces[b].size);
+    if (p.solver.strain == Strain::incremental) bodies.stress = stress_before(p, s, bodies);
   }
+
+  bool adaptive() const { return project.solver.time_step_control == TimeStepControl::adaptive; }
+  bool augmented() const { return project.solver.penetration_tolerance.has_value(); }
 
   const Project& project;
   const BlockSystem& system;
   BodySet bodies;
   StageClock clock;
   std::vector<Surface> surfaces;
+  double smallest_size;  ///< m
   ContactDetector detector;
   ContactSet contacts;
-  std::vector<ContactForces> forces;
-  std::vector<ContactOutcome> outcomes;
+  ContactOutcomes outcomes;
   Composition composition;
   OpenClose open_close;
+  StepControl control;
   EnergyBalance energy;
+  std::optional<PrescribedMotion> motion;
   std::vector<MaterialPoint> monitors;
-  Increment increment, last_increment, guess;
-  double last_length = 0;       ///< s, of the last accepted step; 0: there is none to go by
-  double trial_length = 1e300;  ///< s, what the next step is tried with
-  double dynamic_factor = 1;
-  double smallest_size = 0;
+  std::vector<bool> held;
+  StepContext context;  ///< of the step that is tried
+  Increment increment, last_increment, earlier_increment, guess;
+  double last_length = 0, earlier_length = 0;  ///< s, of the last accepted steps; 0: there is none to go by
+  double trial_length = 1e300;                 ///< s, what the next step is tried with
   std::uint64_t pattern_generation = ~0ull;
-  bool velocities_given = false;
+  bool velocities_given = false, accelerations_wanted = false;
   double detect_seconds = 0;
-  int step = 0;
+  int step = 0, stage_steps = 0;
 };
 
 Simulation::Simulation(const Project& project, const BlockSystem& system)
-    : state_(std::make_unique<State>(project, system)) {}
+    : state_(std::make_unique<State>(project, system)) {
+  begin_stage();
+}
 Simulation::~Simulation() = default;
 
 bool Simulation::finished() const { return !converged() || state_->clock.finished(); }
@@ -116,70 +145,147 @@ double Simulation::end_time() const { return state_->clock.end(); }
 long Simulation::total_steps() const { return state_->clock.total_steps(); }
 const BodySet& Simulation::bodies() const { return state_->bodies; }
 
-void Simulation::give_initial_velocities() {
+void Simulation::hold_blocks(int stage) {
   State& s = *state_;
-  for (const InitialVelocity& given : s.project.velocities)
-    for (std::size_t b = 0; b < s.system.blocks.size(); ++b) {
-      if (s.system.blocks[b].name != given.block || s.bodies.bodies[b].fixed) continue;
-      const Body& body = s.bodies.bodies[b];
-      Vec3 centroid = Vec3::Zero();
-      double mass = 0;
-      for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
-        for (const int node : s.bodies.elements[e].nodes)
-          centroid += s.bodies.elements[e].mass / 4 * s.bodies.nodes.position[node];
-        mass += s.bodies.elements[e].mass;
-      }
-      centroid /= mass;
-      for (int n = body.first_node; n < body.first_node + body.node_count; ++n)
-        s.bodies.nodes.velocity[n] = given.linear + given.angular.cross(s.bodies.nodes.position[n] - centroid);
-    }
-  s.energy.energy_was_given(Inertia::kinetic_energy(s.bodies));
-  s.velocities_given = true;
+  const std::vector<std::string> names = blocks_held_in_stage(s.project, stage);
+  std::vector<bool> held, fixed;
+  for (std::size_t b = 0; b < s.bodies.bodies.size(); ++b) {
+    held.push_back(std::find(names.begin(), names.end(), s.system.blocks[b].name) != names.end());
+    fixed.push_back(held.back() || s.bodies.bodies[b].built_fixed);
+  }
+  if (held == s.held) return;
+  s.held = held;
+  if (!s.composition.effects.empty()) s.bodies.stress = present_stress();
+  s.bodies.hold(held);
+  s.detector.set_fixed(fixed);
+}
+
+void Simulation::begin_stage() {
+  State& s = *state_;
+  const int number = s.clock.stage();
+  const Stage& stage = s.project.stages[number];
+  const Project now = project_in_stage(s.project, number);
+  hold_blocks(number);
+  s.detector.set_laws(joint_laws(now));
+  s.open_close.end_stage();
+  s.composition = compose(s.project, s.system, number, s.bodies, s.contacts);
+  s.open_close.begin_stage(s.composition);
+  s.energy.begin_stage(s.composition);
+  s.motion.emplace(now, s.system);
+  std::fill(s.bodies.nodes.prescribed.begin(), s.bodies.nodes.prescribed.end(), Vec3::Zero());
+  s.control.begin_stage(stage.time_step);
+  s.pattern_generation = ~0ull;
+  for (Increment* d : {&s.increment, &s.last_increment, &s.earlier_increment}) d->setZero(s.bodies.unknowns());
+  s.last_length = s.earlier_length = 0;
+  s.stage_steps = 0;
+  s.context.dynamic_factor = stage.kind == StageKind::dynamic ? 1 : 0;
+  s.context.integration = TimeIntegration::of(s.project.solver);
+  if (stage.kind == StageKind::static_ && s.context.integration.alpha_f > 0)
+    s.context.integration = TimeIntegration::newmark();
+  s.accelerations_wanted = stage.kind == StageKind::dynamic;
+  if (stage.kind == StageKind::dynamic && !s.velocities_given) {
+    give_initial_velocities(s.project, s.system, s.bodies);
+    s.energy.energy_was_given(s.composition);
+    s.velocities_given = true;
+  }
 }
 
 StepReport Simulation::step() {
   State& s = *state_;
-  const Stage& stage = s.project.stages[s.clock.stage()];
-  s.dynamic_factor = stage.kind == StageKind::dynamic ? 1 : 0;
-  if (s.clock.stage_begins()) s.last_length = 0;
-  if (s.dynamic_factor > 0 && !s.velocities_given) give_initial_velocities();
-
+  if (s.clock.stage_begins() && s.step > 0) begin_stage();
   StepReport report;
   report.step = ++s.step;
   report.stage = s.clock.stage();
-  report.time_step = s.clock.next_length();
+  const double start = s.clock.time();
   const SolveTimes before = s.open_close.times();
   const double detect_before = s.detect_seconds;
-  double left = report.time_step;
-  while (left > 1e-9 * report.time_step) {
+  if (s.adaptive())
+    take_adaptive_step(report);
+  else
+    take_fixed_step(report);
+  ++s.stage_steps;
+  end_static_stage_in_equilibrium(report);
+  report.time = s.clock.time();
+  report.time_step = report.time - start;
+  const SolveTimes& now = s.open_close.times();
+  report.phases = {s.detect_seconds - detect_before, now.assemble - before.assemble, now.factor - before.factor,
+                   now.solve - before.solve,         now.update - before.update,     0};
+  s.outcomes.add_to(report, s.contacts);
+  return report;
+}
+
+void Simulation::take_fixed_step(StepReport& report) {
+  State& s = *state_;
+  const double length = s.clock.next_length();
+  double left = length;
+  while (left > 1e-9 * length) {
     const double trial = std::min(left, s.trial_length);
-    if (try_step(trial, report)) {
+    if (try_step(s.clock.time() + length - left, trial, report)) {
+      accept(report);
       left -= trial;
-      s.trial_length = std::min(trial * cut_factor, report.time_step);
-    } else if (trial / cut_factor < shortest_share * report.time_step) {
-      break;
+      s.trial_length = std::min(trial * cut_factor, length);
+    } else if (trial / cut_factor < shortest_share * length) {
+      return;
     } else {
       failure_.clear();
       s.trial_length = trial / cut_factor;
       ++report.cuts;
     }
   }
-  if (converged()) s.clock.advance();
-  report.time = s.clock.time();
-  const SolveTimes& now = s.open_close.times();
-  report.phases = {s.detect_seconds - detect_before, now.assemble - before.assemble, now.factor - before.factor,
-                   now.solve - before.solve,         now.update - before.update,     0};
-  summarise(report);
-  return report;
+  s.clock.advance();
+}
+
+void Simulation::take_adaptive_step(StepReport& report) {
+  State& s = *state_;
+  for (;;) {
+    const double length = std::min(s.control.length(), s.clock.left());
+    const int before = report.iterations;
+    const bool settled = try_step(s.clock.time(), length, report);
+    const StepMeasure measure = settled ? measure_step(report.iterations - before) : StepMeasure{};
+    if (settled && s.control.acceptable(measure, length)) {
+      accept(report);
+      s.control.taken(measure, length);
+      s.clock.advance_by(length);
+      return;
+    }
+    if (!settled && !s.control.may_be_shorter(length)) return;
+    failure_.clear();
+    s.control.refused(measure, length);
+    ++report.cuts;
+  }
+}
+
+StepMeasure Simulation::measure_step(int iterations) const {
+  const State& s = *state_;
+  StepMeasure measure;
+  measure.iterations = iterations;
+  for (int n = 0; n < s.bodies.nodes.movable; ++n)
+    measure.displacement = std::max(measure.displacement, s.increment.segment<3>(3 * n).norm());
+  if (s.composition.inertia && s.context.dynamic_factor > 0)
+    measure.time_error = s.composition.inertia->time_error(s.increment);
+  return measure;
+}
+
+void Simulation::end_static_stage_in_equilibrium(StepReport& report) {
+  State& s = *state_;
+  if (!converged() || s.clock.stage_ended()) return;
+  const Stage& stage = s.project.stages[s.clock.stage()];
+  if (!stage.until_equilibrium || stage.kind != StageKind::static_ || s.stage_steps < fewest_static_steps) return;
+  if (s.bodies.nodes.movable > 0 && s.open_close.imbalance() > stage.equilibrium_tolerance) return;
+  report.equilibrium = true;
+  s.clock.end_stage();
 }
 
 void Simulation::detect(double length) {
   State& s = *state_;
   const Stopwatch watch(s.detect_seconds);
-  double fastest = 0;
+  double fastest = 0, prescribed = 0;
   for (const Vec3& v : s.bodies.nodes.velocity) fastest = std::max(fastest, v.norm());
-  const double way = s.dynamic_factor * fastest * length + 0.5 * s.project.gravity.norm() * length * length;
-  s.detector.detect(s.bodies.nodes.position, reach_factor * way + reach_share * s.smallest_size, s.contacts);
+  if (s.bodies.nodes.any_prescribed)
+    for (const Vec3& d : s.bodies.nodes.prescribed) prescribed = std::max(prescribed, d.norm());
+  const double way = s.context.dynamic_factor * fastest * length + 0.5 * s.project.gravity.norm() * length * length;
+  s.detector.detect(s.bodies.nodes.position, reach_factor * (way + prescribed) + reach_share * s.smallest_size,
+                    s.contacts);
   if (s.pattern_generation == s.detector.coupling_generation()) return;
   s.pattern_generation = s.detector.coupling_generation();
   std::vector<std::pair<int, int>> couplings;
@@ -188,8 +294,8 @@ void Simulation::detect(double length) {
   s.open_close.set_pattern(s.bodies.nodes.movable, std::move(couplings));
 }
 
-void Simulation::first_guess(double length) {
-  // Where the last step's motion goes on, or where the velocity leads; standing still starts a static step. The paper's
+void Simulation::first_guess() {
+  // Where the last steps' motion goes on, or where the velocity leads; standing still starts a static step. The paper's
   // integrator turns the velocity of a sticking node round each step, so that the velocity alone is no good guess.
   State& s = *state_;
   s.increment.setZero();
@@ -200,11 +306,16 @@ void Simulation::first_guess(double length) {
     best = residual;
     s.increment = guess;
   };
+  const double length = s.context.length;
   if (s.last_length > 0) {
     s.guess = length / s.last_length * s.last_increment;
     offer(s.guess);
   }
-  if (s.dynamic_factor == 0) return;
+  if (s.context.dynamic_factor == 0) return;
+  if (s.earlier_length > 0) {
+    s.guess = length * (2 / s.last_length * s.last_increment - 1 / s.earlier_length * s.earlier_increment);
+    offer(s.guess);
+  }
   s.guess.resize(s.increment.size());
   for (std::size_t n = 0; n < s.bodies.nodes.velocity.size(); ++n)
     if (const int freedom = s.bodies.nodes.freedom[n]; freedom >= 0)
@@ -223,8 +334,14 @@ bool Simulation::inverts_an_element() const {
 
 bool Simulation::settle(StepReport& report) {
   State& s = *state_;
-  const Settling result = s.open_close.settle(s.increment);
+  Settling result = s.open_close.settle(s.increment);
   report.iterations += result.iterations;
+  for (int round = 0; result.settled && s.augmented() && round < augmentation_limit; ++round) {
+    if (relative_penetration(s.contacts, s.bodies, s.increment) <= *s.project.solver.penetration_tolerance) break;
+    raise_multipliers(s.contacts, s.bodies, s.increment);
+    result = s.open_close.settle(s.increment);
+    report.iterations += result.iterations;
+  }
   report.unbalanced_force = result.residual;
   if (result.settled && !inverts_an_element()) return true;
   if (result.settled) {
@@ -255,69 +372,52 @@ std::string Simulation::where_it_struggles(int freedom) const {
   return where;
 }
 
-bool Simulation::try_step(double length, StepReport& report) {
+bool Simulation::try_step(double start, double length, StepReport& report) {
   State& s = *state_;
   failure_.clear();
-  if (s.bodies.nodes.movable > 0) {
-    detect(length);
-    const StepContext context{s.clock.time(), length, s.dynamic_factor};
-    for (const auto& effect : s.composition.effects) effect->begin_step(context);
-    s.open_close.begin_step();
-    first_guess(length);
-    if (!settle(report)) return false;
+  s.context.time = start;
+  s.context.length = length;
+  s.motion->begin_step(s.bodies, start + length);
+  if (s.bodies.nodes.movable == 0) return true;
+  detect(length);
+  for (const auto& effect : s.composition.effects) effect->begin_step(s.context);
+  s.open_close.begin_step(s.context);
+  if (s.accelerations_wanted) {
+    const Eigen::VectorXd& start_accelerations = s.open_close.start_accelerations(s.context);
+    for (std::size_t n = 0; n < s.bodies.nodes.acceleration.size(); ++n)
+      if (const int freedom = s.bodies.nodes.freedom[n]; freedom >= 0)
+        s.bodies.nodes.acceleration[n] = start_accelerations.segment<3>(3 * freedom);
+    s.accelerations_wanted = false;
   }
-  accept(length, report);
-  return true;
+  first_guess();
+  return settle(report);
 }
 
-void Simulation::accept(double length, StepReport& report) {
+void Simulation::accept(StepReport& report) {
   State& s = *state_;
-  auto& points = s.contacts.points;
-  s.forces.resize(points.size());
-  s.outcomes.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    ContactPoint& point = points[i];
-    const Vec3 u = relative_displacement(s.contacts, point, s.bodies, s.increment);
-    ContactForces& force = s.forces[i];
-    force.gap = point.gap + point.normal.dot(u);
-    force.normal = normal_force(point, force.gap);
-    force.shear = s.composition.shear ? s.composition.shear->force(i, s.increment) : Vec3(Vec3::Zero());
-    const double spring = s.composition.shear ? s.composition.shear->spring_force(i, s.increment).norm() : 0;
-    const double excess = spring - force.shear.norm();
-    const bool slips = excess > 1e-12 * spring;
-    const bool pulled_off = point.bonded && force.gap > opening_tolerance * point.size;
-    const bool yields = point.bonded && point.tension > 0 && force.normal <= -point.tension;
-    const bool touches = force.normal > 0 || (point.bonded && !pulled_off);
-    force.mode = !touches ? ContactMode::open : slips ? ContactMode::slip : ContactMode::stick;
-    point.mode = force.mode;
-    force.slip = force.mode == ContactMode::slip ? excess / point.shear_stiffness : 0;
-    s.outcomes[i] = {force.normal, force.shear, force.gap, force.slip, point.bonded && (slips || pulled_off || yields)};
+  if (s.bodies.nodes.movable > 0) {
+    const StepMeasure measure = measure_step(0);
+    report.max_displacement = std::max(report.max_displacement, measure.displacement);
+    report.time_error = std::max(report.time_error, measure.time_error);
+    s.outcomes.take(s.contacts, s.composition, s.bodies, s.increment, s.augmented());
+    for (const auto& effect : s.composition.effects) effect->accept(s.increment);
+    s.detector.accept(s.contacts, s.outcomes.outcomes());
   }
-  for (const auto& effect : s.composition.effects) effect->accept(s.increment);
-  s.detector.accept(s.contacts, s.outcomes);
-  for (std::size_t n = 0; n < s.bodies.nodes.position.size(); ++n) {
-    const Vec3 d = s.bodies.node_increment(static_cast<int>(n), s.increment);
-    s.bodies.nodes.position[n] += d;
-    report.max_displacement = std::max(report.max_displacement, d.norm());
-  }
-  s.bodies.update_shapes();
-  report.energy = s.energy.after_step(s.bodies, s.contacts, s.forces);
+  for (std::size_t n = 0; n < s.bodies.nodes.position.size(); ++n)
+    s.bodies.nodes.position[n] += s.bodies.node_increment(static_cast<int>(n), s.increment);
+  if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
+  report.energy = s.energy.after_step(s.composition, s.open_close.works(), s.increment);
+  std::swap(s.earlier_increment, s.last_increment);
+  s.earlier_length = s.last_length;
   s.last_increment = s.increment;
-  s.last_length = length;
+  s.last_length = s.context.length;
 }
 
-void Simulation::summarise(StepReport& report) const {
+std::vector<Voigt> Simulation::present_stress() const {
   const State& s = *state_;
-  report.contacts = static_cast<int>(s.forces.size());
-  for (std::size_t i = 0; i < s.forces.size(); ++i) {
-    const ContactForces& force = s.forces[i];
-    ++(force.mode == ContactMode::open ? report.open : force.mode == ContactMode::stick ? report.stick : report.slip);
-    if (force.mode == ContactMode::open) continue;
-    const ContactPoint& point = s.contacts.points[i];
-    const double penetration = point.overlap - force.gap;
-    report.max_penetration = std::max(report.max_penetration, penetration);
-    report.max_relative_penetration = std::max(report.max_relative_penetration, penetration / point.size);
-  }
+  std::vector<Voigt> stress(s.bodies.elements.size(), Voigt::Zero());
+  for (const auto& effect : s.composition.effects) effect->add_stress(stress);
+  return stress;
 }
 
 Frame Simulation::frame(int index) const {
@@ -329,36 +429,23 @@ Frame Simulation::frame(int index) const {
   for (std::size_t n = 0; n < s.bodies.nodes.position.size(); ++n)
     frame.displacement.push_back(s.bodies.nodes.position[n] - s.bodies.nodes.reference[n]);
   frame.velocity = s.bodies.nodes.velocity;
+  const std::vector<Voigt> stress = present_stress();
   for (std::size_t b = 0; b < s.bodies.bodies.size(); ++b) {
     const Body& body = s.bodies.bodies[b];
-    const std::size_t tetrahedra = s.system.blocks[b].mesh.tetrahedra.size();
-    if (body.fixed)
-      frame.stress.insert(frame.stress.end(), tetrahedra, Voigt::Zero());
-    else
-      frame.stress.insert(frame.stress.end(), s.bodies.stress.begin() + body.first_element,
-                          s.bodies.stress.begin() + body.first_element + body.element_count);
+    if (body.fixed) {
+      std::vector<Voigt> kept = s.bodies.stress_of_held(static_cast<int>(b));
+      kept.resize(s.system.blocks[b].mesh.tetrahedra.size(), Voigt::Zero());
+      frame.stress.insert(frame.stress.end(), kept.begin(), kept.end());
+    } else {
+      const auto first = stress.begin() + body.first_element;
+      frame.stress.insert(frame.stress.end(), first, first + body.element_count);
+    }
   }
   frame.contacts = contacts();
   return frame;
 }
 
-std::vector<ContactSample> Simulation::contacts() const {
-  const State& s = *state_;
-  std::vector<ContactSample> samples;
-  for (std::size_t i = 0; i < s.forces.size(); ++i) {
-    const ContactPoint& point = s.contacts.points[i];
-    const ContactForces& force = s.forces[i];
-    samples.push_back({point.position,
-                       point.normal,
-                       {point.bodies[0], point.bodies[1]},
-                       point.joint,
-                       static_cast<ContactState>(force.mode),
-                       force.normal,
-                       force.shear,
-                       point.area});
-  }
-  return samples;
-}
+std::vector<ContactSample> Simulation::contacts() const { return state_->outcomes.samples(state_->contacts); }
 
 HistoryRow Simulation::history() const {
   const State& s = *state_;
@@ -373,12 +460,11 @@ HistoryRow Simulation::history() const {
 
 std::vector<EffectOutcome> Simulation::effects() const {
   const State& s = *state_;
+  const std::map<std::string, double> seconds = s.open_close.effect_seconds();
   std::vector<EffectOutcome> outcomes;
   for (const EffectStatus& status : called_effects(s.project, s.system)) {
-    EffectOutcome outcome{status.name, status.active, status.reason, 0};
-    for (std::size_t i = 0; i < s.composition.effects.size(); ++i)
-      if (s.composition.effects[i]->name() == status.name) outcome.seconds = s.open_close.times().effects[i];
-    outcomes.push_back(outcome);
+    const auto spent = seconds.find(status.name);
+    outcomes.push_back({status.name, status.active, status.reason, spent == seconds.end() ? 0 : spent->second});
   }
   return outcomes;
 }

@@ -7,6 +7,7 @@
 #include "mesh/block.hpp"
 #include "results/frame.hpp"
 #include "results/run_report.hpp"
+#include "solve/step_control.hpp"
 
 namespace talus {
 
@@ -26,7 +27,8 @@ class Simulation {
   double end_time() const;                                 ///< s
   long total_steps() const;
 
-  /// One step of the stage, cut into shorter ones where the open–close iteration does not settle.
+  /// One step: of the stage's length, cut into shorter ones where the open–close iteration does not settle; or as long
+  /// as adaptive control chooses.
   StepReport step();
 
   Frame frame(int index) const;
@@ -37,16 +39,22 @@ class Simulation {
 
  private:
   struct State;
-  bool try_step(double length, StepReport& report);
+  void begin_stage();
+  void hold_blocks(int stage);
+  void take_fixed_step(StepReport& report);
+  void take_adaptive_step(StepReport& report);
+  StepMeasure measure_step(int iterations) const;
+  void end_static_stage_in_equilibrium(StepReport& report);
+  /// Tries a step of `length` from `start` [s] without taking it.
+  bool try_step(double start, double length, StepReport& report);
   bool settle(StepReport& report);
   /// The contact nearest to a movable node, in words.
   std::string where_it_struggles(int freedom) const;
   void detect(double length);
-  void first_guess(double length);
+  void first_guess();
   bool inverts_an_element() const;
-  void accept(double length, StepReport& report);
-  void give_initial_velocities();
-  void summarise(StepReport& report) const;
+  void accept(StepReport& report);
+  std::vector<Voigt> present_stress() const;
   std::unique_ptr<State> state_;
   std::string failure_;
 };

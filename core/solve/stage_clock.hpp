@@ -6,33 +6,39 @@
 
 namespace talus {
 
-/// Where a run stands in its stages: which step is next, how long it is, and when it ends.
+/// Where a run stands in its stages: which step is next, how long it may be, and when it ends.
 class StageClock {
  public:
   explicit StageClock(const std::vector<Stage>& stages);
 
-  bool finished() const { return stage_ == static_cast<int>(stages_.size()); }
+  bool finished() const { return stage_ == static_cast<int>(spans_.size()); }
   int stage() const { return stage_; }  ///< index into Project::stages, of the next step
-  bool stage_begins() const { return step_ == 0; }
-  bool stage_ended() const { return step_ == 0 && stage_ > 0; }  ///< the last advance() finished a stage
-  double time() const { return time_; }                          ///< s, at the start of the next step
-  double next_length() const;                                    ///< s; the last step of a duration may be shorter
-  double end() const { return end_; }                            ///< s, of the whole run
-  long total_steps() const { return total_steps_; }
+  bool stage_begins() const { return begins_; }
+  bool stage_ended() const { return begins_ && stage_ > 0; }  ///< the last call finished a stage
+  double time() const { return time_; }                       ///< s, at the start of the next step
+  double next_length() const;  ///< s, of a fixed step; the last step of a duration may be shorter
+  double left() const;         ///< s, of the stage
+  double end() const;          ///< s, of the whole run, if no stage ends before its time
+  long total_steps() const;    ///< of fixed length, in all stages
+
+  /// The next step of fixed length is done.
   void advance();
+  /// A step of this length [s] is done; what is left of the stage below a billionth of its time_step is round-off.
+  void advance_by(double length);
+  /// The stage has come to its end before its time.
+  void end_stage();
 
  private:
   struct Span {
-    double start, length;
+    double length, duration;  ///< s
     long steps;
-    double last;
+    double last;  ///< s, the last step
   };
-  std::vector<Stage> stages_;
   std::vector<Span> spans_;
   int stage_ = 0;
+  bool begins_ = true;
   long step_ = 0;
-  double time_ = 0, end_ = 0;
-  long total_steps_ = 0;
+  double time_ = 0, start_ = 0;  ///< s, now, and at the start of the stage
 };
 
 }  // namespace talus

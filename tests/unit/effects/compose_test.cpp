@@ -32,8 +32,8 @@ TEST(Compose, a_falling_block_gets_no_contact_no_load_and_no_constraint) {
   const BlockSystem system = one_block();
   BodySet set(project, system);
   const ContactSet contacts;
-  const Composition composition = compose(project, system, set, contacts);
-  EXPECT_THAT(names(composition), testing::ElementsAre("elasticity", "initial stress", "inertia", "body force"));
+  const Composition composition = compose(project, system, 0, set, contacts);
+  EXPECT_THAT(names(composition), testing::ElementsAre("elasticity", "inertia", "body force"));
   EXPECT_EQ(composition.shear, nullptr);
 }
 
@@ -42,14 +42,16 @@ TEST(Compose, everything_a_scene_calls_for_is_there_once) {
   project.joints = {{"J", 20, 1e5, 0, {}, {}, {}}};
   project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}};
   project.constraints = {{"B", Vec3(0.2, 0.2, 0.2), {{0.0, {}, 0.0}}}};
+  project.in_situ.emplace_back();
+  project.materials[0].damping = 0.5;
   BlockSystem system = one_block();
   system.blocks.push_back(test::box_block("ground", Vec3(0, 0, -1), Vec3(1, 1, 0), BodyKind::fixed));
   BodySet set(project, system);
   const ContactSet contacts;
-  const Composition composition = compose(project, system, set, contacts);
+  const Composition composition = compose(project, system, 0, set, contacts);
   EXPECT_THAT(names(composition),
               testing::ElementsAre("elasticity", "initial stress", "inertia", "displacement constraint", "point load",
-                                   "body force", "normal contact", "shear contact"));
+                                   "body force", "normal contact", "shear contact", "damping"));
   const auto list = called_effects(project, system);
   const auto bonds =
       std::find_if(list.begin(), list.end(), [](const EffectStatus& s) { return s.name == "cohesion and tension"; });
@@ -71,6 +73,28 @@ TEST(Compose, a_frictionless_scene_has_no_shear_contact_and_says_why) {
   EXPECT_EQ(shear->reason, "no joint resists shear");
 }
 
+TEST(Compose, the_papers_incremental_strain_carries_its_stress) {
+  Project project = one_block_project();
+  project.solver.strain = Strain::incremental;
+  const BlockSystem system = one_block();
+  BodySet set(project, system);
+  const ContactSet contacts;
+  EXPECT_THAT(names(compose(project, system, 0, set, contacts)),
+              testing::ElementsAre("elasticity", "initial stress", "inertia", "body force"));
+}
+
+TEST(Compose, a_stage_gets_the_loads_that_it_names_and_no_others) {
+  Project project = one_block_project();
+  project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}};
+  project.stages.resize(2);
+  project.stages[1].loads.emplace();
+  const BlockSystem system = one_block();
+  BodySet set(project, system);
+  const ContactSet contacts;
+  EXPECT_THAT(names(compose(project, system, 0, set, contacts)), testing::Contains("point load"));
+  EXPECT_THAT(names(compose(project, system, 1, set, contacts)), testing::Not(testing::Contains("point load")));
+}
+
 TEST(Compose, a_load_outside_its_block_is_an_error_that_names_the_load) {
   Project project = one_block_project();
   project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}, {"B", Vec3(3, 0.5, 0.5), Vec3(1, 0, 0)}};
@@ -78,7 +102,7 @@ TEST(Compose, a_load_outside_its_block_is_an_error_that_names_the_load) {
   BodySet set(project, system);
   const ContactSet contacts;
   try {
-    compose(project, system, set, contacts);
+    compose(project, system, 0, set, contacts);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.place(), "/loads/1");

@@ -1,9 +1,15 @@
 // Every effect's gradient and Hessian against finite differences of its energy and gradient.
 #include <gmock/gmock.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
 #include "effects/body_force.hpp"
+#include "effects/corotational_elasticity.hpp"
+#include "effects/damping.hpp"
 #include "effects/displacement_constraint.hpp"
 #include "effects/elasticity.hpp"
+#include "effects/in_situ_stress.hpp"
 #include "effects/inertia.hpp"
 #include "effects/initial_stress.hpp"
 #include "effects/normal_contact.hpp"
@@ -19,8 +25,10 @@ class Derivatives : public testing::Test {
  protected:
   Derivatives() : set_(project(), system()), d_(set_.unknowns()) {
     for (int i = 0; i < d_.size(); ++i) d_[i] = 1e-3 * std::sin(7.0 * i + 1);  // no symmetry, reproducible
-    for (std::size_t i = 0; i < set_.nodes.velocity.size(); ++i)
+    for (std::size_t i = 0; i < set_.nodes.velocity.size(); ++i) {
       set_.nodes.velocity[i] = Vec3(0.1 * double(i), 0.2, -0.3);
+      set_.nodes.acceleration[i] = Vec3(3, -double(i), 0.5);
+    }
     for (std::size_t e = 0; e < set_.stress.size(); ++e) set_.stress[e] << 1e5, -2e5, 3e5, 4e4, 5e4 * double(e), -6e4;
   }
   static Project project() {
@@ -51,18 +59,65 @@ class Derivatives : public testing::Test {
   }
   MaterialPoint inside() const { return material_point(system(), "upper", Vec3(0.6, 0.5, 1.4), 0, "/loads/0"); }
 
+  /// Turns the blocks and stretches them by more than the increment can take back (less than one: squeezes them).
+  void turn_and_stretch(double stretch) {
+    const Mat3 rotation = Eigen::AngleAxisd(0.8, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+    for (Vec3& x : set_.nodes.position) x = rotation * Vec3(stretch * x.x(), 1.02 * stretch * x.y(), stretch * x.z());
+  }
+
   BodySet set_;
   Increment d_;
 };
 
 TEST_F(Derivatives, elasticity) { test::expect_derivatives(Elasticity(set_), d_, 1e-4, 1e-8); }
 
+TEST_F(Derivatives, corotational_elasticity_of_turned_and_stretched_blocks) {
+  turn_and_stretch(1.2);
+  test::expect_derivatives(CorotationalElasticity(set_), d_, 1e-5, 1e-7);
+}
+
+TEST_F(Derivatives, corotational_elasticity_of_squeezed_blocks_leaves_out_what_is_negative) {
+  turn_and_stretch(0.8);
+  const CorotationalElasticity elasticity(set_);
+  SymmetricBlocks hessian;
+  std::vector<std::pair<int, int>> couplings;
+  elasticity.add_couplings(couplings);
+  hessian.set_pattern(set_.nodes.movable, couplings);
+  elasticity.add_hessian(d_, hessian);
+  Eigen::MatrixXd dense(d_.size(), d_.size());
+  Eigen::VectorXd column;
+  for (int i = 0; i < d_.size(); ++i) {
+    hessian.multiply(Eigen::VectorXd::Unit(d_.size(), i), column);
+    dense.col(i) = column;
+  }
+  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense).eigenvalues();
+  EXPECT_GT(eigenvalues.minCoeff(), -1e-10 * eigenvalues.maxCoeff());
+}
+
+TEST_F(Derivatives, in_situ_stress_that_pulls) {
+  Project project = Derivatives::project();
+  project.in_situ.emplace_back();
+  project.in_situ[0].stress << 3e6, 2e6, 4e6, 5e5, -4e5, 2e5;
+  project.in_situ[0].gradient << 1e5, 0, 2e5, 0, 0, 0;
+  turn_and_stretch(1.1);
+  test::expect_derivatives(InSituStresses(project, system(), set_), d_, 1e-4, 1e-8);
+}
+
+TEST_F(Derivatives, damping) {
+  Damping damping(set_, {0.4, 0.9});
+  damping.begin_step({0, 0.02, 1});
+  test::expect_derivatives(damping, d_, 1e-4, 1e-8);
+}
+
 TEST_F(Derivatives, initial_stress) { test::expect_derivatives(InitialStress(set_), d_, 1e-4, 1e-8); }
 
-TEST_F(Derivatives, inertia) {
+TEST_F(Derivatives, inertia_of_every_integrator) {
   Inertia inertia(set_);
-  inertia.begin_step({0, 0.01, 1});
-  test::expect_derivatives(inertia, d_, 1e-4, 1e-8);
+  for (const TimeIntegration& integration : {TimeIntegration::newmark(), TimeIntegration::constant_acceleration(),
+                                             TimeIntegration::generalized_alpha(0.3)}) {
+    inertia.begin_step({0, 0.01, 1, integration});
+    test::expect_derivatives(inertia, d_, 1e-4, 1e-8);
+  }
 }
 
 TEST_F(Derivatives, body_force) { test::expect_derivatives(BodyForce(set_, Vec3(1, -2, -9.81)), d_, 1e-4, 1e-8); }
@@ -77,7 +132,7 @@ TEST_F(Derivatives, displacement_constraint_with_a_free_component) {
 }
 
 TEST_F(Derivatives, normal_contact_in_penetration) {
-  const ContactSet contacts = contact(-0.01);
+  const ContactSet contacts = contact(-0.0015);
   test::expect_derivatives(NormalContact(set_, contacts), d_, 1e-4, 1e-8);
 }
 
@@ -113,6 +168,61 @@ TEST_F(Derivatives, shear_contact_sliding) {
   ASSERT_GT(shear.strength(0), 0);
   ASSERT_NEAR(shear.force(0, d_).norm(), shear.strength(0), 1e-9 * shear.strength(0));
   test::expect_derivatives(shear, d_, 1e-6, 1e-6);
+}
+
+TEST_F(Derivatives, normal_contact_with_a_multiplier) {
+  ContactSet contacts = contact(0.004);
+  contacts.points[0].multiplier = 5e7;
+  test::expect_derivatives(NormalContact(set_, contacts), d_, 1e-4, 1e-8);
+}
+
+TEST_F(Derivatives, tangent_of_sliding_knows_that_strength_follows_the_normal_force) {
+  const ContactSet contacts = contact(-0.0015);
+  ShearContact shear(set_, contacts);
+  const auto gradient = [&](const Increment& d) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(d.size());
+    shear.update_strength(d);
+    shear.add_gradient(d, sum);
+    return sum;
+  };
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(d_.size(), -1, 1.5);
+  constexpr double step = 1e-6;
+  const Eigen::VectorXd slope = (gradient(d_ + step * x) - gradient(d_ - step * x)) / (2 * step);
+  shear.update_strength(d_);
+  ASSERT_GT(shear.strength(0), 0) << "it is open";
+  ASSERT_GT(shear.spring_force(0, d_).norm(), 1.01 * shear.strength(0)) << "it does not slide";
+  std::vector<std::pair<int, int>> couplings;
+  for (int i = 0; i < set_.nodes.movable; ++i)
+    for (int j = 0; j < i; ++j) couplings.emplace_back(i, j);
+  SymmetricBlocks hessian;
+  hessian.set_pattern(set_.nodes.movable, couplings);
+  shear.add_hessian(d_, hessian);
+  Eigen::VectorXd symmetric;
+  hessian.multiply(x, symmetric);
+  Eigen::VectorXd tangent = symmetric;
+  shear.add_unsymmetric(d_, x, tangent);
+  EXPECT_LT((tangent - slope).norm(), 1e-6 * slope.norm());
+  EXPECT_GT((symmetric - slope).norm(), 0.01 * slope.norm()) << "the unsymmetric part adds nothing here";
+}
+
+TEST_F(Derivatives, a_turned_block_has_no_corotational_stress_and_a_turned_stress_in_situ_no_moment) {
+  const Mat3 rotation = Eigen::AngleAxisd(2.5, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+  for (Vec3& x : set_.nodes.position) x = rotation * x;
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(d_.size());
+  CorotationalElasticity(set_).add_gradient(Increment::Zero(d_.size()), force);
+  EXPECT_LT(force.norm(), 1e-5);  // N, of a stiffness of 5e9 N/m
+
+  Project project = Derivatives::project();
+  project.in_situ.emplace_back();
+  project.in_situ[0].stress << 3e6, 2e6, -4e6, 5e5, -4e5, 2e5;
+  force.setZero();
+  InSituStresses(project, system(), set_).add_gradient(Increment::Zero(d_.size()), force);
+  Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+  for (int n = 0; n < set_.nodes.movable; ++n) {
+    sum += force.segment<3>(3 * n);
+    moment += set_.nodes.position[n].cross(force.segment<3>(3 * n));
+  }
+  EXPECT_LT(sum.norm() + moment.norm(), 1e-11 * force.norm());
 }
 
 }  // namespace

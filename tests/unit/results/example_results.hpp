@@ -101,6 +101,16 @@ inline Frame example_frame(const BlockSystem& system, int index) {
                               .normal_force = 1e7 * number(index, i, 2),
                               .shear_force = Vec3(1, number(index, i, 3), 0),
                               .area = number(index, i, 4)});
+  if (index % 2 == 1)
+    for (std::size_t b = 0; b < system.blocks.size(); ++b)
+      frame.motions.push_back({.mode = static_cast<MotionMode>((static_cast<std::size_t>(index) + b) % 9),
+                               .came_to_rest = b == 1,
+                               .joints = {index, -1},
+                               .against = {0, static_cast<int>(b)},
+                               .direction = Vec3(number(index, 7), 1, 2),
+                               .line = Vec3(3, number(index, 8), 4),
+                               .axis = Vec3(5, 6, number(index, 9)),
+                               .rotation_share = number(index, 10)});
   return frame;
 }
 
@@ -113,7 +123,7 @@ inline bool same(const ContactSample& a, const ContactSample& b) {
 /// Bit for bit, stresses too where they were floats to begin with.
 inline bool same(const Frame& a, const Frame& b) {
   return a.index == b.index && a.time == b.time && a.stage == b.stage && a.displacement == b.displacement &&
-         a.velocity == b.velocity && a.stress == b.stress &&
+         a.velocity == b.velocity && a.stress == b.stress && a.motions == b.motions &&
          std::equal(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end(),
                     [](const ContactSample& x, const ContactSample& y) { return same(x, y); });
 }

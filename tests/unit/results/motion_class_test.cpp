@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "example_results.hpp"
 
 namespace talus {
@@ -17,16 +19,16 @@ MotionClass two_planes() {
 }
 
 TEST(MotionClass, is_told_with_joints_the_blocks_behind_them_and_the_line) {
-  EXPECT_EQ(motion_text(two_planes(), example_system()), "sliding on J1 (B1) and J2 (B1) along 090°/45°");
+  EXPECT_EQ(motion_text(two_planes(), motion_names(example_system())), "sliding on J1 (B1) and J2 (B1) along 090°/45°");
   MotionClass motion;
-  EXPECT_EQ(motion_text(motion, example_system()), "stable");
+  EXPECT_EQ(motion_text(motion, motion_names(example_system())), "stable");
   motion.mode = MotionMode::toppling;
   motion.joints = {1, -1};
   motion.against = {0, -1};
   motion.came_to_rest = true;
-  EXPECT_EQ(motion_text(motion, example_system()), "toppling on J2 (B1), came to rest");
+  EXPECT_EQ(motion_text(motion, motion_names(example_system())), "toppling on J2 (B1), came to rest");
   motion.mode = MotionMode::carried;
-  EXPECT_EQ(motion_text(motion, example_system()), "carried by B1, came to rest");
+  EXPECT_EQ(motion_text(motion, motion_names(example_system())), "carried by B1, came to rest");
 }
 
 TEST(MotionClass, without_joints_the_block_alone_is_named) {
@@ -34,7 +36,25 @@ TEST(MotionClass, without_joints_the_block_alone_is_named) {
   system.joint_names.clear();
   MotionClass motion = two_planes();
   motion.mode = MotionMode::sliding_and_toppling;
-  EXPECT_EQ(motion_text(motion, system), "sliding on B1 and toppling");
+  EXPECT_EQ(motion_text(motion, motion_names(system)), "sliding on B1 and toppling");
+}
+
+TEST(MotionClass, as_json_has_names_and_angles_and_null_for_what_the_mode_does_not_have) {
+  MotionClass motion = two_planes();
+  motion.direction = Vec3(0, -1, 0);
+  const auto json = nlohmann::json::parse(motion_json(motion, motion_names(example_system())));
+  EXPECT_EQ(json["mode"], "sliding on two planes");
+  EXPECT_EQ(json["joints"], nlohmann::json({"J1", "J2"}));
+  EXPECT_EQ(json["against"], nlohmann::json({"B1", "B1"}));
+  EXPECT_EQ(json["trend"], 180.0);
+  EXPECT_EQ(json["plunge"], 0.0);
+  EXPECT_NEAR(json["line"]["plunge"], 45, 1e-12);
+  EXPECT_TRUE(json["axis"].is_null());
+  EXPECT_FALSE(json["came_to_rest"]);
+  const auto stable = nlohmann::json::parse(motion_json({}, {}));
+  EXPECT_EQ(stable["mode"], "stable");
+  EXPECT_TRUE(stable["trend"].is_null());
+  EXPECT_TRUE(stable["joints"].empty());
 }
 
 TEST(MotionClass, a_direction_is_trend_and_plunge_in_whole_degrees) {

@@ -31,7 +31,8 @@ RunReport example_report() {
                     .relative_volume_change = 1e-12,
                     .displacement = Vec3(1, 2, 3),
                     .rotation_degrees = 7,
-                    .velocity = Vec3(4, 5, 6)}};
+                    .velocity = Vec3(4, 5, 6),
+                    .motion = {.mode = MotionMode::falling, .direction = Vec3(1, 0, 0)}}};
   report.max_penetration = 1e-5;
   report.max_relative_penetration = 1e-4;
   report.last_step.open = 1;
@@ -70,11 +71,13 @@ TEST(Summary, holds_what_the_contract_names) {
   EXPECT_EQ(json["cuts"], 4);
   EXPECT_EQ(json["blocks"], Json::parse(R"([{"name": "B2", "body": "tetrahedra", "volume": 8.0,
       "relative_volume_change": 1e-12, "displacement": [1.0, 2.0, 3.0], "rotation_degrees": 7.0,
-      "velocity": [4.0, 5.0, 6.0]}])"));
+      "velocity": [4.0, 5.0, 6.0], "motion": {"mode": "falling", "text": "falling", "came_to_rest": false,
+      "joints": [], "against": [], "trend": 90.0, "plunge": 0.0, "line": null, "axis": null, "rotation_share": 0.0}}])"));
   EXPECT_EQ(json["contacts"], Json::parse(R"({"max_penetration": 1e-5, "max_relative_penetration": 1e-4,
       "open": 1, "stick": 2, "slip": 3})"));
   EXPECT_EQ(json["energy"], Json::parse(R"({"kinetic": 1.0, "elastic": 2.0, "potential": 3.0, "contact": 4.0,
-      "friction_dissipated": 5.0, "damping_dissipated": 6.0, "constraint_work": 7.0, "integration_loss": 8.0})"));
+      "friction_dissipated": 5.0, "damping_dissipated": 6.0, "constraint_work": 7.0, "integration_loss": 8.0,
+      "remainder": 0.0})"));
   EXPECT_EQ(json["effects"],
             Json::parse(R"([{"name": "inertia", "active": true, "reason": "always", "seconds": 0.25}])"));
   EXPECT_EQ(json["phases"], Json::parse(R"({"detect": 0.1, "assemble": 0.2, "factor": 0.3, "solve": 0.4,

@@ -57,6 +57,15 @@ TEST_F(Run, writes_a_frame_at_the_start_and_after_every_interval) {
   EXPECT_EQ(results.history().size(), 101u);
 }
 
+TEST_F(Run, says_how_blocks_move_in_frames_and_report) {
+  const RunReport report = run_it();
+  EXPECT_EQ(report.blocks[0].motion.mode, MotionMode::falling);
+  EXPECT_EQ(report.names.blocks, std::vector<std::string>{"B"});
+  const ResultReader results(folder_);
+  EXPECT_EQ(results.frame(0).motions, std::vector<MotionClass>(1));
+  EXPECT_EQ(results.frame(4).motions, std::vector<MotionClass>{report.blocks[0].motion});
+}
+
 TEST_F(Run, compares_expectations_between_steps_and_since_a_moment) {
   project_.expect = {{"P.displacement.z", 0.505, -0.5 * 9.81 * 0.505 * 0.505, 1e-3, {}, "½gt²"},
                      {"B.velocity.magnitude", 1.0, 9.81, 1e-10, {}, "gt"},

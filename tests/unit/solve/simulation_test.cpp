@@ -31,7 +31,7 @@ BlockSystem blocks(std::vector<Block> list) {
 /// Gravity of a plane that dips by `dip` degrees towards +x, in the plane's own axes.
 Vec3 tilted_gravity(double dip) { return 9.81 * Vec3(std::sin(dip * M_PI / 180), 0, -std::cos(dip * M_PI / 180)); }
 
-TEST(Simulation, free_fall_is_exact_for_the_constant_acceleration_integrator) {
+TEST(Simulation, free_fall_is_exact) {
   const Project project = scene(30, {{"fall", StageKind::dynamic, 0.01, 100, {}}});
   const BlockSystem system = blocks({test::box_block("B", Vec3(0, 0, 10), Vec3(1, 1, 11))});
   Simulation simulation(project, system);

@@ -1,0 +1,63 @@
+#include "bodies/block_pose.hpp"
+
+#include <Eigen/LU>
+
+#include "bodies/polar.hpp"
+
+namespace talus {
+
+PoseFit::Shape PoseFit::shape_of(const Block& block) {
+  Shape shape;
+  shape.fixed = block.body == BodyKind::fixed;
+  const TetMesh& mesh = block.mesh;
+  if (mesh.tetrahedra.empty()) return shape;
+  const Vec3& origin = mesh.nodes.front();  // near the block: coordinates may be those of a country's grid
+  shape.weight.assign(mesh.nodes.size(), 0);
+  for (const auto& nodes : mesh.tetrahedra) {
+    Mat3 edges;
+    for (int i = 0; i < 3; ++i) edges.col(i) = mesh.nodes[nodes[i + 1]] - mesh.nodes[nodes[0]];
+    const double volume = edges.determinant() / 6;
+    Vec3 sum = Vec3::Zero();
+    for (const int node : nodes) {
+      const Vec3 x = mesh.nodes[node] - origin;
+      shape.weight[node] += volume / 4;
+      shape.spread += volume / 20 * x * x.transpose();
+      sum += x;
+    }
+    shape.centroid += volume / 4 * sum;
+    shape.spread += volume / 20 * sum * sum.transpose();
+    shape.volume += volume;
+  }
+  for (double& weight : shape.weight) weight /= shape.volume;
+  shape.centroid /= shape.volume;
+  shape.spread = shape.spread / shape.volume - shape.centroid * shape.centroid.transpose();
+  shape.centroid += origin;
+  return shape;
+}
+
+PoseFit::PoseFit(const BlockSystem& system) {
+  for (const Block& block : system.blocks) shapes_.push_back(shape_of(block));
+}
+
+std::vector<BlockPose> PoseFit::poses(const BodySet& set) const {
+  std::vector<BlockPose> poses(shapes_.size());
+  for (std::size_t b = 0; b < shapes_.size(); ++b) {
+    const Body& body = set.bodies[b];
+    const Shape& shape = shapes_[b];
+    BlockPose& pose = poses[b];
+    const Vec3* reference = set.nodes.reference.data() + body.first_node;
+    const Vec3* position = set.nodes.position.data() + body.first_node;
+    if (shape.fixed || shape.weight.empty()) {
+      pose.centroid = shape.centroid + position[0] - reference[0];
+      continue;
+    }
+    for (std::size_t n = 0; n < shape.weight.size(); ++n) pose.centroid += shape.weight[n] * position[n];
+    Mat3 covariance = Mat3::Zero();
+    for (std::size_t n = 0; n < shape.weight.size(); ++n)
+      covariance += shape.weight[n] * (position[n] - pose.centroid) * (reference[n] - shape.centroid).transpose();
+    pose.rotation = rotation_of(covariance);
+  }
+  return poses;
+}
+
+}  // namespace talus

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bodies/body_set.hpp"
+
+namespace talus {
+
+/// Where a block is and how it is turned.
+struct BlockPose {
+  Vec3 centroid = Vec3::Zero();      ///< m
+  Mat3 rotation = Mat3::Identity();  ///< since the start of the run
+};
+
+/// Fits poses to the nodes of all blocks, whatever they may do: the rotation is that of least squares (Kabsch 1976).
+class PoseFit {
+ public:
+  explicit PoseFit(const BlockSystem& system);
+
+  /// One a block. A block that is built fixed is taken as a whole: it does not turn.
+  std::vector<BlockPose> poses(const BodySet& set) const;
+  /// Mean of (x − c)(x − c)ᵀ over the block's volume, undeformed [m²]; zero where the block has no tetrahedra.
+  const Mat3& spread(int block) const { return shapes_[static_cast<std::size_t>(block)].spread; }
+  double volume(int block) const { return shapes_[static_cast<std::size_t>(block)].volume; }  ///< m³, of its tetrahedra
+
+ private:
+  struct Shape {
+    std::vector<double> weight;  ///< a node: its share of the block's volume; none without tetrahedra
+    Vec3 centroid = Vec3::Zero();
+    bool fixed = false;
+    Mat3 spread = Mat3::Zero();
+    double volume = 0;
+  };
+  static Shape shape_of(const Block& block);
+  std::vector<Shape> shapes_;
+};
+
+}  // namespace talus

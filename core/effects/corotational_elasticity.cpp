@@ -1,0 +1,139 @@
+#include "effects/corotational_elasticity.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "bodies/polar.hpp"
+
+namespace talus {
+
+namespace {
+
+Mat3 from_corners(const ElementShape& shape, const Corners& positions) {
+  Mat3 f = Mat3::Zero();  // differences to corner 0, so that a translation changes no bit
+  for (int r = 1; r < 4; ++r) f += (positions[r] - positions[0]) * shape.gradient[r].transpose();
+  return f;
+}
+
+/// R [2μE + λ tr(E) I], with E = S − I: Piola's stress [Pa].
+Mat3 piola_stress(const Elastic& elastic, const Mat3& f, const Mat3& r) {
+  const double trace = (r.transpose() * f).trace() - 3;
+  return 2 * elastic.mu * (f - r) + elastic.lambda * trace * r;
+}
+
+Mat3 cross_matrix(const Vec3& v) {
+  Mat3 m;
+  m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
+  return m;
+}
+
+/// What the exact Hessian has beyond that of linear elasticity in the rotated frame, as a form in the axial vector
+/// a = axial(X − Xᵀ), X = Rᵀ dF: aᵀ [μI − c (tr S I − S)⁻¹] a with c = 2μ − λ tr E; its positive part.
+Mat3 twist_stiffness(const Elastic& elastic, const Mat3& stretch) {
+  const double trace = stretch.trace(), c = 2 * elastic.mu - elastic.lambda * (trace - 3);
+  Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+  eigen.computeDirect(0.5 * (stretch + stretch.transpose()));
+  Vec3 stiffness;
+  for (int i = 0; i < 3; ++i) {
+    const double pair = trace - eigen.eigenvalues()[i];  // sum of the two other stretches
+    stiffness[i] = pair > 0 ? std::max(0.0, elastic.mu - c / pair) : 0;
+  }
+  return eigen.eigenvectors() * stiffness.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+void add_element_couplings(const BodySet& set, std::vector<std::pair<int, int>>& couplings) {
+  for (const Element& element : set.elements)
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < a; ++b) couplings.emplace_back(element.freedoms[a], element.freedoms[b]);
+}
+
+Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape, const Increment& d) {
+  Corners corners = set.corner_increments(element, d);
+  for (int i = 0; i < 4; ++i) corners[i] += set.nodes.position[element.nodes[i]];
+  return from_corners(shape, corners);
+}
+
+Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape) {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners[i] = set.nodes.position[element.nodes[i]];
+  return from_corners(shape, corners);
+}
+
+Voigt voigt(const Mat3& t) {
+  Voigt v;
+  v << t(0, 0), t(1, 1), t(2, 2), 0.5 * (t(0, 1) + t(1, 0)), 0.5 * (t(1, 2) + t(2, 1)), 0.5 * (t(2, 0) + t(0, 2));
+  return v;
+}
+
+Mat3 tensor(const Voigt& s) {
+  Mat3 t;
+  t << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  return t;
+}
+
+void CorotationalElasticity::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
+  add_element_couplings(set_, couplings);
+}
+
+double CorotationalElasticity::energy_of(const Element& element, const ElementShape& shape, const Mat3& f) const {
+  const Elastic& elastic = set_.bodies[element.body].elastic;
+  const Mat3 r = rotation_of(f);
+  const double trace = (r.transpose() * f).trace() - 3;
+  return shape.volume * (elastic.mu * (f - r).squaredNorm() + 0.5 * elastic.lambda * trace * trace);
+}
+
+double CorotationalElasticity::energy(const Increment& d) const {
+  double sum = 0;
+  for (std::size_t e = 0; e < set_.elements.size(); ++e)
+    sum += energy_of(set_.elements[e], set_.shapes[e], deformation_gradient(set_, set_.elements[e], set_.shapes[e], d));
+  return sum;
+}
+
+double CorotationalElasticity::stored_energy() const {
+  double sum = 0;
+  for (std::size_t e = 0; e < set_.elements.size(); ++e)
+    sum += energy_of(set_.elements[e], set_.shapes[e], deformation_gradient(set_, set_.elements[e], set_.shapes[e]));
+  return sum;
+}
+
+void CorotationalElasticity::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+  for (std::size_t e = 0; e < set_.elements.size(); ++e) {
+    const Element& element = set_.elements[e];
+    const ElementShape& shape = set_.shapes[e];
+    const Mat3 f = deformation_gradient(set_, element, shape, d);
+    const Mat3 stress = shape.volume * piola_stress(set_.bodies[element.body].elastic, f, rotation_of(f));
+    for (int a = 0; a < 4; ++a) sum.segment<3>(3 * element.freedoms[a]) += stress * shape.gradient[a];
+  }
+}
+
+void CorotationalElasticity::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
+  for (std::size_t e = 0; e < set_.elements.size(); ++e) {
+    const Element& element = set_.elements[e];
+    const Elastic& elastic = set_.bodies[element.body].elastic;
+    const Mat3 f = deformation_gradient(set_, element, set_.shapes[e], d), r = rotation_of(f);
+    const Mat3 twist = set_.shapes[e].volume * r * twist_stiffness(elastic, r.transpose() * f) * r.transpose();
+    ElementShape turned{set_.shapes[e]};
+    std::array<Mat3, 4> cross;
+    for (int a = 0; a < 4; ++a) {
+      turned.gradient[a] = r * set_.shapes[e].gradient[a];
+      cross[a] = cross_matrix(turned.gradient[a]);
+    }
+    for (int a = 0; a < 4; ++a) {
+      const Mat3 left = -cross[a] * twist;
+      for (int b = 0; b <= a; ++b)
+        sum.add(element.freedoms[a], element.freedoms[b], stiffness_block(turned, elastic, a, b) + left * cross[b]);
+    }
+  }
+}
+
+void CorotationalElasticity::add_stress(std::vector<Voigt>& stress) const {
+  for (std::size_t e = 0; e < set_.elements.size(); ++e) {
+    const Mat3 f = deformation_gradient(set_, set_.elements[e], set_.shapes[e]);
+    const Mat3 p = piola_stress(set_.bodies[set_.elements[e].body].elastic, f, rotation_of(f));
+    stress[e] += voigt(p * f.transpose() / f.determinant());
+  }
+}
+
+}  // namespace talus

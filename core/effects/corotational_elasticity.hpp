@@ -1,0 +1,43 @@
+#pragma once
+
+#include "effects/effect.hpp"
+
+namespace talus {
+
+/// Strain energy measured from the undeformed shape in the rotated frame (METHOD §2). With the deformation gradient
+/// F = R S of an element and E = S − I:
+///   Π = Σ_e V [μ E:E + λ/2 (tr E)²]  [J],   P = ∂Π/∂F = R [2μE + λ tr(E) I]
+/// A block that only turns neither grows nor gains stress. The Hessian is the exact one (dR from (tr S I − S)⁻¹;
+/// e.g. McAdams et al. 2011) but for the part of compressed elements that would be negative.
+class CorotationalElasticity final : public Effect {
+ public:
+  explicit CorotationalElasticity(const BodySet& set) : set_(set) {}
+  std::string_view name() const override { return "elasticity"; }
+  EnergyAccount account() const override { return EnergyAccount::elastic; }
+  bool quadratic() const override { return false; }
+  bool smooth() const override { return true; }
+  void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
+  double energy(const Increment& d) const override;
+  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+  double stored_energy() const override;
+  void add_stress(std::vector<Voigt>& stress) const override;
+
+ private:
+  double energy_of(const Element& element, const ElementShape& shape, const Mat3& gradient) const;
+  const BodySet& set_;
+};
+
+/// The corners of every element are coupled with each other.
+void add_element_couplings(const BodySet& set, std::vector<std::pair<int, int>>& couplings);
+
+/// Deformation gradient of an element of the undeformed `shape` whose corners are moved by `d` from where they stand.
+Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape, const Increment& d);
+/// The same where they stand.
+Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape);
+
+/// xx, yy, zz, xy, yz, zx of a symmetric tensor, and back.
+Voigt voigt(const Mat3& tensor);
+Mat3 tensor(const Voigt& stress);
+
+}  // namespace talus

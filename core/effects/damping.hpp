@@ -1,0 +1,28 @@
+#pragma once
+
+#include "effects/effect.hpp"
+
+namespace talus {
+
+/// Viscous damping of the mass at rate c [1/s], a body force density −c ρ v with the mean velocity of the step:
+///   Π = c/(2Δ) Dᵀ M D  [J]
+/// It dissipates c/Δ DᵀMD a step. Relative to the ground at rest, in static stages too.
+class Damping final : public Effect {
+ public:
+  /// `rates`: one a body [1/s].
+  Damping(const BodySet& set, std::vector<double> rates) : set_(set), rates_(std::move(rates)) {}
+  std::string_view name() const override { return "damping"; }
+  EnergyAccount account() const override { return EnergyAccount::damping; }
+  void begin_step(const StepContext& step) override { length_ = step.length; }
+  double energy(const Increment& d) const override;
+  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+  double dissipated(const Increment& d) const override { return 2 * energy(d); }
+
+ private:
+  const BodySet& set_;
+  std::vector<double> rates_;
+  double length_ = 1;
+};
+
+}  // namespace talus

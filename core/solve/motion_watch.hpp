@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "results/run_report.hpp"
+#include "solve/motion_record.hpp"
+
+namespace talus {
+
+/// Says of every block how it moves: its class over the last part of its travel in the stage, and an event when the
+/// class changes for good.
+class MotionWatch {
+ public:
+  MotionWatch(const Project& project, const BlockSystem& system, const BodySet& bodies);
+
+  /// After every step, with its contacts. `stage_ended`: it was the last of its stage.
+  void look(double time, bool stage_ended, const BodySet& bodies, const std::vector<ContactSample>& contacts);
+  /// One a block, as of the last step.
+  std::vector<MotionClass> classes(const BodySet& bodies);
+  /// "B2: sliding on J1 (B1)", "B2: sliding on J1 (B1), came to rest"; in order of time. Without falls, which are
+  /// EventWatch's.
+  const std::vector<Event>& events() const { return events_; }
+
+ private:
+  /// What was last told of a block, and what will be once it has lasted.
+  struct News {
+    MotionClass told, next;
+    double since = 0;  ///< s
+    BlockPose from;    ///< when `next` began
+  };
+  using Spans = std::vector<const MotionSpan*>;
+  MotionClass class_of(int block, const Spans& spans) const;
+  double travel(int block, const BlockPose& from, const BlockPose& to) const;
+  bool gathers_way(int block, const Spans& spans) const;
+  int last_moving(int block, const Spans& spans) const;
+  void tell(const Spans& spans, const std::vector<MotionClass>& classes);
+
+  MotionNames names_;
+  MotionRecord record_;
+  std::vector<News> news_;
+  std::vector<Event> events_;
+};
+
+}  // namespace talus
