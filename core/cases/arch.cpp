@@ -48,16 +48,13 @@ CaseOutcome thickness(const CaseOptions& options, Progress& progress) {
   CaseTable brackets{"Thickness over mean radius", {"μ", "least by limit analysis", "falls at", "stands at"}, {}};
   for (const double friction : {0.5, 0.35, 0.32}) {
     const double expected = *least_thickness(voussoirs, friction);
-    double falls = 0.97 * expected, stays = 1.03 * expected;
-    for (int i = 0; i < (options.thorough ? 6 : 3); ++i) {
-      const double middle = (falls + stays) / 2;
-      (arch_falls(middle, friction) ? falls : stays) = middle;
-    }
-    brackets.rows.push_back({text(friction), text(expected), text(falls), text(stays)});
+    const Bracket bracket = narrowed({0.97 * expected, 1.03 * expected}, options.thorough ? 6 : 3,
+                                     [&](double thick) { return arch_falls(thick, friction); });
+    brackets.rows.push_back({text(friction), text(expected), text(bracket.falls), text(bracket.stands)});
     outcome.findings.push_back({.quantity = "least thickness/radius, μ " + text(friction),
                                 .unit = "",
                                 .expected = expected,
-                                .computed = (falls + stays) / 2,
+                                .computed = bracket.middle(),
                                 .tolerance = 0.01});
   }
   outcome.tables.push_back(brackets);

@@ -91,6 +91,14 @@ bool sets_off(const Scene& scene, double distance, const CaseOptions& options, P
   return off;
 }
 
+Bracket narrowed(Bracket bracket, int runs, const std::function<bool(double)>& falls_at) {
+  for (int i = 0; i < runs; ++i) {
+    const double middle = bracket.middle();
+    (falls_at(middle) ? bracket.falls : bracket.stands) = middle;
+  }
+  return bracket;
+}
+
 KnownCase at_any_scale(KnownCase full_size) {
   full_size.run = [run = full_size.run](const CaseOptions& options, Progress& progress) {
     CaseOutcome outcome = run(options, progress);

@@ -39,6 +39,15 @@ double farthest(const Moment& from, const Moment& to);
 /// does.
 bool sets_off(const Scene& scene, double distance, const CaseOptions& options, Progress& progress);
 
+/// A parameter between one at which a scene falls and one at which it stands.
+struct Bracket {
+  double falls = 0, stands = 0;
+  double middle() const { return (falls + stands) / 2; }
+};
+
+/// Halves the bracket `runs` times; `falls_at` says what a run at a parameter does.
+Bracket narrowed(Bracket bracket, int runs, const std::function<bool(double)>& falls_at);
+
 /// A case that speaks of full size, made to say what was computed at its scale: findings in m are multiplied by s,
 /// those in s and m/s by √s.
 KnownCase at_any_scale(KnownCase full_size);

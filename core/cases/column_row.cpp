@@ -34,19 +34,17 @@ Scene row_scene(const ColumnRow& row, double friction_angle) {
 CaseOutcome limit(const CaseOptions& options, Progress& progress) {
   const ColumnRow row;
   const double expected = limiting_friction_angle(row);
-  double falls = expected - 4, stands = expected + 4;
   CaseTable table{"Rows of columns", {"φ [°]", "row"}, {}};
-  for (int i = 0; i < (options.thorough ? 10 : 7); ++i) {
-    const double middle = (falls + stands) / 2;
-    const bool sets = sets_off(row_scene(row, middle), moved * row.width, options, progress);
-    (sets ? falls : stands) = middle;
-    table.rows.push_back({std::to_string(middle), sets ? "falls" : "stands"});
-  }
+  const Bracket bracket = narrowed({expected - 4, expected + 4}, options.thorough ? 10 : 7, [&](double angle) {
+    const bool falls = sets_off(row_scene(row, angle), moved * row.width, options, progress);
+    table.rows.push_back({std::to_string(angle), falls ? "falls" : "stands"});
+    return falls;
+  });
   CaseOutcome outcome;
   outcome.findings.push_back({.quantity = "limiting friction angle",
                               .unit = "°",
                               .expected = expected,
-                              .computed = (falls + stands) / 2,
+                              .computed = bracket.middle(),
                               .tolerance = 0.1,
                               .absolute = true});
   outcome.tables.push_back(table);
