@@ -45,13 +45,20 @@ std::string margin_text(const CaseResult& result) {
   return number(100 * worst, 2);
 }
 
+/// The link to a heading, as GitHub makes it.
+std::string anchor_of(const std::string& heading) {
+  std::string anchor;
+  std::copy_if(heading.begin(), heading.end(), std::back_inserter(anchor), [](char c) { return c != '/'; });
+  return anchor;
+}
+
 std::string overview_text(const std::vector<CaseResult>& results) {
   std::string text =
       heading_text({"Case", "What", "Numbers held", "Error, % of tolerance", "Seconds", "Passed"}, "llrrrl");
   for (const CaseResult& result : results) {
     const auto held = std::count_if(result.outcome.findings.begin(), result.outcome.findings.end(),
                                     [](const Finding& finding) { return !finding.reported; });
-    text += row_text({'[' + result.name + "](#" + result.name + ')', result.title, std::to_string(held),
+    text += row_text({'[' + result.name + "](#" + anchor_of(result.name) + ')', result.title, std::to_string(held),
                       margin_text(result), number(result.seconds, 2), result.passed() ? "yes" : "**no**"});
   }
   return text;

@@ -173,7 +173,7 @@ SampleOutcome run_sample(const KnownSample& sample, const CaseOptions& options, 
 
 KnownCase case_of(const KnownSample& sample) {
   KnownCase known;
-  known.name = sample.name;
+  known.name = sample_prefix + sample.name;
   known.title = sample.title;
   known.source = sample.source;
   known.takes_long = sample.takes_long;

@@ -36,6 +36,9 @@ struct SampleOutcome {
 /// status of the report. Throws InputError for a faulty project, Cancelled when `progress` says so.
 SampleOutcome run_sample(const KnownSample& sample, const CaseOptions& options, Progress& progress);
 
+/// What a sample's case is called before its folder's name: no built-in case's name holds a slash.
+inline const std::string sample_prefix = "samples/";
+
 /// Every `expect` line is a finding; published events are held to their order, and their times are shown.
 KnownCase case_of(const KnownSample& sample);
 

@@ -14,8 +14,12 @@ namespace talus {
 
 namespace {
 
-auto named(const std::string& name) {
-  return [&name](const KnownCase& known) { return known.name == name; };
+auto find_named(const std::vector<KnownCase>& cases, const std::string& name) {
+  const auto of_name = [&cases](const std::string& wanted) {
+    return std::find_if(cases.begin(), cases.end(), [&](const KnownCase& known) { return known.name == wanted; });
+  };
+  const auto found = of_name(name);
+  return found == cases.end() ? of_name(sample_prefix + name) : found;
 }
 
 /// What is wrong with the outcome itself; empty: nothing.
@@ -58,13 +62,9 @@ CaseOptions at_other_scale(CaseOptions options) {
 }  // namespace
 
 std::vector<KnownCase> all_cases(const std::filesystem::path& samples) {
-  std::vector<KnownCase> cases, built_in = known_cases();
-  for (const KnownSample& sample : find_known_samples(samples)) {
-    if (std::any_of(built_in.begin(), built_in.end(), named(sample.name)))
-      throw InputError(sample.project.string(), "has the name of a case that is built in", "give its folder another");
-    cases.push_back(case_of(sample));
-  }
-  std::move(built_in.begin(), built_in.end(), std::back_inserter(cases));
+  std::vector<KnownCase> cases;
+  for (const KnownSample& sample : find_known_samples(samples)) cases.push_back(case_of(sample));
+  for (KnownCase& known : known_cases()) cases.push_back(std::move(known));
   return cases;
 }
 
@@ -72,7 +72,7 @@ std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const s
                                     bool all) {
   std::vector<KnownCase> chosen;
   for (const std::string& name : names) {
-    const auto found = std::find_if(cases.begin(), cases.end(), named(name));
+    const auto found = find_named(cases, name);
     if (found == cases.end()) {
       std::string known;
       for (const KnownCase& one : cases) (known += known.empty() ? "" : ", ") += one.name;

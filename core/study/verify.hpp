@@ -10,11 +10,13 @@
 /// Holds the solver to known answers: one list of cases, one way to run them.
 namespace talus {
 
-/// The shipped samples with a known answer, then the cases that are built in the program; every name is there once.
-/// Throws InputError when `samples` is no folder, or holds a faulty project or one with the name of a built-in case.
+/// The samples with a known answer in the folder `samples`, then the cases that are built in the program. Every name is
+/// there once: a sample's is samples/NAME, a built-in case's one word. Throws InputError when `samples` is no folder or
+/// holds a faulty project.
 std::vector<KnownCase> all_cases(const std::filesystem::path& samples);
 
-/// Those named, in that order; without names all that are quick, or all. Throws InputError for a name there is not.
+/// Those named, in that order; without names all that are quick, or all. A sample is also found by its folder's name
+/// alone where no built-in case has it. Throws InputError for a name there is not.
 std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const std::vector<std::string>& names,
                                     bool all);
 

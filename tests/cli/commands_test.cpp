@@ -211,7 +211,7 @@ TEST_F(Commands, ExportWritesFramesForOthers) {
 }
 
 TEST_F(Commands, VerifyRunsTheNamedCases) {
-  const Ending ending = talus_cli({"verify", "free_fall", "--json"});
+  const Ending ending = talus_cli({"verify", "samples/free_fall", "--json"});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   const Json result = Json::parse(ending.out);
   ASSERT_EQ(result["cases"].size(), 1U);
@@ -231,9 +231,9 @@ TEST_F(Commands, VerifyEndsWithOneWhenACaseFails) {
 }
 
 TEST_F(Commands, VerifyPrintsACaseOnceWithUnitsAndItsSource) {
-  const Ending ending = talus_cli({"verify", "free_fall", "--repeat"});
+  const Ending ending = talus_cli({"verify", "samples/free_fall", "--repeat"});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
-  EXPECT_THAT(ending.out, HasSubstr("free_fall: Free fall: passed"));
+  EXPECT_THAT(ending.out, HasSubstr("samples/free_fall: Free fall: passed"));
   EXPECT_THAT(ending.out, HasSubstr("P1.velocity.z at 1 s"));
   EXPECT_THAT(ending.out, HasSubstr("m/s"));
   EXPECT_THAT(ending.out, HasSubstr("2 threads, scale 1: the same bits"));
@@ -243,7 +243,7 @@ TEST_F(Commands, VerifyPrintsACaseOnceWithUnitsAndItsSource) {
 }
 
 TEST_F(Commands, VerifyRunsAtAnotherScale) {
-  const Ending ending = talus_cli({"verify", "free_fall", "--scale", "0.01", "--json"});
+  const Ending ending = talus_cli({"verify", "samples/free_fall", "--scale", "0.01", "--json"});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   const Json check = Json::parse(ending.out)["cases"][0]["checks"][1];
   EXPECT_NEAR(check["expected"], -0.04905, 1e-15);
@@ -253,16 +253,16 @@ TEST_F(Commands, VerifyRunsAtAnotherScale) {
 TEST_F(Commands, VerifyWritesItsTableIntoAPageAndKeepsTheRest) {
   write_text(*folder / "page.md",
              "# Prose\n<!-- talus-cli verify: begin -->\nold\n<!-- talus-cli verify: end -->\nEnd\n");
-  const Ending ending = talus_cli({"verify", "free_fall", "--markdown", place("page.md")});
+  const Ending ending = talus_cli({"verify", "samples/free_fall", "--markdown", place("page.md")});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   const std::string page = text_of(place("page.md"));
   EXPECT_THAT(page, testing::StartsWith("# Prose\n<!-- talus-cli verify: begin -->\n"));
   EXPECT_THAT(page, testing::EndsWith("<!-- talus-cli verify: end -->\nEnd\n"));
-  EXPECT_THAT(page, HasSubstr("| [free_fall](#free_fall) | Free fall | 5 |"));
+  EXPECT_THAT(page, HasSubstr("| [samples/free_fall](#samplesfree_fall) | Free fall | 5 |"));
   EXPECT_THAT(page, testing::Not(HasSubstr("old")));
 
   write_text(*folder / "plain.md", "# Prose\n");
-  const Ending refused = talus_cli({"verify", "free_fall", "--markdown", place("plain.md")});
+  const Ending refused = talus_cli({"verify", "samples/free_fall", "--markdown", place("plain.md")});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.err, HasSubstr("has no part for the tables of verify"));
   EXPECT_EQ(text_of(place("plain.md")), "# Prose\n");
@@ -271,8 +271,8 @@ TEST_F(Commands, VerifyWritesItsTableIntoAPageAndKeepsTheRest) {
 TEST_F(Commands, VerifyListsAllCasesAndWhichTakeLong) {
   const Ending ending = talus_cli({"verify", "--list"});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
-  EXPECT_THAT(ending.out, testing::ContainsRegex("free_fall +always +Free fall"));
-  EXPECT_THAT(ending.out, testing::ContainsRegex("jiweishan +with --all +Jiweishan rockslide"));
+  EXPECT_THAT(ending.out, testing::ContainsRegex("samples/free_fall +always +Free fall"));
+  EXPECT_THAT(ending.out, testing::ContainsRegex("samples/jiweishan +with --all +Jiweishan rockslide"));
   const Json list = Json::parse(talus_cli({"verify", "--list", "--json"}).out);
   EXPECT_GE(list["cases"].size(), 5U);
 }

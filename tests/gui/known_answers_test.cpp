@@ -104,7 +104,7 @@ TEST_F(DrivenWindow, RunsAKnownAnswerFromTheHelpMenuAndExportsIt) {
   ASSERT_TRUE(dialog->exportJson(folder / "answers.json"));
   const auto json = nlohmann::json::parse(std::ifstream(folder / "answers.json"));
   EXPECT_TRUE(json["passed"]);
-  EXPECT_EQ(json["cases"][0]["case"], "free_fall");
+  EXPECT_EQ(json["cases"][0]["case"], "samples/free_fall");
   EXPECT_FALSE(dialog->exportJson(folder / "no_such_folder" / "answers.json"));
 }
 

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "study/verify.hpp"
 
 // Compiled twice: for the quick cases, and (TALUS_IN_FULL) for all of them with every row of those that are thinned.
@@ -47,8 +49,11 @@ TEST_P(KnownAnswer, IsTheSameOnTwoThreadsAndAtATenthOfTheScale) {
 }
 #endif
 
-INSTANTIATE_TEST_SUITE_P(, KnownAnswer, testing::ValuesIn(cases_of_this_program()),
-                         [](const auto& one) { return one.param.name; });
+INSTANTIATE_TEST_SUITE_P(, KnownAnswer, testing::ValuesIn(cases_of_this_program()), [](const auto& one) {
+  std::string name = one.param.name;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+});
 
 }  // namespace
 
