@@ -15,8 +15,7 @@ constexpr double inward = 0.05;         // cosine: what points less against the 
 
 class Search {
  public:
-  Search(const Triangle& a, const Triangle& b, double enough, const Vec3& outward = Vec3::Zero())
-      : enough_(enough), outward_(outward) {
+  Search(const Triangle& a, const Triangle& b, const Vec3& outward) : outward_(outward) {
     for (int k = 0; k < 3; ++k) {  // differences first: positions may be far from the origin
       a_[k] = a[k] - a[0];
       b_[k] = b[k] - a[0];
@@ -30,40 +29,41 @@ class Search {
 
   CommonPlane run(const Vec3& origin) {
     try_normal(a_[0] + a_[1] + a_[2] - b_[0] - b_[1] - b_[2], scale_);
-    try_normal(edges_a_[0].cross(edges_a_[1]), scale_ * scale_);
-    try_normal(edges_b_[0].cross(edges_b_[1]), scale_ * scale_);
+    try_facets();
     int iterations = 0;
     auto [p, q] = closest_vertices();
-    while (!known_near(p, q) && gap_ <= enough_ && iterations < most_iterations) {
+    while (iterations < most_iterations) {
       ++iterations;
       const double before = gap_;
       try_candidates(p, q);
-      if (!(gap_ > before) && std::isinf(enough_)) try_all_vertices();
+      if (!(gap_ > before)) try_all_vertices();
       if (!(gap_ > before)) break;
+      std::tie(p, q) = closest_vertices();
+    }
+    if (gap_ < 0) {
+      lead_out();
       std::tie(p, q) = closest_vertices();
     }
     return {normal_, origin + 0.5 * (a_[p] + b_[q]), gap_, iterations};
   }
 
-  /// Facets that cross lead out of each other along their own normals or square to an edge of each. The other types of
-  /// planes would part them sideways, where the bodies go on.
-  CommonPlane run_where_they_cross(const Vec3& origin) {
-    gap_ = -std::numeric_limits<double>::infinity();
+ private:
+  void try_facets() {
     try_normal(edges_a_[0].cross(edges_a_[1]), scale_ * scale_);
     try_normal(edges_b_[0].cross(edges_b_[1]), scale_ * scale_);
+  }
+
+  /// Facets that cross lead out of each other along their own normals or square to an edge of each. The other types of
+  /// planes would part them sideways, where the bodies go on.
+  void lead_out() {
+    gap_ = -std::numeric_limits<double>::infinity();
+    try_facets();
     for (const Vec3& e : edges_a_) {
       for (const Vec3& f : edges_b_) try_normal(e.cross(f), scale_ * scale_);
     }
-    const auto [p, q] = closest_vertices();
-    return {normal_, origin + 0.5 * (a_[p] + b_[q]), gap_, 0};
   }
 
- private:
-  bool known_near(int p, int q) const {
-    return std::isfinite(enough_) && (a_[p] - b_[q]).squaredNorm() <= enough_ * enough_;
-  }
-
-  /// Both senses of a direction.
+  /// Both senses of a direction, unless one points inwards.
   void try_normal(const Vec3& direction, double scale) {
     const double squared = direction.squaredNorm();
     if (!(squared > no_direction * scale)) return;
@@ -100,7 +100,7 @@ class Search {
   /// the best plane hangs on (7 pairs in 1000 of random triangles), and where facets cross the closest vertices say
   /// little.
   void try_all_vertices() {
-    for (int p = 0; p < 3 && gap_ <= enough_; ++p) {
+    for (int p = 0; p < 3; ++p) {
       for (int q = 0; q < 3; ++q) try_candidates(p, q);
     }
   }
@@ -128,7 +128,7 @@ class Search {
 
   Triangle a_, b_;
   std::array<Vec3, 3> edges_a_, edges_b_;  // opposite to each vertex
-  double scale_ = 0, enough_;
+  double scale_ = 0;
   Vec3 outward_;
   double gap_ = -std::numeric_limits<double>::infinity();
   Vec3 normal_ = Vec3::UnitZ();
@@ -136,12 +136,8 @@ class Search {
 
 }  // namespace
 
-CommonPlane common_plane(const Triangle& a, const Triangle& b, double enough) { return Search(a, b, enough).run(a[0]); }
-
-CommonPlane common_plane_of_bodies(const Triangle& a, const Triangle& b, const Vec3& outward) {
-  Search search(a, b, std::numeric_limits<double>::infinity(), outward);
-  const CommonPlane plane = search.run(a[0]);
-  return plane.gap < 0 ? search.run_where_they_cross(a[0]) : plane;
+CommonPlane common_plane(const Triangle& a, const Triangle& b, const Vec3& outward) {
+  return Search(a, b, outward).run(a[0]);
 }
 
 }  // namespace talus

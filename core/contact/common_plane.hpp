@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 
 #include "base/vector.hpp"
 
@@ -20,16 +19,12 @@ struct CommonPlane {
 /// Fast common plane of two triangles (paper, 3.1; Nezami et al. 2004): candidate planes of four types are built on the
 /// closest pair of vertices (perpendicular to the segment between them; to its part across an edge; parallel to an edge
 /// of each; parallel to a facet). The one with the largest gap wins, and its closest vertices are the next pair.
-/// The gap never exceeds the distance of the facets, and equals it where they are apart.
+/// The gap never exceeds the distance of the facets, and equals it where they are apart. Where they cross, only the
+/// planes parallel to a facet or to an edge of each count.
 ///
-/// With a finite `enough` only one thing is asked: whether the gap exceeds it. The search then stops as soon as that is
-/// known, and the gap of facets that are nearer may be less than the largest.
-CommonPlane common_plane(const Triangle& a, const Triangle& b, double enough = std::numeric_limits<double>::infinity());
-
-/// The same for facets of bodies, which have an inside: only planes whose normal does not point against
-/// `outward` = (outward normal of b) − (outward normal of a). Facets that lie in each other, face to face, would else
-/// seem to be apart on their wrong sides. Where they cross, only the planes parallel to a facet or to an edge of each
-/// count.
-CommonPlane common_plane_of_bodies(const Triangle& a, const Triangle& b, const Vec3& outward);
+/// Facets of bodies have an inside: given `outward` = (outward normal of b) − (outward normal of a), planes whose
+/// normal points against it do not count. Facets that lie in each other, face to face, would else seem to be apart on
+/// their wrong sides.
+CommonPlane common_plane(const Triangle& a, const Triangle& b, const Vec3& outward = Vec3::Zero());
 
 }  // namespace talus

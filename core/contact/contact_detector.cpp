@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "contact/broad_phase.hpp"
-#include "contact/common_plane.hpp"
 #include "contact/contact_memory.hpp"
 #include "contact/contact_points.hpp"
 #include "contact/coupling.hpp"
@@ -80,7 +79,8 @@ void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, s
   const auto apart = [&](int facet, int from, double distance) {
     const auto &n = features.facets[facet].nodes, &m = features.facets[from].nodes;
     const Vec3 &normal = normals[from], &origin = x[m[0]];
-    const double h0 = normal.dot(x[n[0]] - origin), h1 = normal.dot(x[n[1]] - origin), h2 = normal.dot(x[n[2]] - origin);
+    const double h0 = normal.dot(x[n[0]] - origin), h1 = normal.dot(x[n[1]] - origin),
+                 h2 = normal.dot(x[n[2]] - origin);
     return std::min({h0, h1, h2}) > distance || std::max({h0, h1, h2}) < -distance;
   };
   int body_a = -1, body_b = -1;

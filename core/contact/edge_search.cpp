@@ -23,20 +23,28 @@ std::array<Vec3, 2> into_facets(const StepGeometry& step, const ContactEdge& e) 
   return into;
 }
 
-bool convex(const StepGeometry& step, const ContactEdge& e) {
-  const Vec3 r = step.x[e.opposite[1]] - step.x[e.nodes[0]];
-  return step.normals[e.facets[0]].dot(r) < 0;
+/// Convex, and not so flat that it surely is but an edge of the mesh: most are, and this is all they cost.
+bool may_be_a_ridge(const StepGeometry& step, const ContactEdge& e, double tolerance) {
+  const Vec3 r = step.x[e.opposite[1]] - step.x[e.nodes[0]], u = step.x[e.nodes[1]] - step.x[e.nodes[0]];
+  const double below = step.normals[e.facets[0]].dot(r), along = r.dot(u), length = u.squaredNorm();
+  return below < 0 && below * below * length > 0.9 * tolerance * tolerance * (r.squaredNorm() * length - along * along);
 }
 
 }  // namespace
 
 void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+  const double tolerance = cone_tolerance(step.settings);
+  const auto ridge = [&](const ContactFacet& facet, int k) {
+    return facet.owns_edge[k] && may_be_a_ridge(step, step.features.edges[facet.edges[k]], tolerance);
+  };
   for (const FacetPair& pair : pairs) {
     const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
+    const std::array<bool, 3> of_b = {ridge(b, 0), ridge(b, 1), ridge(b, 2)};
+    if (!of_b[0] && !of_b[1] && !of_b[2]) continue;
     for (int i = 0; i < 3; ++i) {
-      if (!a.owns_edge[i]) continue;
+      if (!ridge(a, i)) continue;
       for (int j = 0; j < 3; ++j) {
-        if (b.owns_edge[j]) cross(step, a.edges[i], b.edges[j], found);
+        if (of_b[j]) cross(step, a.edges[i], b.edges[j], found);
       }
     }
   }
@@ -50,7 +58,6 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, FoundPo
   if (!(squared > parallel * u.squaredNorm() * w.squaredNorm())) return;
   const double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
   if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return;
-  if (!convex(step, a) || !convex(step, b)) return;
 
   const ContactFacet &fa = step.features.facets[a.facets[0]], &fb = step.features.facets[b.facets[0]];
   const double size = step.broad.scale(fa.body, fb.body).size, rim = step.rim(fa.body, fb.body);
@@ -74,9 +81,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, FoundPo
     if (!in_both_cones(n)) return;
   }
   const double gap = -n.dot(r);
-  if (!(gap <= step.reach) ||
-      gap < -step.depth(step.features.facets[a.facets[0]].body, step.features.facets[b.facets[0]].body))
-    return;
+  if (!(gap <= step.reach) || (gap < 0 && gap < -step.depth(fa.body, fb.body))) return;
   const double facing = std::cos(radians(step.settings.facing_angle));
   const bool a_faces = std::max(-n.dot(step.normals[a.facets[0]]), -n.dot(step.normals[a.facets[1]])) > facing;
   const bool b_faces = std::max(n.dot(step.normals[b.facets[0]]), n.dot(step.normals[b.facets[1]])) > facing;

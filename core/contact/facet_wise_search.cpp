@@ -65,7 +65,7 @@ void FacetWiseSearch::find(const StepGeometry& step, std::span<const FacetPair> 
 
 void FacetWiseSearch::touch(const StepGeometry& step, const FacetPair& pair) {
   const Vec3 &na = step.normals[pair.a], &nb = step.normals[pair.b];
-  const CommonPlane plane = common_plane_of_bodies(corners(step, pair.a), corners(step, pair.b), nb - na);
+  const CommonPlane plane = common_plane(corners(step, pair.a), corners(step, pair.b), nb - na);
   if (!(plane.gap <= step.reach)) return;
   const std::size_t first = touches_.size();
   vertices_on(step, pair, true, plane.normal);

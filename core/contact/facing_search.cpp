@@ -105,8 +105,9 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
   const Projected a(step, pair.a, origin, e1, e2, true), b(step, pair.b, origin, e1, e2, false);
   if (!a.flat() || !b.flat()) return;
   const OverlapPolygon polygon = talus::overlap(a.points, b.points);
+  if (polygon.count == 0) return;
   const double size = step.broad.scale(fa.body, fb.body).size;
-  if (polygon.count == 0 || !(polygon.area > least_area * size * size)) return;
+  if (!(polygon.area > least_area * size * size)) return;
 
   const std::size_t first = corners_.size(), first_covered = found.covered.size();
   double least_gap = std::numeric_limits<double>::infinity();

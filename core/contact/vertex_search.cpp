@@ -128,7 +128,7 @@ void VertexSearch::touch(const StepGeometry& step, int node, int facet, bool nod
   const double gap = n.dot(r);
   if (!(gap <= step.reach)) return;
   const int other = step.features.facets[step.features.facets_at(node)[0]].body;
-  if (gap < -step.depth(f.body, other)) return;
+  if (gap < 0 && gap < -step.depth(f.body, other)) return;
 
   const Vec3 e1 = step.x[f.nodes[1]] - origin, e2 = step.x[f.nodes[2]] - origin, twice = e1.cross(e2);
   const double squared = twice.squaredNorm();

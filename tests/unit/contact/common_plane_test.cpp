@@ -96,6 +96,18 @@ TEST(CommonPlane, CrossingFacetsHaveTheLeastPenetration) {
   expect_plane(common_plane(a, ground), -0.01, {0, 0, 1});
 }
 
+TEST(CommonPlane, FacetsInEachOtherFaceToFaceAreNotApartOnTheirWrongSides) {
+  const Triangle lower = {Vec3(0.5, 0.5, -0.01), Vec3(0.5, 1.5, -0.01), Vec3(1.5, 0.5, -0.01)};  // looks down
+  expect_plane(common_plane(lower, ground), 0.01, {0, 0, -1});
+  expect_plane(common_plane(lower, ground, {0, 0, 2}), -0.01, {0, 0, 1});
+}
+
+TEST(CommonPlane, CrossingFacetsAreNotPartedSideways) {
+  // It reaches over the side y = 0 by 0.001, and is 0.01 deep: sideways is nearer, but that side is the mesh's.
+  const Triangle a = {Vec3(1, 0.001, -0.01), Vec3(0.5, -1, -0.01), Vec3(1.5, -1, -0.01)};
+  expect_plane(common_plane(a, ground, {0, 0, 2}), -0.01, {0, 0, 1});
+}
+
 TEST(CommonPlane, GapIsTheDistanceOfRandomTriangles) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
