@@ -16,7 +16,7 @@ Scene cube_on_spring(double drop, Integrator integrator) {
   scene.project.gravity = {0, 0, -gravity};
   scene.project.solver.integrator = integrator;
   scene.project.solver.spectral_radius = 1;
-  scene.add_material({.name = "stiff", .density = mass, .young = 1e13, .poisson = 0.25});
+  scene.add_material({.name = "stiff", .density = mass, .young = 1e12, .poisson = 0.25});
   Joint spring;
   spring.name = "spring";
   spring.normal_stiffness = stiffness;
@@ -47,12 +47,12 @@ Bounce bounce(const Scene& scene, double scale, Progress& progress) {
   run_scene(scaled(scene, scale), progress, [&](const Simulation& simulation, const StepReport&) {
     const double force = normal_force(simulation) / (scale * scale * scale), time = simulation.time() / root;
     // The force grows and falls linearly at both ends: its zero lies on the line through two samples.
-    if (last_force > 0 && force > 0 && result.begin == 0)
-      result.begin = last_time - last_force * (time - last_time) / (force - last_force);
+    const double zero = last_time - last_force * (time - last_time) / (force - last_force);
+    const bool over = last_force > 0 && force == 0;
+    if (last_force > 0 && force > last_force && result.begin == 0) result.begin = zero;
+    if (last_force > force && force > 0) result.end = zero;
     result.peak_force = std::max(result.peak_force, force);
     result.rebound = simulation.history().monitors[0].velocity.z() / root;
-    const bool over = last_force > 0 && force == 0;
-    if (!over && force > 0) result.end = time;
     last_force = force;
     last_time = time;
     return !over;
@@ -63,7 +63,7 @@ Bounce bounce(const Scene& scene, double scale, Progress& progress) {
 /// mẍ = mg − kx from x = 0 with v₀: contact lasts (π + 2 atan(g/(v₀ω)))/ω, and the force comes to mg + √((mg)² +
 /// kmv₀²).
 CaseOutcome elastic_impact(const CaseOptions& options, Progress& progress) {
-  constexpr double drop = 1, step = 1e-5, weight = mass * gravity;
+  constexpr double drop = 1, step = 5e-6, weight = mass * gravity;
   const double speed = std::sqrt(2 * gravity * drop), omega = std::sqrt(stiffness / mass);
   const double duration = (std::numbers::pi + 2 * std::atan(gravity / (speed * omega))) / omega;
   const double force = weight + std::sqrt(weight * weight + stiffness * mass * speed * speed);

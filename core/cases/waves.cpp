@@ -80,10 +80,10 @@ WaveRun run_wave(int cells, double step, Integrator integrator, double scale, Pr
   return wave;
 }
 
-std::vector<Refinement> halved_steps(int cells, Integrator integrator, double scale, Progress& progress) {
+std::vector<Refinement> halved_steps(double longest, Integrator integrator, double scale, Progress& progress) {
   std::vector<Refinement> series;
-  for (const double step : {4e-4, 2e-4, 1e-4}) {
-    const WaveRun wave = run_wave(cells, step, integrator, scale, progress);
+  for (const double step : {longest, longest / 2, longest / 4}) {
+    const WaveRun wave = run_wave(80, step, integrator, scale, progress);
     series.push_back({short_number(step * 1e6), wave.end_velocity, wave.error});
   }
   return series;
@@ -106,8 +106,8 @@ CaseOutcome bar_wave(const CaseOptions& options, Progress& progress) {
     finest = run_wave(cells, step, Integrator::generalized_alpha, options.scale, progress);
     meshes.push_back({std::to_string(cells), finest.end_velocity, finest.error});
   }
-  const auto smooth = halved_steps(80, Integrator::generalized_alpha, options.scale, progress);
-  const auto paper = halved_steps(80, Integrator::constant_acceleration, options.scale, progress);
+  const auto smooth = halved_steps(4e-4, Integrator::generalized_alpha, options.scale, progress);
+  const auto paper = halved_steps(1e-4, Integrator::constant_acceleration, options.scale, progress);
   outcome.findings.push_back({.quantity = "wave speed",
                               .unit = "m/s",
                               .expected = bar.wave_speed(),
