@@ -160,5 +160,30 @@ TEST(StepTableTest, ListsEveryCutUnderItsJointAndJointsWithoutOne) {
   for (const auto& row : rows.rows) EXPECT_EQ(row.cells.size(), rows.heads.size());
 }
 
+TEST(StepTableTest, SaysHowLongATableIsAndThatAWholeBlockMoves) {
+  Project project;
+  project.loads = {{"top", {1, 2, 3}, {0, 0, -2e6}}, {"top", {1, 2, 3}, {0, 0, 0}, {{0, {0, 0, 0}}, {2.5, {1, 0, 0}}}}};
+  project.constraints = {{"base", {}, {0, 0, 0}, {{1, {0, 0, 0}}}}, {"top", Vec3(0, 0, 1), {0, {}, 0.5}}};
+  const StepRows rows = rowsOf(Step::loads, project, nullptr);
+  ASSERT_EQ(rows.rows.size(), 4u);
+  EXPECT_EQ(rows.rows[0].cells.join(u'|').toStdString(), "force, kN|top|1.000, 2.000, 3.000|0, 0, −2000");
+  EXPECT_EQ(rows.rows[1].cells.last().toStdString(), "2 rows, 0 … 2.500 s");
+  EXPECT_EQ(rows.rows[2].cells.join(u'|').toStdString(), "support, m|base|whole block|1 row, 1.000 … 1.000 s");
+  EXPECT_EQ(rows.rows[3].cells.last().toStdString(), "0, free, 0.500");
+}
+
+TEST(StepTableTest, SaysThatAStageEndsAtEquilibrium) {
+  Project project;
+  project.stages.resize(2);
+  project.stages[0].kind = StageKind::static_;
+  project.stages[0].time_step = project.stages[1].time_step = 0.01;
+  project.stages[0].steps = project.stages[1].steps = 10;
+  project.stages[0].until_equilibrium = true;
+  const StepRows rows = rowsOf(Step::stages, project, nullptr);
+  ASSERT_EQ(rows.rows.size(), 2u);
+  EXPECT_EQ(rows.rows[0].cells[1].toStdString(), "static, until equilibrium");
+  EXPECT_EQ(rows.rows[1].cells[1].toStdString(), "dynamic");
+}
+
 }  // namespace
 }  // namespace talus

@@ -164,9 +164,11 @@ void ProjectTree::addBlocks(QTreeWidgetItem* group) {
 
 void ProjectTree::addLoads(QTreeWidgetItem* group) {
   const Project& project = workspace_.document().project();
-  for (size_t i = 0; i < project.loads.size(); ++i)
-    addRow(group, {Item::Kind::load, static_cast<int>(i)}, tr("load on %1").arg(text(project.loads[i].block)),
-           tr("%1 kN").arg(numbers::significant(project.loads[i].force.norm() / 1e3)));
+  for (size_t i = 0; i < project.loads.size(); ++i) {
+    const PointLoad& load = project.loads[i];
+    addRow(group, {Item::Kind::load, static_cast<int>(i)}, tr("load on %1").arg(text(load.block)),
+           load.table.empty() ? tr("%1 kN").arg(numbers::significant(load.force.norm() / 1e3)) : tr("by table"));
+  }
   for (size_t i = 0; i < project.constraints.size(); ++i)
     addRow(group, {Item::Kind::constraint, static_cast<int>(i)},
            tr("support of %1").arg(text(project.constraints[i].block)), {});

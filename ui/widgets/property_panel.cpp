@@ -1,6 +1,7 @@
 #include "widgets/property_panel.hpp"
 
 #include "base/error.hpp"
+#include "widgets/model_words.hpp"
 #include "widgets/number_field.hpp"
 #include "widgets/numbers.hpp"
 
@@ -9,25 +10,6 @@ namespace talus {
 namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
-
-QString point(const Vec3& p) {
-  return QStringLiteral("%1, %2, %3")
-      .arg(numbers::significant(p.x(), 4), numbers::significant(p.y(), 4), numbers::significant(p.z(), 4));
-}
-
-QString bodyWord(BodyKind body) {
-  switch (body) {
-    case BodyKind::fixed:
-      return QObject::tr("fixed");
-    case BodyKind::rigid:
-      return QObject::tr("rigid");
-    case BodyKind::affine:
-      return QObject::tr("affine");
-    case BodyKind::tetrahedra:
-      return QObject::tr("tetrahedra");
-  }
-  return {};
-}
 
 }  // namespace
 
@@ -98,28 +80,12 @@ void PropertyPanel::rebuild() {
   column_->addWidget(scrolled_, 1);
 }
 
-void PropertyPanel::showProject() {
-  const Project& project = workspace_.document().project();
-  header_->setTitle(tr("Project"), tr("nothing is selected"));
-  auto* general = addSection(tr("General"));
-  general->addFact(tr("Gravity, m/s²"), point(project.gravity));
-  general->addFact(tr("Default joint"), text(project.default_joint));
-  general->addFact(tr("A frame every"), tr("%1 s").arg(numbers::significant(project.output.every)));
-  auto* solver = addSection(tr("Solver"));
-  solver->addFact(tr("Strain"), text(std::string(to_string(project.solver.strain))));
-  solver->addFact(tr("Integrator"), text(std::string(to_string(project.solver.integrator))));
-  solver->addFact(tr("Contact stiffness"), numbers::significant(project.solver.contact_stiffness),
-                  tr("Normal penalty in units of the contact modulus over the mesh size"));
-  solver->addFact(tr("Open–close limit"), numbers::whole(project.solver.open_close_limit),
-                  tr("Iterations before a step is cut"));
-}
-
 void PropertyPanel::showSolid(const Solid& solid) {
   header_->setTitle(text(solid.name), tr("solid"));
   auto* shape = addSection(tr("Shape"));
   if (const auto* box = std::get_if<BoxShape>(&solid.shape)) {
-    shape->addFact(tr("From, m"), point(box->min));
-    shape->addFact(tr("To, m"), point(box->max));
+    shape->addFact(tr("From, m"), words::point(box->min));
+    shape->addFact(tr("To, m"), words::point(box->max));
   } else if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape)) {
     shape->addFact(tr("Vertices"), numbers::whole(static_cast<long long>(polyhedron->vertices.size())));
     shape->addFact(tr("Faces"), numbers::whole(static_cast<long long>(polyhedron->faces.size())));
@@ -129,7 +95,7 @@ void PropertyPanel::showSolid(const Solid& solid) {
   }
   auto* rock = addSection(tr("Rock"));
   rock->addFact(tr("Material"), text(solid.material));
-  rock->addFact(tr("Body"), bodyWord(solid.body));
+  rock->addFact(tr("Body"), words::body(solid.body));
   rock->addFact(tr("Mesh size"),
                 solid.mesh_size ? tr("%1 m").arg(numbers::significant(*solid.mesh_size)) : tr("automatic"));
 }
@@ -142,7 +108,7 @@ void PropertyPanel::showCut(const Cut& cut) {
   orientation->addFact(tr("Dip direction"), tr("%1°").arg(numbers::significant(cut.dip_direction, 4)),
                        tr("Azimuth of the steepest line, clockwise from north"));
   auto* position = addSection(tr("Position and extent"));
-  position->addFact(tr("Through, m"), point(cut.through));
+  position->addFact(tr("Through, m"), words::point(cut.through));
   if (cut.spacing) position->addFact(tr("Spacing"), tr("%1 m").arg(numbers::significant(*cut.spacing)));
   position->addFact(tr("Count"), numbers::whole(cut.count.value_or(1)));
   QStringList names;
@@ -195,7 +161,7 @@ void PropertyPanel::showBlock(int index) {
   header_->setTitle(text(block.name), tr("block"));
   auto* shape = addSection(tr("Shape"));
   shape->addFact(tr("Volume"), tr("%1 m³").arg(numbers::significant(block.volume, 5)));
-  shape->addFact(tr("Body"), bodyWord(block.body));
+  shape->addFact(tr("Body"), words::body(block.body));
   const auto& materials = workspace_.document().project().materials;
   if (static_cast<size_t>(block.material) < materials.size()) {
     const Material& material = materials[static_cast<size_t>(block.material)];
@@ -229,40 +195,7 @@ void PropertyPanel::showMaterial(int index) {
   editable(tr("Density ρ"), {1, QStringLiteral("kg/m³")}, &Material::density);
   editable(tr("Young E"), {1e9, QStringLiteral("GPa")}, &Material::young);
   editable(tr("Poisson ν"), {1, {}}, &Material::poisson);
-}
-
-void PropertyPanel::showLoad(const PointLoad& load) {
-  header_->setTitle(tr("Point load"), text(load.block));
-  auto* section = addSection(tr("Load"));
-  section->addFact(tr("At, m"), point(load.at));
-  section->addFact(tr("Force, kN"), point(load.force / 1e3));
-}
-
-void PropertyPanel::showConstraint(const Constraint& constraint) {
-  header_->setTitle(tr("Support"), text(constraint.block));
-  auto* section = addSection(tr("Displacement constraint"));
-  if (constraint.at) section->addFact(tr("At, m"), point(*constraint.at));
-  const char* axes[] = {"East", "North", "Up"};
-  for (size_t i = 0; i < 3; ++i) {
-    const auto& component = constraint.displacement[i];
-    section->addFact(tr(axes[i]), component ? tr("%1 m").arg(numbers::significant(*component)) : tr("free"));
-  }
-}
-
-void PropertyPanel::showVelocity(const InitialVelocity& velocity) {
-  header_->setTitle(tr("Initial velocity"), text(velocity.block));
-  auto* section = addSection(tr("Velocity"));
-  section->addFact(tr("Linear, m/s"), point(velocity.linear));
-  section->addFact(tr("Angular, rad/s"), point(velocity.angular));
-}
-
-void PropertyPanel::showStage(const Stage& stage) {
-  header_->setTitle(text(stage.name), tr("stage"));
-  auto* section = addSection(tr("Stage"));
-  section->addFact(tr("Type"), stage.kind == StageKind::static_ ? tr("static") : tr("dynamic"));
-  section->addFact(tr("Time step"), tr("%1 s").arg(numbers::significant(stage.time_step)));
-  if (stage.steps) section->addFact(tr("Steps"), numbers::whole(*stage.steps));
-  if (stage.duration) section->addFact(tr("Duration"), tr("%1 s").arg(numbers::significant(*stage.duration, 4)));
+  editable(tr("Damping"), {1, QStringLiteral("1/s")}, &Material::damping);
 }
 
 void PropertyPanel::showMonitor(int index) {
@@ -270,7 +203,7 @@ void PropertyPanel::showMonitor(int index) {
   header_->setTitle(text(monitor.name), tr("monitor"));
   auto* section = addSection(tr("Place"));
   section->addFact(tr("Block"), text(monitor.block));
-  section->addFact(tr("At, m"), point(monitor.at));
+  section->addFact(tr("At, m"), words::point(monitor.at));
 }
 
 }  // namespace talus

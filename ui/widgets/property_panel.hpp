@@ -18,6 +18,7 @@ class PropertyPanel : public QWidget {
  private:
   void rebuild();
   void showProject();
+  void showSolver(const SolverSettings& solver);
   void showSolid(const Solid& solid);
   void showCut(const Cut& cut);
   void showJoint(int index);

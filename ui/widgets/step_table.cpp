@@ -3,6 +3,7 @@
 #include <QHeaderView>
 #include <QPainter>
 
+#include "widgets/model_words.hpp"
 #include "widgets/numbers.hpp"
 #include "widgets/theme.hpp"
 
@@ -17,10 +18,6 @@ const QString none = QStringLiteral("–");
 
 Item item(Item::Kind kind, size_t index) { return {kind, static_cast<int>(index)}; }
 
-QString place(const Vec3& p) {
-  return QStringLiteral("%1, %2, %3").arg(number(p.x(), 4), number(p.y(), 4), number(p.z(), 4));
-}
-
 StepRows geometryRows(const Project& project) {
   StepRows content{QObject::tr("Solids"),
                    {QObject::tr("Solid"), QObject::tr("Shape"), QObject::tr("Material"), QObject::tr("Body"),
@@ -28,7 +25,6 @@ StepRows geometryRows(const Project& project) {
                    4,
                    {},
                    QObject::tr("The project has no solid.")};
-  const char* bodies[] = {"fixed", "rigid", "affine", "tetrahedra"};
   for (size_t i = 0; i < project.solids.size(); ++i) {
     const Solid& solid = project.solids[i];
     QString shape = QObject::tr("box");
@@ -36,10 +32,9 @@ StepRows geometryRows(const Project& project) {
       shape = QObject::tr("polyhedron, %1 faces").arg(polyhedron->faces.size());
     else if (const auto* file = std::get_if<FileShape>(&solid.shape))
       shape = text(file->path);
-    content.rows.push_back(
-        {item(Item::Kind::solid, i),
-         {text(solid.name), shape, text(solid.material), QObject::tr(bodies[static_cast<size_t>(solid.body)]),
-          solid.mesh_size ? number(*solid.mesh_size) : QObject::tr("automatic")}});
+    content.rows.push_back({item(Item::Kind::solid, i),
+                            {text(solid.name), shape, text(solid.material), words::body(solid.body),
+                             solid.mesh_size ? number(*solid.mesh_size) : QObject::tr("automatic")}});
   }
   return content;
 }
@@ -83,15 +78,14 @@ StepRows blockRows(const Project& project, const BlockSystem* system) {
                    {},
                    QObject::tr("Not cut yet.")};
   if (!system) return content;
-  const char* bodies[] = {"fixed", "rigid", "affine", "tetrahedra"};
   for (size_t i = 0; i < system->blocks.size(); ++i) {
     const Block& block = system->blocks[i];
     const auto m = static_cast<size_t>(block.material);
     const bool known = m < project.materials.size();
-    content.rows.push_back({item(Item::Kind::block, i),
-                            {text(block.name), QObject::tr(bodies[static_cast<size_t>(block.body)]),
-                             known ? text(project.materials[m].name) : none, number(block.volume, 4),
-                             known ? number(block.volume * project.materials[m].density / 1e3, 4) : none}});
+    content.rows.push_back(
+        {item(Item::Kind::block, i),
+         {text(block.name), words::body(block.body), known ? text(project.materials[m].name) : none,
+          number(block.volume, 4), known ? number(block.volume * project.materials[m].density / 1e3, 4) : none}});
   }
   return content;
 }
@@ -114,15 +108,16 @@ StepRows meshRows(const BlockSystem* system) {
 
 StepRows materialRows(const Project& project) {
   StepRows content{QObject::tr("Materials"),
-                   {QObject::tr("Material"), QObject::tr("ρ kg/m³"), QObject::tr("E GPa"), QObject::tr("ν")},
+                   {QObject::tr("Material"), QObject::tr("ρ kg/m³"), QObject::tr("E GPa"), QObject::tr("ν"),
+                    QObject::tr("Damping 1/s")},
                    1,
                    {},
                    QObject::tr("The project has no material.")};
   for (size_t i = 0; i < project.materials.size(); ++i) {
     const Material& material = project.materials[i];
-    content.rows.push_back(
-        {item(Item::Kind::material, i),
-         {text(material.name), number(material.density, 4), number(material.young / 1e9), number(material.poisson)}});
+    content.rows.push_back({item(Item::Kind::material, i),
+                            {text(material.name), number(material.density, 4), number(material.young / 1e9),
+                             number(material.poisson), number(material.damping)}});
   }
   return content;
 }
@@ -133,23 +128,27 @@ StepRows loadRows(const Project& project) {
                    3,
                    {},
                    QObject::tr("Nothing but gravity acts.")};
-  for (size_t i = 0; i < project.loads.size(); ++i)
+  for (size_t i = 0; i < project.loads.size(); ++i) {
+    const PointLoad& load = project.loads[i];
     content.rows.push_back({item(Item::Kind::load, i),
-                            {QObject::tr("force, kN"), text(project.loads[i].block), place(project.loads[i].at),
-                             place(project.loads[i].force / 1e3)}});
+                            {QObject::tr("force, kN"), text(load.block), words::point(load.at),
+                             load.table.empty() ? words::point(load.force / 1e3) : words::span(load.table)}});
+  }
   for (size_t i = 0; i < project.constraints.size(); ++i) {
+    const Constraint& constraint = project.constraints[i];
     QStringList components;
-    for (const auto& component : project.constraints[i].displacement)
+    for (const auto& component : constraint.displacement)
       components << (component ? number(*component) : QObject::tr("free"));
-    content.rows.push_back({item(Item::Kind::constraint, i),
-                            {QObject::tr("support, m"), text(project.constraints[i].block),
-                             project.constraints[i].at ? place(*project.constraints[i].at) : QObject::tr("whole block"),
-                             components.join(QStringLiteral(", "))}});
+    content.rows.push_back(
+        {item(Item::Kind::constraint, i),
+         {QObject::tr("support, m"), text(constraint.block),
+          constraint.at ? words::point(*constraint.at) : QObject::tr("whole block"),
+          constraint.table.empty() ? components.join(QStringLiteral(", ")) : words::span(constraint.table)}});
   }
   for (size_t i = 0; i < project.velocities.size(); ++i)
-    content.rows.push_back(
-        {item(Item::Kind::velocity, i),
-         {QObject::tr("velocity, m/s"), text(project.velocities[i].block), none, place(project.velocities[i].linear)}});
+    content.rows.push_back({item(Item::Kind::velocity, i),
+                            {QObject::tr("velocity, m/s"), text(project.velocities[i].block), none,
+                             words::point(project.velocities[i].linear)}});
   return content;
 }
 
@@ -166,7 +165,8 @@ StepRows stageRows(const Project& project) {
     const long steps = stage.steps ? *stage.steps : std::lround(duration / stage.time_step);
     content.rows.push_back(
         {item(Item::Kind::stage, i),
-         {text(stage.name), stage.kind == StageKind::static_ ? QObject::tr("static") : QObject::tr("dynamic"),
+         {text(stage.name),
+          stage.until_equilibrium ? QObject::tr("static, until equilibrium") : words::stage(stage.kind),
           number(stage.time_step * 1e3), numbers::whole(steps), number(duration, 4)}});
   }
   return content;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QString>
+
+#include "model/project.hpp"
+
+/// What the project holds, as panels and tables say it alike.
+namespace talus::words {
+
+QString body(BodyKind kind);
+QString stage(StageKind kind);
+/// "1, 2.5, −3", four figures.
+QString point(const Vec3& p);
+/// "3 rows, 0 … 2 s"; the table is not empty.
+QString span(const TimeTable& table);
+
+}  // namespace talus::words
