@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solve/stopwatch.hpp"
 
@@ -56,6 +57,7 @@ void OpenClose::begin_step(const StepContext& step) {
   const Stopwatch watch(times_.assemble);
   share_ = step.integration.smooth_share();
   length_ = step.length;
+  extent_ = step.extent;
   constant_.set_zero();
   part_.resize(zero_.size());
   momentum_scale_ = 0;
@@ -137,6 +139,14 @@ void OpenClose::assemble(const Increment& d) {
   }
 }
 
+/// Every node's position is off by a rounding; each row of the residual has so much of it times its stiffness.
+double OpenClose::rounding_of_positions() const {
+  double squares = 0;
+  for (int node = 0; node < matrix_.nodes(); ++node)
+    squares += matrix_.value(matrix_.column_begin()[node]).diagonal().squaredNorm();
+  return std::numeric_limits<double>::epsilon() * extent_ * std::sqrt(squares);
+}
+
 void OpenClose::factor() {
   const Stopwatch watch(times_.factor);
   cholesky_.factor(matrix_);
@@ -185,11 +195,13 @@ Settling OpenClose::settle(Increment& d) {
     result.residual = gradient_.norm();
     result.force_scale = force_scale_;
     if (!std::isfinite(result.residual)) return result;
-    const bool stalled = result.residual > 0.5 * last && result.residual <= settings_.round_off * force_scale_;
+    const double round_off = std::max(settings_.round_off * force_scale_, settings_.rounding * rounding_);
+    const bool stalled = result.residual > 0.5 * last && result.residual <= round_off;
     result.settled = result.residual <= settings_.tolerance * force_scale_ || stalled;
     if (result.settled || result.iterations >= settings_.iteration_limit) break;
     last = result.residual;
     assemble(d);
+    rounding_ = rounding_of_positions();
     find_direction(d);
     move(d);
   }

@@ -27,7 +27,8 @@ struct Settling {
 struct OpenCloseSettings {
   int iteration_limit = 20;  ///< then the step is cut
   double tolerance = 1e-9;   ///< residual over force scale at which a step has settled
-  double round_off = 1e-7;   ///< a residual below this that no longer falls is round-off, and has settled too
+  double round_off = 1e-7;   ///< a residual below this that no longer falls is round-off, and has settled too …
+  double rounding = 4;       ///< … as is one of so many roundings of positions times the largest stiffness
   double linear_tolerance =
       1e-4;               ///< of the linear solves: the last iteration but one then leaves 1e-4 of the residual
   int linear_limit = 40;  ///< GMRES iterations after which the matrix is factored anew
@@ -68,6 +69,7 @@ class OpenClose {
  private:
   void evaluate(const Increment& d);
   void assemble(const Increment& d);
+  double rounding_of_positions() const;
   void factor();
   void find_direction(const Increment& d);
   void move(Increment& d);
@@ -83,6 +85,8 @@ class OpenClose {
   double share_ = 1;            ///< of D at which smooth forces are taken
   double factored_length_ = 0;  ///< s, Δ of the factor; 0: there is none for this pattern
   double length_ = 0;           ///< s, Δ
+  double extent_ = 0;           ///< m, largest coordinate
+  double rounding_ = 0;         ///< N, what the rounding of positions alone may leave in the residual
   int linear_iterations_ = 0;   ///< of the last direction
   int patience_ = 5;            ///< GMRES iterations that cost as much as a factor
   double force_scale_ = 0, momentum_scale_ = 0;

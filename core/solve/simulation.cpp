@@ -96,7 +96,8 @@ struct Simulation::State {
       const double tolerance = 1e-6 * std::cbrt(s.solids_volume);
       monitors.push_back(material_point(s, monitor.block, monitor.at, tolerance, "monitor '" + monitor.name + "'"));
     }
-    if (p.solver.strain == Strain::incremental) bodies.stress = stress_before(p, s, bodies);
+    bodies.stress = stress_before(p, s, bodies);
+    for (const Vec3& x : bodies.nodes.reference) context.extent = std::max(context.extent, x.cwiseAbs().maxCoeff());
   }
 
   bool adaptive() const { return project.solver.time_step_control == TimeStepControl::adaptive; }

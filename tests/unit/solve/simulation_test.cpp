@@ -5,31 +5,14 @@
 #include <cmath>
 
 #include "bodies/block_motion.hpp"
-#include "support/small_scenes.hpp"
+#include "support/solver_scenes.hpp"
 
 namespace talus {
 namespace {
 
-Project scene(double friction_angle, std::vector<Stage> stages) {
-  Project project;
-  project.name = "scene";
-  project.materials = {{"rock", 2600, 5e9, 0.24}};
-  project.joints = {{"J", friction_angle, 0, 0, {}, {}, {}}};
-  project.default_joint = "J";
-  project.stages = std::move(stages);
-  return project;
-}
-
-BlockSystem blocks(std::vector<Block> list) {
-  BlockSystem system;
-  system.blocks = std::move(list);
-  system.joint_names = {"J"};
-  system.solids_volume = 1;
-  return system;
-}
-
-/// Gravity of a plane that dips by `dip` degrees towards +x, in the plane's own axes.
-Vec3 tilted_gravity(double dip) { return 9.81 * Vec3(std::sin(dip * M_PI / 180), 0, -std::cos(dip * M_PI / 180)); }
+using test::tilted_gravity;
+constexpr auto scene = test::rock_project;
+constexpr auto blocks = test::block_system;
 
 TEST(Simulation, free_fall_is_exact) {
   const Project project = scene(30, {{"fall", StageKind::dynamic, 0.01, 100, {}}});
