@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t line_width = 110;
 /// Widths are fixed because a case is printed as soon as it ends, before those of the next are known.
-constexpr std::size_t quantity_width = 44, unit_width = 5, value_width = 12, error_width = 9;
+constexpr std::size_t quantity_width = 44, unit_width = 5, value_width = 13, error_width = 9;
 
 /// `text` broken into lines at spaces, each after `indent` spaces.
 std::string wrapped(const std::string& text, std::size_t indent) {
@@ -79,8 +79,12 @@ std::string repetition_text(const Repetition& repetition) {
                             number(repetition.options.scale) + ": ";
   if (!repetition.failure.empty()) return which + "failed: " + repetition.failure;
   if (repetition.same_bits) return which + "the same bits";
-  return which + (repetition.passed ? "the same; differs by " : "DIFFERS by ") +
-         finite(repetition.largest_difference, 2) + " at most (" + repetition.quantity + ")";
+  std::string text = which + (repetition.passed ? "the same; " : "NOT the same; ") + "relative difference " +
+                     finite(repetition.largest.value, 2);
+  if (!repetition.largest.quantity.empty()) text += " (" + repetition.largest.quantity + ')';
+  if (repetition.about_zero.quantity.empty()) return text;
+  return text + "; about zero " + finite(repetition.about_zero.value, 2) + " of the tolerance (" +
+         repetition.about_zero.quantity + ')';
 }
 
 std::string alignment_of(const CaseTable& table) {

@@ -28,7 +28,7 @@ FindingWords words_of(const Finding& finding);
 /// For `Table`: a letter a column, l or r.
 std::string alignment_of(const CaseTable& table);
 
-/// "2 threads: the same bits", "scale 0.1: differs by 3e-12 at most (acceleration)".
+/// "2 threads: the same bits", "… the same; relative difference 3e-12 (acceleration)".
 std::string repetition_text(const Repetition& repetition);
 
 }  // namespace talus::cli

@@ -28,9 +28,8 @@ double difference(const Finding& a, const Finding& b) {
   return std::abs(x - y) / std::max({1.0, std::abs(x), std::abs(y)});
 }
 
-double allowed(const Finding& finding) {
-  return finding.expected == 0 && finding.tolerance > 0 ? noise_about_zero : same_at_any_scale;
-}
+/// Whether its relative number is one of tolerances.
+bool is_about_zero(const Finding& finding) { return finding.expected == 0 && finding.tolerance > 0; }
 
 }  // namespace
 
@@ -43,14 +42,12 @@ Repetition compared(const CaseResult& first, const CaseResult& second) {
   if (!repetition.failure.empty()) return repetition;
 
   repetition.same_bits = same_bits(first.outcome, second.outcome);
-  bool alike = true;
   for (std::size_t i = 0; i < a.size(); ++i) {
+    auto& largest = is_about_zero(a[i]) ? repetition.about_zero : repetition.largest;
     const double apart = difference(a[i], b[i]);
-    alike = alike && apart <= allowed(a[i]);
-    if (apart < repetition.largest_difference || (apart == 0 && i > 0)) continue;
-    repetition.largest_difference = apart;
-    repetition.quantity = a[i].quantity;
+    if (apart > largest.value) largest = {apart, a[i].quantity};
   }
+  const bool alike = repetition.largest.value <= same_at_any_scale && repetition.about_zero.value <= noise_about_zero;
   const bool same_scale = first.options.scale == second.options.scale;
   repetition.passed = same_scale ? repetition.same_bits : alike && second.outcome.passed() == first.outcome.passed();
   return repetition;

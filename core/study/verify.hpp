@@ -24,10 +24,14 @@ std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const s
 struct Repetition {
   CaseOptions options;
   bool same_bits = false;  ///< of all computed numbers, tables and remarks
-  /// Between Finding::relative of the two runs, over the larger where that is above one; and where it is largest.
-  double largest_difference = 0;
-  std::string quantity;
-  std::string failure;  ///< why it came to no numbers that can be compared; empty: it did
+  /// Between Finding::relative of the two runs, over the larger where that is above one.
+  struct Difference {
+    double value = 0;
+    std::string quantity;  ///< where it is largest; empty: there is no such number, or none differs
+  };
+  Difference largest;     ///< of numbers whose expected one is not zero
+  Difference about_zero;  ///< of the others: in units of their tolerance
+  std::string failure;    ///< why it came to no numbers that can be compared; empty: it did
   bool passed = false;
 };
 

@@ -20,9 +20,14 @@ Json json_of(const CaseTable& table) {
 }
 
 Json json_of(const Repetition& repetition) {
-  return {{"scale", repetition.options.scale}, {"threads", repetition.options.threads},
-          {"same_bits", repetition.same_bits}, {"largest_difference", repetition.largest_difference},
-          {"quantity", repetition.quantity},   {"reason", repetition.failure},
+  return {{"scale", repetition.options.scale},
+          {"threads", repetition.options.threads},
+          {"same_bits", repetition.same_bits},
+          {"largest_difference", repetition.largest.value},
+          {"quantity", repetition.largest.quantity},
+          {"about_zero", repetition.about_zero.value},
+          {"quantity_about_zero", repetition.about_zero.quantity},
+          {"reason", repetition.failure},
           {"passed", repetition.passed}};
 }
 

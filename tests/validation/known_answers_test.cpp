@@ -44,8 +44,9 @@ TEST_P(KnownAnswer, IsTheSameOnTwoThreadsAndAtATenthOfTheScale) {
   EXPECT_EQ(result.repetitions.size(), GetParam().scales ? 2U : 1U) << result.failure;
   for (const Repetition& repetition : result.repetitions)
     EXPECT_TRUE(repetition.passed) << repetition.options.threads << " threads, scale " << repetition.options.scale
-                                   << ": " << repetition.failure << " differs by " << repetition.largest_difference
-                                   << " (" << repetition.quantity << ')';
+                                   << ": " << repetition.failure << "; differs by " << repetition.largest.value << " ("
+                                   << repetition.largest.quantity << "), about zero by " << repetition.about_zero.value
+                                   << " of the tolerance (" << repetition.about_zero.quantity << ')';
 }
 #endif
 

@@ -47,8 +47,11 @@ QString sentenceOf(const Repetition& repetition) {
           .arg(numbers::counted(repetition.options.threads, "thread"), value(repetition.options.scale, 3));
   if (!repetition.failure.empty()) return QObject::tr("%1: failed, %2").arg(which, text(repetition.failure));
   if (repetition.same_bits) return QObject::tr("%1: the same bits").arg(which);
-  return QObject::tr("%1: differs by %2 at most (%3)")
-      .arg(which, value(repetition.largest_difference, 2), text(repetition.quantity));
+  QString sentence = QObject::tr("%1: relative difference %2").arg(which, value(repetition.largest.value, 2));
+  if (!repetition.largest.quantity.empty()) sentence += QStringLiteral(" (%1)").arg(text(repetition.largest.quantity));
+  if (repetition.about_zero.quantity.empty()) return sentence;
+  return sentence + QObject::tr("; about zero %1 of the tolerance (%2)")
+                        .arg(value(repetition.about_zero.value, 2), text(repetition.about_zero.quantity));
 }
 
 }  // namespace
