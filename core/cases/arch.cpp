@@ -1,10 +1,10 @@
 #include "cases/arch.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "base/units.hpp"
 #include "cases/block_scene.hpp"
+#include "cases/case_text.hpp"
 #include "cases/voussoirs.hpp"
 
 namespace talus {
@@ -34,12 +34,6 @@ Scene arch_scene(const Arch& arch, double friction) {
   return scene;
 }
 
-std::string text(double number) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.5f", number);
-  return buffer;
-}
-
 CaseOutcome thickness(const CaseOptions& options, Progress& progress) {
   const auto arch_falls = [&](double thick, double friction) {
     return sets_off(arch_scene({voussoirs, thick}, friction), moved * radius, options, progress);
@@ -50,8 +44,9 @@ CaseOutcome thickness(const CaseOptions& options, Progress& progress) {
     const double expected = *least_thickness(voussoirs, friction);
     const Bracket bracket = narrowed({0.97 * expected, 1.03 * expected}, options.thorough ? 6 : 3,
                                      [&](double thick) { return arch_falls(thick, friction); });
-    brackets.rows.push_back({text(friction), text(expected), text(bracket.falls), text(bracket.stands)});
-    outcome.findings.push_back({.quantity = "least thickness/radius, μ " + text(friction),
+    brackets.rows.push_back(
+        {decimals(friction, 2), decimals(expected, 5), decimals(bracket.falls, 5), decimals(bracket.stands, 5)});
+    outcome.findings.push_back({.quantity = "least thickness/radius, μ " + decimals(friction, 2),
                                 .unit = "",
                                 .expected = expected,
                                 .computed = bracket.middle(),
@@ -59,12 +54,13 @@ CaseOutcome thickness(const CaseOptions& options, Progress& progress) {
   }
   outcome.tables.push_back(brackets);
   const double slippery = 0.30;
-  outcome.findings.push_back({.quantity = "thickness 0.3 of the radius stands (1) or falls (0), μ " + text(slippery),
-                              .unit = "",
-                              .expected = stands({voussoirs, 0.3}, slippery) ? 1.0 : 0.0,
-                              .computed = arch_falls(0.3, slippery) ? 0.0 : 1.0,
-                              .tolerance = 0,
-                              .absolute = true});
+  outcome.findings.push_back(
+      {.quantity = "thickness 0.3 of the radius stands (1) or falls (0), μ " + decimals(slippery, 2),
+       .unit = "",
+       .expected = stands({voussoirs, 0.3}, slippery) ? 1.0 : 0.0,
+       .computed = arch_falls(0.3, slippery) ? 0.0 : 1.0,
+       .tolerance = 0,
+       .absolute = true});
   return outcome;
 }
 

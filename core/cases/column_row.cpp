@@ -5,6 +5,7 @@
 
 #include "base/units.hpp"
 #include "cases/block_scene.hpp"
+#include "cases/case_text.hpp"
 
 namespace talus {
 
@@ -37,7 +38,7 @@ CaseOutcome limit(const CaseOptions& options, Progress& progress) {
   CaseTable table{"Rows of columns", {"φ [°]", "row"}, {}};
   const Bracket bracket = narrowed({expected - 4, expected + 4}, options.thorough ? 10 : 7, [&](double angle) {
     const bool falls = sets_off(row_scene(row, angle), moved * row.width, options, progress);
-    table.rows.push_back({std::to_string(angle), falls ? "falls" : "stands"});
+    table.rows.push_back({decimals(angle, 3), falls ? "falls" : "stands"});
     return falls;
   });
   CaseOutcome outcome;

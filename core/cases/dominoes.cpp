@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cases/block_scene.hpp"
+#include "cases/case_text.hpp"
 
 namespace talus {
 
@@ -86,7 +87,7 @@ CaseOutcome fall(const CaseOptions& options, Progress& progress) {
   const int count = options.thorough ? 16 : 9;
   for (const double spacing : {0.3, 0.5}) {
     const DominoRow row{0.15, spacing};
-    const std::string name = spacing == 0.3 ? ", spacing 0.3" : ", spacing 0.5";
+    const std::string name = ", spacing " + decimals(spacing, 1);
     const auto times = strikes(row, count, options, progress);
     const auto expected = row.front_speeds(push, count - 1);
     outcome.findings.push_back({.quantity = "dominoes that came to strike the next" + name,
@@ -98,7 +99,7 @@ CaseOutcome fall(const CaseOptions& options, Progress& progress) {
     double speed = NAN;
     for (std::size_t i = 1; i < times.size(); ++i) {
       speed = row.pitch() / (times[i] - times[i - 1]) / std::sqrt(9.81);
-      table.rows.push_back({std::to_string(i + 1), std::to_string(expected[i]), std::to_string(speed)});
+      table.rows.push_back({std::to_string(i + 1), decimals(expected[i], 3), decimals(speed, 3)});
     }
     outcome.findings.push_back({.quantity = "last speed of the front/√(gh)" + name,
                                 .unit = "",

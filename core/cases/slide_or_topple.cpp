@@ -1,10 +1,10 @@
 #include "cases/slide_or_topple.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "base/units.hpp"
 #include "cases/block_scene.hpp"
+#include "cases/case_text.hpp"
 
 namespace talus {
 
@@ -49,12 +49,6 @@ ColumnMotion run_column(const ColumnPoint& point, const CaseOptions& options, Pr
   return result;
 }
 
-std::string text(double number, const char* format = "%.2f") {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, format, number);
-  return buffer;
-}
-
 /// Runs the points into a table, a row each; how many have another mode than expected.
 int compare_modes(const std::vector<ColumnPoint>& points, CaseTable& table, const CaseOptions& options,
                   Progress& progress) {
@@ -65,9 +59,9 @@ int compare_modes(const std::vector<ColumnPoint>& points, CaseTable& table, cons
     const ColumnMotion motion = run_column(point, options, progress);
     const ColumnMode expected = expected_mode(point), computed = mode_of(motion);
     wrong += expected != computed;
-    table.rows.push_back({text(point.slenderness), text(point.dip), text(point.friction_angle),
-                          std::string(to_string(expected)), std::string(to_string(computed)), text(motion.slip, "%.1e"),
-                          text(motion.turn, "%.1e")});
+    table.rows.push_back({decimals(point.slenderness, 2), decimals(point.dip, 2), decimals(point.friction_angle, 2),
+                          std::string(to_string(expected)), std::string(to_string(computed)), decimals(motion.slip, 6),
+                          decimals(motion.turn, 6)});
   }
   return wrong;
 }

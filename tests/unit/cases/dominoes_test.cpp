@@ -1,0 +1,15 @@
+#include "cases/dominoes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace talus {
+namespace {
+
+TEST(Dominoes, a_long_row_falls_at_its_own_speed_whatever_the_push) {
+  EXPECT_NEAR((DominoRow{0.15, 0.3}.front_speeds(0.7, 40).back()), 1.840, 5e-4);
+  EXPECT_NEAR((DominoRow{0.15, 0.3}.front_speeds(1.5, 40).back()), 1.840, 5e-4);
+  EXPECT_NEAR((DominoRow{0.15, 0.5}.front_speeds(1.0, 40).back()), 1.698, 5e-4);
+}
+
+}  // namespace
+}  // namespace talus
