@@ -58,6 +58,29 @@ Json blocks_of(const BlockSystem& system) {
   return blocks;
 }
 
+/// How blocks move in the last frame: motion_json's object, with the name; none where nobody watched.
+Json motions_of(const ResultReader& results) {
+  Json motions = Json::array();
+  if (results.frame_times().empty()) return motions;
+  const Frame last = results.frame(static_cast<int>(results.frame_times().size()) - 1);
+  const MotionNames names = motion_names(results.system());
+  for (std::size_t b = 0; b < last.motions.size(); ++b) {
+    if (results.system().blocks[b].body == BodyKind::fixed) continue;
+    Json motion = {{"name", names.blocks[b]}};
+    motion.update(Json::parse(motion_json(last.motions[b], names)));
+    motion["direction"] = attitude_text(last.motions[b].direction);
+    motions.push_back(motion);
+  }
+  return motions;
+}
+
+void print_motions(const Json& motions) {
+  if (motions.empty()) return;
+  Table table({"Block", "Motion", "Trend/plunge"}, "lll");
+  for (const Json& motion : motions) table.add({motion["name"], motion["text"], motion["direction"]});
+  std::cout << table.text();
+}
+
 void print_blocks(const Json& blocks) {
   Table table({"Block", "Body", "Volume [m³]", "Nodes", "Tetrahedra"}, "llrrr");
   for (const Json& block : blocks)
@@ -132,6 +155,7 @@ Json json_of_results(const std::filesystem::path& folder, const ResultReader& re
           {"stages", results.stage_names()},
           {"monitors", results.monitor_names()},
           {"blocks", blocks_of(results.system())},
+          {"motions", motions_of(results)},
           {"events", events}};
 }
 
@@ -147,6 +171,7 @@ void print_results(const Json& info) {
     for (const Json& name : info[list]) std::cout << ' ' << name.get<std::string>();
     std::cout << '\n';
   }
+  print_motions(info["motions"]);
   for (const Json& event : info["events"])
     std::cout << event["time"] << " s  " << event["what"].get<std::string>() << '\n';
 }

@@ -22,12 +22,14 @@ std::string cost_text(const RunReport& report) {
 }
 
 std::string blocks_text(const RunReport& report) {
-  Table table({"Block", "Body", "Displacement [m]", "Rotation [°]", "Velocity [m/s]", "Volume change"}, "lllrlr");
+  Table table({"Block", "Body", "Displacement [m]", "Rotation [°]", "Velocity [m/s]", "Volume change", "Motion",
+               "Trend/plunge"},
+              "lllrlrll");
   for (const BlockOutcome& block : report.blocks) {
     if (block.body == BodyKind::fixed) continue;
     table.add({block.name, std::string(to_string(block.body)), vector_text(block.displacement),
-               number(block.rotation_degrees, 4), vector_text(block.velocity),
-               number(block.relative_volume_change, 2)});
+               number(block.rotation_degrees, 4), vector_text(block.velocity), number(block.relative_volume_change, 2),
+               motion_text(block.motion, report.names), attitude_text(block.motion.direction)});
   }
   return table.text();
 }

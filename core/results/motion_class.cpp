@@ -36,7 +36,7 @@ std::string words_of(const MotionClass& motion, const MotionNames& names) {
     case MotionMode::sliding_on_one:
       return "sliding on " + first;
     case MotionMode::sliding_on_two:
-      return "sliding on " + first + " and " + plane_text(motion, 1, names) + " along " + direction_text(motion.line);
+      return "sliding on " + first + " and " + plane_text(motion, 1, names) + " along " + attitude_text(motion.line);
     case MotionMode::toppling:
     case MotionMode::torsional:
       return std::string(to_string(motion.mode)) + " on " + first;
@@ -107,7 +107,7 @@ std::string motion_json(const MotionClass& motion, const MotionNames& names) {
   return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string direction_text(const Vec3& direction) {
+std::string attitude_text(const Vec3& direction) {
   if (direction.isZero()) return "";
   const LineAttitude attitude = attitude_of(direction);
   char text[32];

@@ -58,6 +58,6 @@ std::string motion_text(const MotionClass& motion, const MotionNames& names);
 std::string motion_json(const MotionClass& motion, const MotionNames& names);
 
 /// Trend and plunge, "120°/35°"; empty where a block goes nowhere.
-std::string direction_text(const Vec3& direction);
+std::string attitude_text(const Vec3& direction);
 
 }  // namespace talus

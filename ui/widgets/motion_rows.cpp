@@ -29,7 +29,7 @@ StepRows motionRows(const BlockSystem& system, const Frame& frame) {
     if (block.body == BodyKind::fixed) continue;
     const MotionClass& motion = frame.motions[b];
     content.rows.push_back({{Item::Kind::block, static_cast<int>(b)},
-                            {text(block.name), text(motion_text(motion, names)), text(direction_text(motion.direction)),
+                            {text(block.name), text(motion_text(motion, names)), text(attitude_text(motion.direction)),
                              numbers::significant(moved)}});
   }
   return content;
@@ -37,8 +37,7 @@ StepRows motionRows(const BlockSystem& system, const Frame& frame) {
 
 QString motionSentence(const BlockSystem& system, const MotionClass& motion) {
   const QString words = text(motion_text(motion, motion_names(system)));
-  return motion.direction.isZero() ? words
-                                   : QObject::tr("%1, to %2").arg(words, text(direction_text(motion.direction)));
+  return motion.direction.isZero() ? words : QObject::tr("%1, to %2").arg(words, text(attitude_text(motion.direction)));
 }
 
 }  // namespace talus

@@ -58,10 +58,10 @@ TEST(MotionClass, as_json_has_names_and_angles_and_null_for_what_the_mode_does_n
 }
 
 TEST(MotionClass, a_direction_is_trend_and_plunge_in_whole_degrees) {
-  EXPECT_EQ(direction_text(Vec3(1, 0, 0)), "090°/0°");
-  EXPECT_EQ(direction_text(Vec3(-1e-4, 1, 1e-4)), "000°/0°");
-  EXPECT_EQ(direction_text(Vec3(0, 0, -1)), "000°/90°");
-  EXPECT_EQ(direction_text(Vec3::Zero()), "");
+  EXPECT_EQ(attitude_text(Vec3(1, 0, 0)), "090°/0°");
+  EXPECT_EQ(attitude_text(Vec3(-1e-4, 1, 1e-4)), "000°/0°");
+  EXPECT_EQ(attitude_text(Vec3(0, 0, -1)), "000°/90°");
+  EXPECT_EQ(attitude_text(Vec3::Zero()), "");
 }
 
 TEST(MotionClass, kinds_are_the_same_whatever_the_direction) {
