@@ -13,6 +13,7 @@
 
 #include "base/units.hpp"
 #include "cases/block_scene.hpp"
+#include "cases/wedge_cases.hpp"
 
 namespace talus {
 namespace {
@@ -169,6 +170,34 @@ void run(Trial trial, ContactModel model) {
   std::fflush(stdout);
 }
 
+/// The 65 wedge tests: how many of those off the thresholds move as limit equilibrium says.
+void run_wedges(int refinements, ContactModel model) {
+  int rows = 0, right = 0, failed = 0;
+  double stray = 0;
+  NoProgress progress;
+  const std::clock_t before = std::clock();
+  for (const WedgeTest& test : wedge_tests()) {
+    const WedgeEquilibrium equilibrium = test.equilibrium();
+    if (at_threshold(equilibrium.factor(plaster_friction_angle))) continue;
+    ++rows;
+    Scene scene = wedge_test_scene(test, plaster_friction_angle, refinements, 1);
+    scene.project.solver.contact = model;
+    WedgeWatch watch(scene, turned(test.shape().planes(), test.turn()), test.shape().length());
+    try {
+      run_scene(scene, progress,
+                [&](const Simulation& simulation, const StepReport&) { return watch.look(simulation); });
+      right += watch.motion().mode == equilibrium.mode(plaster_friction_angle);
+      stray += watch.motion().stray;
+    } catch (const std::exception&) {
+      ++failed;
+    }
+  }
+  std::printf("| %d | %s | %d of %d | %d | %.1e | %.1f |\n", 1 << 3 * refinements,
+              std::string(to_string(model)).c_str(), right, rows, failed, stray / rows,
+              static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+  std::fflush(stdout);
+}
+
 }  // namespace
 }  // namespace talus
 
@@ -186,5 +215,11 @@ int main() {
                                            column};
   for (const auto& trial : trials) {
     for (ContactModel model : {ContactModel::area, ContactModel::facet_wise}) run(trial(), model);
+  }
+  std::printf(
+      "\n| wedge tests, tetrahedra | model | mode of limit equilibrium, off the thresholds | did not converge | normal "
+      "force on neither plane, share | s |\n|---|---|---|---|---|---|\n");
+  for (int refinements : {0, 1}) {
+    for (ContactModel model : {ContactModel::area, ContactModel::facet_wise}) run_wedges(refinements, model);
   }
 }
