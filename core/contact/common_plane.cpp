@@ -27,7 +27,7 @@ class Search {
     }
   }
 
-  CommonPlane run(const Vec3& origin) {
+  CommonPlane run() {
     try_normal(a_[0] + a_[1] + a_[2] - b_[0] - b_[1] - b_[2], scale_);
     try_facets();
     int iterations = 0;
@@ -40,11 +40,8 @@ class Search {
       if (!(gap_ > before)) break;
       std::tie(p, q) = closest_vertices();
     }
-    if (gap_ < 0) {
-      lead_out();
-      std::tie(p, q) = closest_vertices();
-    }
-    return {normal_, origin + 0.5 * (a_[p] + b_[q]), gap_, iterations};
+    if (gap_ < 0) lead_out();
+    return {normal_, gap_, iterations};
   }
 
  private:
@@ -137,7 +134,7 @@ class Search {
 }  // namespace
 
 CommonPlane common_plane(const Triangle& a, const Triangle& b, const Vec3& outward) {
-  return Search(a, b, outward).run(a[0]);
+  return Search(a, b, outward).run();
 }
 
 }  // namespace talus

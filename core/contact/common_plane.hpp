@@ -11,7 +11,6 @@ using Triangle = std::array<Vec3, 3>;
 /// The common plane of two facets (Cundall 1988): the plane between them that leaves the largest gap.
 struct CommonPlane {
   Vec3 normal;     ///< unit, from the second facet to the first
-  Vec3 point;      ///< m, midway between the closest vertices
   double gap;      ///< m, negative where the facets cross
   int iterations;  ///< searches for the closest vertices
 };
