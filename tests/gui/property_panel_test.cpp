@@ -1,0 +1,68 @@
+#include <QApplication>
+#include <QLabel>
+
+#include "driven_window.hpp"
+#include "widgets/property_panel.hpp"
+
+namespace talus {
+namespace {
+
+/// What the panel says of a project whose base is shaken and whose joint softens.
+class PropertyPanelTest : public DrivenWindow {
+ protected:
+  void SetUp() override {
+    DrivenWindow::SetUp();
+    const auto file = write("shaken.talus", R"({
+      "talus": 1, "materials": {"rock": {"density": 2600, "young": 25e9, "poisson": 0.24, "damping": 0.5}},
+      "joints": {"J1": {"friction_angle": 30, "cohesion": 1e6}}, "default_joint": "J1",
+      "solids": [
+        {"name": "base", "material": "rock", "body": "fixed", "box": {"min": [0, 0, 0], "max": [9, 9, 1]}},
+        {"name": "cube", "material": "rock", "box": {"min": [1, 1, 1], "max": [2, 2, 2]}}],
+      "constraints": [{"block": "base", "table": [[0, 0, 0, 0], [0.5, 0.02, 0, 0], [1, 0, 0, 0]]}],
+      "loads": [{"block": "cube", "at": [1, 1, 2], "table": [[0, 0, 0, 0], [2, 1e3, 0, 0]]}],
+      "in_situ": [{"stress": [-1e6, -2e6, -4e6, 0, 0, 0]}],
+      "stages": [
+        {"name": "settle", "type": "static", "time_step": 0.01, "steps": 50, "until_equilibrium": true,
+         "blocks": [{"name": "cube", "body": "fixed"}]},
+        {"name": "shake", "type": "dynamic", "time_step": 0.01, "duration": 1, "damping": 0.1, "loads": [],
+         "joints": {"J1": {"friction_angle": 20, "cohesion": 0}}, "blocks": [{"name": "cube", "body": "tetrahedra"}]}],
+      "solver": {"integrator": "generalized-alpha", "spectral_radius": 0.9, "contact": "facet-wise",
+                 "time_step_control": "adaptive", "adaptive": {"iterations": 6}}})");
+    ASSERT_TRUE(workspace.open(file));
+  }
+
+  /// All that stands in the panel once a thing is selected, row by row.
+  std::string shown(const Item& item) {
+    workspace.selection().select(item);
+    QStringList words;
+    for (const auto* label : panel.findChildren<QLabel*>()) words << label->text();
+    return words.join(u'|').toStdString();
+  }
+
+  Workspace workspace{solverSteps()};
+  PropertyPanel panel{workspace};
+};
+
+void expectWords(const std::string& shown, std::initializer_list<const char*> expected) {
+  for (const char* words : expected) EXPECT_NE(shown.find(words), std::string::npos) << words << "\n" << shown;
+}
+
+TEST_F(PropertyPanelTest, ShowsTheSolverAndTheStressInSitu) {
+  expectWords(shown({}),
+              {"Strain|corotational", "Integrator|generalized-alpha", "Spectral radius|0.900", "Contact|facet-wise",
+               "Time steps|adaptive", "Iterations|6", "every block|−1.000, −2.000, −4.000"});
+}
+
+TEST_F(PropertyPanelTest, ShowsWhatActsByTable) {
+  expectWords(shown({Item::Kind::load, 0}), {"Force by table|2 rows, 0 … 2.000 s"});
+  expectWords(shown({Item::Kind::constraint, 0}), {"At, m|whole block", "3 rows, 0 … 1.000 s", "East|by table"});
+}
+
+TEST_F(PropertyPanelTest, ShowsHowAStageEndsAndWhatItChanges) {
+  expectWords(shown({Item::Kind::stage, 0}), {"Until equilibrium|1", "cube|held"});
+  expectWords(shown({Item::Kind::stage, 1}),
+              {"Damping|0.100 1/s", "J1|φ 20.0°, c 0 MPa", "Point loads|none", "cube|let go"});
+}
+
+}  // namespace
+}  // namespace talus
