@@ -111,7 +111,7 @@ CaseOutcome oscillating_force(const CaseOptions& options, Progress& progress) {
   Scene scene = rock_scene(degrees(std::atan(friction)));
   const Vec3 size(0.3, 0.3, 0.1);
   scene.project.materials[0].density = mass / size.prod();
-  scene.project.materials[0].young = 1e9;  // of a block as light as foam
+  scene.project.materials[0].young = 1e9;  // light as the block is, rounding in 50 GPa would be felt
   add_fixed_box(scene, "table", Vec3(-0.5, -0.5, -0.1), Vec3(0.8, 0.8, 0));
   add_box(scene, "block", Vec3::Zero(), size);
   PointLoad load;

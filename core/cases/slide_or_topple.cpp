@@ -14,6 +14,8 @@ namespace {
 constexpr double clearly_moved = 0.02;
 /// … and has slipped, or turned, if it did so by more than this: a thousand times its elastic settlement.
 constexpr double moved = 5e-4;
+/// What no elastic toe gives way by, of the height.
+constexpr double just_slipped = 2e-5;
 
 /// How a column has moved, in the plane of the slope's dip.
 struct ColumnMotion {
@@ -81,8 +83,19 @@ CaseOutcome modes(const std::string& title, const std::vector<ColumnPoint>& poin
 
 CaseOutcome chart(const CaseOptions& options, Progress& progress) {
   const std::vector<double> all{0.25, 0.4, 0.5, 0.75, 1, 1.5}, few{0.25, 1};
-  return modes("Columns 1° beside the lines of the chart", points_beside_the_lines(options.thorough ? all : few),
-               options, progress);
+  CaseOutcome outcome = modes("Columns 1° beside the lines of the chart",
+                              points_beside_the_lines(options.thorough ? all : few), options, progress);
+  const double slenderness = 0.25, dip = 30, expected = friction_angle_of_pure_toppling(slenderness, dip);
+  const Bracket toe_slips = narrowed({expected - 2, expected + 2}, 7, [&](double friction_angle) {
+    return run_column({slenderness, dip, friction_angle}, options, progress).slip > just_slipped;
+  });
+  outcome.findings.push_back({.quantity = "friction angle of toppling without slip, width/height 0.25 on 30°",
+                              .unit = "°",
+                              .expected = expected,
+                              .computed = toe_slips.middle(),
+                              .tolerance = 0.1,
+                              .absolute = true});
+  return outcome;
 }
 
 CaseOutcome examples(const CaseOptions& options, Progress& progress) {
