@@ -57,7 +57,7 @@ void add_theme(CLI::App& command, Theme& theme) {
 }
 
 void add_threads(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Threads to use at most; this version of the solver computes on one")
+  command.add_option("--threads", threads, "Threads to use at most; their number changes no bit of the results")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N")
       ->capture_default_str();

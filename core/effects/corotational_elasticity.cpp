@@ -2,12 +2,16 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <numeric>
 
+#include "base/parallel.hpp"
 #include "bodies/polar.hpp"
 
 namespace talus {
 
 namespace {
+
+constexpr int grain = 64;  ///< elements, some 20 µs of work
 
 Mat3 from_corners(const ElementShape& shape, const Corners& positions) {
   Mat3 f = Mat3::Zero();  // differences to corner 0, so that a translation changes no bit
@@ -77,54 +81,73 @@ void CorotationalElasticity::add_couplings(std::vector<std::pair<int, int>>& cou
   add_element_couplings(set_, couplings);
 }
 
-double CorotationalElasticity::energy_of(const Element& element, const ElementShape& shape, const Mat3& f) const {
-  const Elastic& elastic = set_.bodies[element.body].elastic;
+double CorotationalElasticity::energy_of(std::size_t e, const Mat3& f) const {
+  const Elastic& elastic = set_.bodies[set_.elements[e].body].elastic;
   const Mat3 r = rotation_of(f);
   const double trace = (r.transpose() * f).trace() - 3;
-  return shape.volume * (elastic.mu * (f - r).squaredNorm() + 0.5 * elastic.lambda * trace * trace);
+  return set_.shapes[e].volume * (elastic.mu * (f - r).squaredNorm() + 0.5 * elastic.lambda * trace * trace);
 }
 
 double CorotationalElasticity::energy(const Increment& d) const {
   double sum = 0;
   for (std::size_t e = 0; e < set_.elements.size(); ++e)
-    sum += energy_of(set_.elements[e], set_.shapes[e], deformation_gradient(set_, set_.elements[e], set_.shapes[e], d));
+    sum += energy_of(e, deformation_gradient(set_, set_.elements[e], set_.shapes[e], d));
   return sum;
 }
 
 double CorotationalElasticity::stored_energy() const {
-  double sum = 0;
-  for (std::size_t e = 0; e < set_.elements.size(); ++e)
-    sum += energy_of(set_.elements[e], set_.shapes[e], deformation_gradient(set_, set_.elements[e], set_.shapes[e]));
-  return sum;
+  energies_.resize(set_.elements.size());
+  in_parallel(static_cast<int>(energies_.size()), grain, [&](int first, int last) {
+    for (int e = first; e < last; ++e)
+      energies_[e] = energy_of(e, deformation_gradient(set_, set_.elements[e], set_.shapes[e]));
+  });
+  return std::accumulate(energies_.begin(), energies_.end(), 0.0);
+}
+
+CorotationalElasticity::Forces CorotationalElasticity::forces(std::size_t e, const Increment& d) const {
+  const ElementShape& shape = set_.shapes[e];
+  const Mat3 f = deformation_gradient(set_, set_.elements[e], shape, d);
+  const Mat3 stress = shape.volume * piola_stress(set_.bodies[set_.elements[e].body].elastic, f, rotation_of(f));
+  Forces forces;
+  for (int a = 0; a < 4; ++a) forces[a] = stress * shape.gradient[a];
+  return forces;
 }
 
 void CorotationalElasticity::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
-  for (std::size_t e = 0; e < set_.elements.size(); ++e) {
-    const Element& element = set_.elements[e];
-    const ElementShape& shape = set_.shapes[e];
-    const Mat3 f = deformation_gradient(set_, element, shape, d);
-    const Mat3 stress = shape.volume * piola_stress(set_.bodies[element.body].elastic, f, rotation_of(f));
-    for (int a = 0; a < 4; ++a) sum.segment<3>(3 * element.freedoms[a]) += stress * shape.gradient[a];
+  forces_.resize(set_.elements.size());
+  in_parallel(static_cast<int>(forces_.size()), grain, [&](int first, int last) {
+    for (int e = first; e < last; ++e) forces_[e] = forces(e, d);
+  });
+  for (std::size_t e = 0; e < forces_.size(); ++e)
+    for (int a = 0; a < 4; ++a) sum.segment<3>(3 * set_.elements[e].freedoms[a]) += forces_[e][a];
+}
+
+CorotationalElasticity::Stiffness CorotationalElasticity::stiffness(std::size_t e, const Increment& d) const {
+  const Elastic& elastic = set_.bodies[set_.elements[e].body].elastic;
+  ElementShape turned = set_.shapes[e];
+  const Mat3 f = deformation_gradient(set_, set_.elements[e], turned, d), r = rotation_of(f);
+  const Mat3 twist = turned.volume * r * twist_stiffness(elastic, r.transpose() * f) * r.transpose();
+  Stiffness blocks;
+  auto block = blocks.begin();
+  for (int a = 0; a < 4; ++a) turned.gradient[a] = r * turned.gradient[a];
+  for (int a = 0; a < 4; ++a) {
+    const Mat3 left = -cross_matrix(turned.gradient[a]) * twist;
+    for (int b = 0; b <= a; ++b)
+      *block++ = stiffness_block(turned, elastic, a, b) + left * cross_matrix(turned.gradient[b]);
   }
+  return blocks;
 }
 
 void CorotationalElasticity::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  for (std::size_t e = 0; e < set_.elements.size(); ++e) {
-    const Element& element = set_.elements[e];
-    const Elastic& elastic = set_.bodies[element.body].elastic;
-    const Mat3 f = deformation_gradient(set_, element, set_.shapes[e], d), r = rotation_of(f);
-    const Mat3 twist = set_.shapes[e].volume * r * twist_stiffness(elastic, r.transpose() * f) * r.transpose();
-    ElementShape turned{set_.shapes[e]};
-    std::array<Mat3, 4> cross;
-    for (int a = 0; a < 4; ++a) {
-      turned.gradient[a] = r * set_.shapes[e].gradient[a];
-      cross[a] = cross_matrix(turned.gradient[a]);
-    }
-    for (int a = 0; a < 4; ++a) {
-      const Mat3 left = -cross[a] * twist;
-      for (int b = 0; b <= a; ++b)
-        sum.add(element.freedoms[a], element.freedoms[b], stiffness_block(turned, elastic, a, b) + left * cross[b]);
-    }
+  stiffness_.resize(set_.elements.size());
+  in_parallel(static_cast<int>(stiffness_.size()), grain, [&](int first, int last) {
+    for (int e = first; e < last; ++e) stiffness_[e] = stiffness(e, d);
+  });
+  for (std::size_t e = 0; e < stiffness_.size(); ++e) {
+    const std::array<int, 4>& freedoms = set_.elements[e].freedoms;
+    auto block = stiffness_[e].begin();
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b <= a; ++b) sum.add(freedoms[a], freedoms[b], *block++);
   }
 }
 

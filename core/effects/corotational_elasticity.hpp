@@ -24,8 +24,16 @@ class CorotationalElasticity final : public Effect {
   void add_stress(std::vector<Voigt>& stress) const override;
 
  private:
-  double energy_of(const Element& element, const ElementShape& shape, const Mat3& gradient) const;
+  using Forces = std::array<Vec3, 4>;      ///< N, a corner
+  using Stiffness = std::array<Mat3, 10>;  ///< N/m, lower triangle of the corners' blocks, row by row
+  Forces forces(std::size_t element, const Increment& d) const;
+  Stiffness stiffness(std::size_t element, const Increment& d) const;
+  double energy_of(std::size_t element, const Mat3& gradient) const;
   const BodySet& set_;
+  // Computed an element by itself, on several threads, then summed up in order.
+  mutable std::vector<Forces> forces_;
+  mutable std::vector<Stiffness> stiffness_;
+  mutable std::vector<double> energies_;
 };
 
 /// The corners of every element are coupled with each other.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "results/result_folder.hpp"
 #include "solve/event_watch.hpp"
@@ -144,6 +145,7 @@ class Recording {
 }  // namespace
 
 RunReport run(const Project& project, const BlockSystem& system, const RunOptions& options, RunObserver& observer) {
+  const ThreadLimit limit(options.threads);
   Simulation simulation(project, system);
   Recording recording(project, system, options, simulation, observer);
   double wall = 0;

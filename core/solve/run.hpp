@@ -26,7 +26,7 @@ class RunObserver {
 struct RunOptions {
   std::filesystem::path out;  ///< results folder
   std::string project_text;   ///< kept beside the results
-  int threads = 1;            ///< at most; this version computes on one
+  int threads = 1;            ///< at most; their number changes no bit of the results
 };
 
 /// Runs all stages of the project on its blocks and writes the results folder.

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "cases/all_cases.hpp"
 #include "solve/stopwatch.hpp"
 #include "study/known_sample.hpp"
@@ -34,6 +35,7 @@ std::string fault_of(const CaseOutcome& outcome) {
 /// The case's outcome, or why there is none.
 void run_into(CaseResult& result, const KnownCase& known, Progress& progress) {
   const Stopwatch watch(result.seconds);
+  const ThreadLimit limit(result.options.threads);
   try {
     result.outcome = known.run(result.options, progress);
     result.failure = fault_of(result.outcome);

@@ -60,6 +60,7 @@ const std::vector<Fence> fences = {
     {"SuiteSparse", std::regex("(suitesparse/)?(cholmod|umfpack|SuiteSparse_config|Eigen/CholmodSupport).*"),
      std::regex("core/solve/cholesky\\.cpp")},
     {"OpenBLAS", std::regex("cblas.*\\.h|lapacke?\\.h"), std::regex("core/solve/cholesky\\.cpp")},
+    {"oneTBB", std::regex("(oneapi/)?tbb/.*"), std::regex("core/base/parallel\\.cpp")},
     {"HDF5", std::regex("hdf5\\.h|H5\\w+\\.h"), std::regex("core/results/.*")},
     {"valijson", std::regex("valijson/.*"), std::regex("core/io/.*\\.cpp")},
     {"CLI11", std::regex("CLI/.*"), std::regex("app/.*")},

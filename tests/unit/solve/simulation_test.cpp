@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "bodies/block_motion.hpp"
+#include "mesh/structured_mesh.hpp"
 #include "support/solver_scenes.hpp"
 
 namespace talus {
@@ -103,6 +105,23 @@ TEST(Simulation, repeats_itself_to_the_last_bit) {
     return simulation.bodies().nodes.position;
   };
   EXPECT_EQ(final_positions(), final_positions());
+}
+
+TEST(Simulation, two_threads_give_the_same_bits_as_one) {
+  const Project project = scene(20, {{"drop", StageKind::dynamic, 0.01, 40, {}}});
+  Block cube;
+  cube.name = "B";
+  cube.mesh = box_mesh(Vec3(1.1, 1.2, 0.1), Vec3(2.3, 2.1, 1.3), 3, 3, 3);
+  cube.surface = boundary(cube.mesh);
+  ASSERT_GT(cube.mesh.tetrahedra.size(), 100U) << "too few to be worth a second thread";
+  const BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed), cube});
+  const auto final_positions = [&](int threads) {
+    const ThreadLimit limit(threads);
+    Simulation simulation(project, system);
+    while (!simulation.finished()) simulation.step();
+    return simulation.bodies().nodes.position;
+  };
+  EXPECT_EQ(final_positions(1), final_positions(2));
 }
 
 TEST(Simulation, initial_velocities_begin_with_the_first_dynamic_stage) {
