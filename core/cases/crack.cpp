@@ -16,7 +16,7 @@ const SlippingJoint plate{
     .height = 2, .width = 1, .young = 88.9e9, .stiffness = 220e9, .friction_angle = 16, .slipping_length = 0.54};
 /// A slab thin enough for plane stress, two cells of it; stiffnesses are told for a thickness of 1 m.
 constexpr double thickness = 0.1;
-constexpr double full_load = 2e-4;  ///< m, by which the top goes down
+constexpr double full_load = 1e-4;  ///< m, by which the top goes down
 
 /// The joint rises at 45° from (0, 0.5) to (1, 1.5) through the plate's middle; its middle slips. `cells` is how many
 /// cells of the mesh slip along it.

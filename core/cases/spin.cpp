@@ -74,6 +74,7 @@ Spin spin(const Scene& full_size, double turns, double scale, Progress& progress
 
 CaseOutcome spinning_block(const CaseOptions& options, Progress& progress) {
   constexpr int limit = 1000000;
+  constexpr double angle = 0.01;    // rad a step at first
   constexpr double settled = 1e-9;  // forces balance to this share of mω²r: angular momentum to it a radian
   const double turns = options.thorough ? 100 : 10;
   const std::string in_turns = " in " + short_number(turns) + " turns";
@@ -81,16 +82,21 @@ CaseOutcome spinning_block(const CaseOptions& options, Progress& progress) {
   CaseTable table{"A block spins freely",
                   {"strain", "integrator", "rad a step", "turns", "steps", "change of volume", "angular momentum left"},
                   {}};
-  const auto run = [&](Strain strain, Integrator integrator, double angle, double wanted) {
-    const Spin found = spin(spinning_cube(strain, integrator, angle, limit), wanted, options.scale, progress);
-    table.rows.push_back({std::string(to_string(strain)), std::string(to_string(integrator)), short_number(angle),
+  const auto run = [&](Strain strain, Integrator integrator, double step_angle, double wanted) {
+    const Spin found = spin(spinning_cube(strain, integrator, step_angle, limit), wanted, options.scale, progress);
+    table.rows.push_back({std::string(to_string(strain)), std::string(to_string(integrator)), short_number(step_angle),
                           short_number(found.turns), std::to_string(found.steps), short_number(found.change),
                           short_number(found.spin_left)});
     return found;
   };
-  const Spin steady = run(Strain::corotational, Integrator::newmark, 0.01, turns);
-  const Spin lasting = run(Strain::corotational, Integrator::generalized_alpha, 0.01, turns);
-  const Spin grown = run(Strain::incremental, Integrator::constant_acceleration, 0.01, 1);
+  const Spin steady = run(Strain::corotational, Integrator::newmark, angle, turns);
+  const Spin lasting = run(Strain::corotational, Integrator::generalized_alpha, angle, turns);
+  outcome.findings.push_back({.quantity = "angular momentum left" + in_turns + ", newmark",
+                              .unit = "",
+                              .expected = 1 / std::sqrt(1 + static_cast<double>(steady.steps) * angle * angle),
+                              .computed = steady.spin_left,
+                              .tolerance = 1e-3});
+  const Spin grown = run(Strain::incremental, Integrator::constant_acceleration, angle, 1);
   outcome.findings.push_back({.quantity = "change of volume" + in_turns + ", newmark",
                               .unit = "",
                               .computed = steady.largest_change,
@@ -113,6 +119,10 @@ CaseOutcome spinning_block(const CaseOptions& options, Progress& progress) {
                               .computed = grown.change,
                               .tolerance = 1e-3});
   outcome.tables.push_back(table);
+  outcome.remarks.push_back(
+      "Generalized-alpha takes elastic forces on the chord between two positions, which is shorter than the block by "
+      "θ²/8 at a step's rotation θ: the volume swings by up to θ²/2. Newmark takes them at the end of the step and "
+      "keeps the volume; its spin falls as 1/√(1 + nθ²) in n steps of θ at first.");
   return outcome;
 }
 
@@ -167,9 +177,16 @@ Tumble tumble(double step, double duration, double scale, Progress& progress) {
 CaseOutcome middle_axis(const CaseOptions& options, Progress& progress) {
   const Vec3 moments(4 + 9, 9 + 1, 1 + 4);
   const std::vector<double> expected = zero_crossings(moments, {0.01, 1, 0.01}, 1, 2);
-  const Tumble found = tumble(0.01, 40, options.scale, progress);
-  const auto crossing = [&](std::size_t i) { return i < found.crossings.size() ? found.crossings[i] : 0; };
   CaseOutcome outcome;
+  CaseTable table{"Drift in 40 s of torque-free spin", {"step [s]", "angular momentum", "energy", "order"}, {}};
+  Tumble found;
+  for (const double step : options.thorough ? std::vector{0.01, 0.005, 0.0025} : std::vector{0.01}) {
+    const double coarse_drift = found.energy_drift;
+    found = tumble(step, 40, options.scale, progress);
+    table.rows.push_back({short_number(step), short_number(found.momentum_drift), short_number(found.energy_drift),
+                          coarse_drift > 0 ? short_number(observed_order(coarse_drift, found.energy_drift)) : ""});
+  }
+  const auto crossing = [&](std::size_t i) { return i < found.crossings.size() ? found.crossings[i] : 0; };
   outcome.findings.push_back({.quantity = "first moment without spin about the middle axis",
                               .unit = "s",
                               .expected = expected[0],
@@ -191,6 +208,10 @@ CaseOutcome middle_axis(const CaseOptions& options, Progress& progress) {
                               .tolerance = 1e-8,
                               .absolute = true,
                               .reported = true});
+  outcome.tables.push_back(table);
+  outcome.remarks.push_back(
+      "Generalized-alpha takes elastic forces on the chord between two positions, which is shorter than the block by "
+      "θ²/8 at a step's rotation θ: the block swings about that strain, with energy of the order of its fourth power.");
   return outcome;
 }
 

@@ -38,13 +38,14 @@ struct Bounce {
   double begin = 0, end = 0;  ///< s
   double peak_force = 0;      ///< N
   double rebound = 0;         ///< m/s, when contact ends
+  double energy_loss = 0;     ///< integration loss over the highest kinetic energy
 };
 
 Bounce bounce(const Scene& scene, double scale, Progress& progress) {
   const double root = std::sqrt(scale);
   Bounce result;
-  double last_force = 0, last_time = 0;
-  run_scene(scaled(scene, scale), progress, [&](const Simulation& simulation, const StepReport&) {
+  double last_force = 0, last_time = 0, kinetic = 0;
+  run_scene(scaled(scene, scale), progress, [&](const Simulation& simulation, const StepReport& report) {
     const double force = normal_force(simulation) / (scale * scale * scale), time = simulation.time() / root;
     // The force grows and falls linearly at both ends: its zero lies on the line through two samples.
     const double zero = last_time - last_force * (time - last_time) / (force - last_force);
@@ -52,6 +53,8 @@ Bounce bounce(const Scene& scene, double scale, Progress& progress) {
     if (last_force > 0 && force > last_force && result.begin == 0) result.begin = zero;
     if (last_force > force && force > 0) result.end = zero;
     result.peak_force = std::max(result.peak_force, force);
+    kinetic = std::max(kinetic, report.energy.kinetic);
+    result.energy_loss = report.energy.integration_loss / kinetic;
     result.rebound = simulation.history().monitors[0].velocity.z() / root;
     last_force = force;
     last_time = time;
@@ -93,7 +96,15 @@ CaseOutcome elastic_impact(const CaseOptions& options, Progress& progress) {
                                 .computed = found.rebound,
                                 .tolerance = 2e-3,
                                 .reported = paper});
+    outcome.findings.push_back({.quantity = "integration loss over the energy that moved" + with,
+                                .unit = "",
+                                .expected = -std::expm1(-std::numbers::pi * omega * step / 2),
+                                .computed = found.energy_loss,
+                                .tolerance = 0.05});
   }
+  outcome.remarks.push_back(
+      "Contact forces are taken at the end of the step, which damps by ωΔ/4 with every integrator: each bounce loses "
+      "πωΔ/2 of its energy.");
   outcome.remarks.push_back("Without weight during contact it is 9.93 ms and 1.40 MN; with it 9.98 ms and 1.41 MN.");
   return outcome;
 }
