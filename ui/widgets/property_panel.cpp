@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "widgets/model_words.hpp"
+#include "widgets/motion_rows.hpp"
 #include "widgets/number_field.hpp"
 #include "widgets/numbers.hpp"
 
@@ -22,6 +23,7 @@ PropertyPanel::PropertyPanel(Workspace& workspace)
   connect(&workspace_, &Workspace::systemChanged, this, &PropertyPanel::rebuild);
   // The field that asked for the change still handles its event: it must not be deleted under itself.
   connect(&workspace_.document(), &Document::projectChanged, this, &PropertyPanel::rebuild, Qt::QueuedConnection);
+  connect(&workspace_, &Workspace::frameChanged, this, &PropertyPanel::showMotion);
   rebuild();
 }
 
@@ -159,6 +161,12 @@ void PropertyPanel::showBlock(int index) {
   const BlockSystem& system = *workspace_.system();
   const Block& block = system.blocks.at(static_cast<size_t>(index));
   header_->setTitle(text(block.name), tr("block"));
+  if (block.body != BodyKind::fixed && knowsMotions(workspace_.system().get(), workspace_.frame().get())) {
+    motion_ = makeLabel({});
+    motion_->setWordWrap(true);
+    addSection(tr("Motion"), tr("at the time in view"))->addWide(motion_);
+    showMotion();
+  }
   auto* shape = addSection(tr("Shape"));
   shape->addFact(tr("Volume"), tr("%1 m³").arg(numbers::significant(block.volume, 5)));
   shape->addFact(tr("Body"), words::body(block.body));
@@ -179,6 +187,19 @@ void PropertyPanel::showBlock(int index) {
   for (size_t i = 0; i < onJoint.size(); ++i)
     if (onJoint[i] > 0)
       joints->addFact(text(system.joint_names[i]), numbers::whole(static_cast<long long>(onJoint[i])));
+}
+
+void PropertyPanel::showMotion() {
+  const Item item = workspace_.selection().current();
+  const auto frame = workspace_.frame();
+  const bool known = item.kind == Item::Kind::block && knowsMotions(workspace_.system().get(), frame.get()) &&
+                     workspace_.system()->blocks[static_cast<size_t>(item.index)].body != BodyKind::fixed;
+  if (!motion_) {
+    if (known) rebuild();
+    return;
+  }
+  motion_->setText(known ? motionSentence(*workspace_.system(), frame->motions[static_cast<size_t>(item.index)])
+                         : QString());
 }
 
 void PropertyPanel::showMaterial(int index) {

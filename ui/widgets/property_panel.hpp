@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPointer>
 #include <QVBoxLayout>
 #include <QWidget>
 #include <functional>
@@ -23,6 +24,8 @@ class PropertyPanel : public QWidget {
   void showCut(const Cut& cut);
   void showJoint(int index);
   void showBlock(int index);
+  /// Puts how the block moves in the frame in view into its label.
+  void showMotion();
   void showMaterial(int index);
   void showLoad(const PointLoad& load);
   void showConstraint(const Constraint& constraint);
@@ -45,6 +48,7 @@ class PropertyPanel : public QWidget {
   QVBoxLayout* column_;
   QWidget* content_ = nullptr;
   QWidget* scrolled_ = nullptr;
+  QPointer<QLabel> motion_;  ///< goes with the content
 };
 
 }  // namespace talus

@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include "widgets/model_words.hpp"
+#include "widgets/motion_rows.hpp"
 #include "widgets/numbers.hpp"
 #include "widgets/theme.hpp"
 
@@ -205,13 +206,28 @@ StepTable::StepTable(Workspace& workspace) : workspace_(workspace) {
   for (const auto signal : {&Workspace::stepChanged, &Workspace::projectOpened, &Workspace::systemChanged})
     connect(&workspace_, signal, this, &StepTable::refresh);
   connect(&workspace_.document(), &Document::projectChanged, this, &StepTable::refresh);
+  connect(&workspace_, &Workspace::frameChanged, this, [this] {
+    if (isVisible() || showsMotion_ != mayShowMotion()) refresh();
+  });
   connect(&workspace_.selection(), &Selection::changed, this, &StepTable::showSelection);
   refresh();
 }
 
+bool StepTable::mayShowMotion() const {
+  return !isSetUp(workspace_.step()) && knowsMotions(workspace_.system().get(), workspace_.frame().get());
+}
+
+void StepTable::showEvent(QShowEvent* event) {
+  if (showsMotion_) refresh();  // of another frame while it was hidden
+  PlainTable::showEvent(event);
+}
+
 void StepTable::refresh() {
   const QSignalBlocker silent(this);
-  content_ = rowsOf(workspace_.step(), workspace_.document().project(), workspace_.system().get());
+  const BlockSystem* system = workspace_.system().get();
+  showsMotion_ = mayShowMotion();
+  content_ = showsMotion_ ? motionRows(*system, *workspace_.frame())
+                          : rowsOf(workspace_.step(), workspace_.document().project(), system);
   std::vector<QStringList> rows;
   for (const auto& row : content_.rows) rows.push_back(row.cells);
   std::vector<bool> words(static_cast<size_t>(content_.heads.size()));

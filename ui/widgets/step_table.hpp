@@ -23,7 +23,7 @@ struct StepRows {
 /// For the steps that set the project up.
 StepRows rowsOf(Step step, const Project& project, const BlockSystem* system);
 
-/// The table under the view: what the project holds in the step that is open.
+/// The table under the view: what the project holds in the step that is open; from a run on, how its blocks move.
 class StepTable : public PlainTable {
   Q_OBJECT
  public:
@@ -34,12 +34,15 @@ class StepTable : public PlainTable {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void refresh();
+  bool mayShowMotion() const;
   void showSelection();
   Workspace& workspace_;
   StepRows content_;
+  bool showsMotion_ = false;
 };
 
 }  // namespace talus
