@@ -112,16 +112,17 @@ void MotionWatch::tell(const Spans& spans, const std::vector<MotionClass>& class
   for (std::size_t b = 0; b < classes.size(); ++b) {
     const MotionClass& now = classes[b];
     News& news = news_[b];
-    if (now.mode == MotionMode::stable || same_kind(now, news.told)) {
-      news.next = news.told;
+    if (now.mode == MotionMode::stable || same_kind(now, news.known)) {
+      news.next = news.known;
       continue;
     }
     const BlockPose& pose = spans.back()->poses[b];
-    if (!same_kind(now, news.next)) news = {news.told, now, spans.back()->end, pose};
+    if (!same_kind(now, news.next)) news = {news.known, news.told, now, spans.back()->end, pose};
     // A block at rest goes no farther, and was looked at for a quarter of the stage.
     if (!now.came_to_rest && travel(static_cast<int>(b), news.from, pose) < lasting) continue;
+    news.known = now;
+    if (now.mode == MotionMode::falling || same_kind(now, news.told)) continue;  // a bounce is no news
     news.told = now;
-    if (now.mode == MotionMode::falling) continue;
     const double since =
         now.came_to_rest ? spans[static_cast<std::size_t>(last_moving(static_cast<int>(b), spans))]->end : news.since;
     events_.push_back({since, names_.blocks[b] + ": " + motion_text(now, names_)});

@@ -23,9 +23,9 @@ class MotionWatch {
   const std::vector<Event>& events() const { return events_; }
 
  private:
-  /// What was last told of a block, and what will be once it has lasted.
+  /// What a block was last known to do, the last event that told of it, and what it will be once that has lasted.
   struct News {
-    MotionClass told, next;
+    MotionClass known, told, next;
     double since = 0;  ///< s
     BlockPose from;    ///< when `next` began
   };
