@@ -24,7 +24,8 @@ void ContactMemory::claim(std::span<const FoundPoint> points) {
   }
   if (by_key_alone_) return;
   for (const FoundPoint& p : points) {
-    if (p.area > 0 && !p.dropped) facing_.push_back(p.family);
+    if (p.dropped || !(p.area > 0)) continue;
+    if (facing_.empty() || facing_.back() != p.family) facing_.push_back(p.family);
   }
   std::sort(facing_.begin(), facing_.end());
   for (std::size_t i = 0; i < memos_.size(); ++i) {

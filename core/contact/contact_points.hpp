@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/broad_phase.hpp"
@@ -122,7 +123,6 @@ class FacingSearch {
  private:
   struct Corner {
     std::uint64_t key;
-    int order;
     FacetPair facets;
     double weight;  // m²
     std::array<double, 6> shares;
@@ -132,6 +132,7 @@ class FacingSearch {
   void name(const StepGeometry& step, Corner& corner, FoundPoints& found);
   void merge(const StepGeometry& step, FoundPoints& found);
   std::vector<Corner> corners_;
+  std::vector<std::pair<std::uint64_t, int>> by_key_;  // keys and numbers of corners_, sorted
 };
 
 /// Vertices on facets, each once for every patch. Points of facing facets must be there already.

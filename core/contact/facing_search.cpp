@@ -90,8 +90,9 @@ void FacingSearch::find(const StepGeometry& step, std::span<const FacetPair> pai
   for (const FacetPair& pair : pairs) {
     if (step.normals[pair.a].dot(step.normals[pair.b]) < facing) overlap(step, pair, found);
   }
-  std::sort(corners_.begin(), corners_.end(),
-            [](const Corner& p, const Corner& q) { return p.key != q.key ? p.key < q.key : p.order < q.order; });
+  by_key_.clear();
+  for (std::size_t i = 0; i < corners_.size(); ++i) by_key_.emplace_back(corners_[i].key, static_cast<int>(i));
+  std::sort(by_key_.begin(), by_key_.end());
   merge(step, found);
 }
 
@@ -113,7 +114,7 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
   double least_gap = std::numeric_limits<double>::infinity();
   for (int i = 0; i < polygon.count; ++i) {
     if (!(polygon.weights[i] > 0)) continue;  // one of three corners in one place
-    Corner c{0, static_cast<int>(corners_.size()), pair, polygon.weights[i], {}, n};
+    Corner c{0, pair, polygon.weights[i], {}, n};
     Vec3 apart = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
       c.shares[a.local[k]] = a.share(polygon.corners[i], k);
@@ -159,17 +160,16 @@ void FacingSearch::name(const StepGeometry& step, Corner& c, FoundPoints& found)
 
 void FacingSearch::merge(const StepGeometry& step, FoundPoints& found) {
   const auto& facets = step.features.facets;
-  for (std::size_t i = 0; i < corners_.size();) {
-    const Corner& head = corners_[i];
+  for (std::size_t i = 0; i < by_key_.size();) {
     FoundPoint p{};
-    p.key = head.key;
+    p.key = by_key_[i].first;
     p.kind = PointKind::facing;
     p.stencil_begin = static_cast<int>(found.nodes.size());
     p.normal = Vec3::Zero();
     std::size_t end = i;
     double heaviest = 0;
-    for (; end < corners_.size() && corners_[end].key == head.key; ++end) {
-      const Corner& c = corners_[end];
+    for (; end < by_key_.size() && by_key_[end].first == p.key; ++end) {
+      const Corner& c = corners_[by_key_[end].second];
       p.area += c.weight;
       p.normal += c.weight * c.normal;
       if (c.weight > heaviest || end == i) {
@@ -181,7 +181,7 @@ void FacingSearch::merge(const StepGeometry& step, FoundPoints& found) {
     for (int side = 0; side < 2; ++side) {
       const int begin = static_cast<int>(found.nodes.size());
       for (std::size_t j = i; j < end; ++j) {
-        const Corner& c = corners_[j];
+        const Corner& c = corners_[by_key_[j].second];
         const auto& nodes = facets[side ? c.facets.b : c.facets.a].nodes;
         for (int k = 0; k < 3; ++k) {
           const double weight = (side ? -c.weight : c.weight) * c.shares[3 * side + k] / p.area;
@@ -199,7 +199,7 @@ void FacingSearch::merge(const StepGeometry& step, FoundPoints& found) {
     p.normal.normalize();
     p.patches = {facets[p.facets[0]].patch, facets[p.facets[1]].patch};
     p.family = patch_family(p.patches[0], p.patches[1]);
-    p.node = head.key >> 62 == 1 ? static_cast<int>(head.key >> 31 & 0x7fffffff) : -1;
+    p.node = p.key >> 62 == 1 ? static_cast<int>(p.key >> 31 & 0x7fffffff) : -1;
     p.joint = step.common_joint(p.facets[0], p.facets[1]);
     found.close_stencil(p, step.features, step.x, of_first);
     found.points.push_back(p);

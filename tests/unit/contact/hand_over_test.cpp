@@ -19,12 +19,12 @@ constexpr double reach = 0.01;
 /// A sticking body: whoever touches keeps its shear force, and pushes by its spring.
 struct Driven {
   Scene scene;
-  double shear = 0, normal = 0;  // N, as the step begins
+  double shear = 0, normal = 0, multiplier = 0;  // N, as the step begins
   int touching = 0;
   bool facing = false;
 
   void detect() {
-    shear = normal = 0;
+    shear = normal = multiplier = 0;
     touching = 0;
     facing = false;
     Vec3 sum = Vec3::Zero();
@@ -33,11 +33,12 @@ struct Driven {
       if (p.gap > 0) continue;
       ++touching;
       sum += p.shear_start;
+      multiplier += p.multiplier;
       normal += -p.gap * p.normal_stiffness;
     }
     shear = sum.norm();
   }
-  /// `given` [N]: set on what touches, in all; 0: all keep what they have.
+  /// `given` [N]: the shear set on what touches, in all, with a multiplier of 2 N; 0: all keep what they have.
   void accept(const Vec3& given = Vec3::Zero()) {
     std::vector<ContactOutcome> outcomes(scene.contacts.points.size());
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -45,7 +46,8 @@ struct Driven {
       p.mode = p.gap > 0 ? ContactMode::open : ContactMode::stick;
       outcomes[i].gap = p.gap;
       if (p.gap > 0) continue;
-      outcomes[i].normal_force = -p.gap * p.normal_stiffness;
+      outcomes[i].multiplier = given.isZero() ? p.multiplier : 2.0 / touching;
+      outcomes[i].normal_force = outcomes[i].multiplier - p.gap * p.normal_stiffness;
       outcomes[i].shear_force = given.isZero() ? p.shear_start : Vec3(given / touching);
     }
     scene.detector().accept(scene.contacts, outcomes);
@@ -75,13 +77,15 @@ Driven tipping_cube(double degrees) {
 /// forces where it ceases or begins to.
 void expect_continuous_shear(Driven& cube, double from, double to) {
   const double turn = to > from ? 0.1 : -0.1;
-  double shear = 5;
+  double shear = 5, multiplier = 2;
   for (double angle = from + turn; (to - angle) * turn > 0; angle += turn) {
     const bool faced = cube.facing;
     turn_to(cube.scene, angle);
     cube.detect();
     EXPECT_NEAR(cube.shear, shear, faced && cube.facing ? 5e-5 * shear : 1e-9) << angle;
+    EXPECT_NEAR(cube.multiplier, multiplier, faced && cube.facing ? 5e-5 * multiplier : 1e-9) << angle;
     shear = cube.shear;
+    multiplier = cube.multiplier;
     cube.accept();
   }
 }
