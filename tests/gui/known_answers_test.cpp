@@ -99,6 +99,7 @@ TEST_F(DrivenWindow, RunsAKnownAnswerFromTheHelpMenuAndExportsIt) {
   EXPECT_EQ(findings->item(1, 1)->text(), QStringLiteral("m"));
   EXPECT_EQ(findings->item(1, 3)->text(), QString::fromUtf8("−4.905"));
   EXPECT_EQ(findings->item(1, 6)->text(), QStringLiteral("yes"));
+  rest(50);
   keepPicture(*dialog, "known_answers.png");
 
   ASSERT_TRUE(dialog->exportJson(folder / "answers.json"));

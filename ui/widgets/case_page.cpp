@@ -1,6 +1,7 @@
 #include "widgets/case_page.hpp"
 
 #include <QHeaderView>
+#include <QRegularExpression>
 #include <cmath>
 
 #include "widgets/numbers.hpp"
@@ -22,7 +23,11 @@ void clearLayout(QLayout& layout) {
   }
 }
 
-QString value(double number, int digits = figures) { return numbers::significant(number, digits); }
+/// Without zeros at its end: 2 is expected, not 2.000000.
+QString value(double number, int digits = figures) {
+  static const QRegularExpression zeros(QStringLiteral("(\\.\\d*?)0+(?!\\d)")), point(QStringLiteral("\\.(?!\\d)"));
+  return numbers::significant(number, digits).replace(zeros, QStringLiteral("\\1")).remove(point);
+}
 
 /// Error and tolerance: relative as they are, absolute with ± before them.
 QString margin(const Finding& finding, double number) {
@@ -76,7 +81,7 @@ CasePage::CasePage() : title_(makeLabel({}, "title")), verdict_(makeLabel({}, "c
 
 void CasePage::show(const KnownCase& known, const CaseResult* result) {
   title_->setText(text(known.title));
-  setRole(verdict_, !result ? "chip" : result->passed() ? "chipOk" : "chipWarn");
+  setRole(verdict_, !result ? "chip" : result->passed() ? "chipOk" : "chipError");
   verdict_->setText(
       !result ? tr("not run yet")
               : (result->passed() ? tr("passed in %1") : tr("failed in %1")).arg(numbers::duration(result->seconds)));
@@ -138,7 +143,6 @@ void CasePage::addTable(const CaseTable& content) {
   }
   table->setContent(heads, rows, words);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table->horizontalHeader()->setStretchLastSection(true);
   table->fitHeight(most_rows);
   content_->addWidget(table);
 }

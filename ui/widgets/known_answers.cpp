@@ -14,8 +14,8 @@ namespace talus {
 
 namespace {
 
-constexpr int list_width = 380;
-const QSize usual_size(1120, 680);
+constexpr int list_width = 440;
+const QSize usual_size(1180, 700);
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
