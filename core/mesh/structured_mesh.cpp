@@ -1,5 +1,6 @@
 #include "mesh/structured_mesh.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <stdexcept>
