@@ -34,8 +34,8 @@ LeaningRow leaning_row(const DominoRow& row, int count, double tilt) {
 
 constexpr double push = 1;  // √(g/h)
 
-Scene domino_scene(const DominoRow& row, int count) {
-  Scene scene = rock_scene(0);
+CaseScene domino_scene(const DominoRow& row, int count) {
+  CaseScene scene = rock_scene(0);
   const double g = scene.project.gravity.norm();
   Joint rough;
   rough.name = "rough";
@@ -62,7 +62,7 @@ Scene domino_scene(const DominoRow& row, int count) {
 /// Moments [s] at which dominoes come to the tilt of a strike, in their order; the run ends after the last but one, or
 /// when twice the time has passed that they should have taken.
 std::vector<double> strikes(const DominoRow& row, int count, const CaseOptions& options, Progress& progress) {
-  Scene scene = domino_scene(row, count);
+  CaseScene scene = domino_scene(row, count);
   double expected = 0;
   for (const double speed : row.front_speeds(push, count - 1)) expected += row.pitch() / speed;
   scene.project.stages[0].duration = 2 * expected / std::sqrt(scene.project.gravity.norm());
@@ -110,8 +110,8 @@ CaseOutcome fall(const CaseOptions& options, Progress& progress) {
     outcome.tables.push_back(table);
   }
   outcome.remarks.push_back(
-      "Dominoes are elastic here and rebound a little, every other one more: single pitches differ from the row that "
-      "keeps together, so the speed is shown and not held to.");
+      "Dominoes are elastic here and rebound a little: single pitches are faster or slower than those of a row that "
+      "keeps together, so their speed is shown and not held to.");
   return outcome;
 }
 
