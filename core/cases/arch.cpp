@@ -16,8 +16,8 @@ constexpr int voussoirs = 27;
 /// An arch whose farthest voussoir has gone this share of the radius within the run is falling.
 constexpr double moved = 2e-3;
 
-Scene arch_scene(const Arch& arch, double friction) {
-  Scene scene = rock_scene(degrees(std::atan(friction)));
+CaseScene arch_scene(const Arch& arch, double friction) {
+  CaseScene scene = rock_scene(degrees(std::atan(friction)));
   for (const double side : {-1.0, 1.0})
     add_fixed_box(scene, side < 0 ? "left springing" : "right springing", Vec3(side * radius - 4, -depth, -2),
                   Vec3(side * radius + 4, depth, 0));

@@ -20,8 +20,8 @@ double beam_theory() {
   return force * length * length * length / (3 * young * inertia) + force * length / (5.0 / 6 * young / 2 * area);
 }
 
-Scene cantilever(int cells) {
-  Scene scene;
+CaseScene cantilever(int cells) {
+  CaseScene scene;
   scene.project.gravity.setZero();
   scene.add_material({.name = "rock", .density = 2600, .young = young, .poisson = 0});
   scene.add_block("beam", box_mesh({0, 0, 0}, {length, height, height}, 5 * cells, cells, cells), BodyKind::tetrahedra);
@@ -38,7 +38,7 @@ Scene cantilever(int cells) {
 }
 
 /// Deflection of the tip, weighted as the load is spread: the work of the load over the load [m], at full scale.
-double tip_deflection(const Scene& scene, double scale, Progress& progress) {
+double tip_deflection(const CaseScene& scene, double scale, Progress& progress) {
   double deflection = 0;
   run_scene(scaled(scene, scale), progress, [&](const Simulation& simulation, const StepReport&) {
     const HistoryRow row = simulation.history();

@@ -7,8 +7,8 @@
 
 namespace talus {
 
-Scene rock_scene(double friction_angle) {
-  Scene scene;
+CaseScene rock_scene(double friction_angle) {
+  CaseScene scene;
   scene.project.name = "blocks";
   Material rock;
   rock.name = "rock";
@@ -23,16 +23,16 @@ Scene rock_scene(double friction_angle) {
   return scene;
 }
 
-void tilt(Scene& scene, double dip) {
+void tilt(CaseScene& scene, double dip) {
   const double g = scene.project.gravity.norm();
   scene.project.gravity = g * Vec3(std::sin(radians(dip)), 0, -std::cos(radians(dip)));
 }
 
-void add_fixed_box(Scene& scene, const std::string& name, const Vec3& min, const Vec3& max) {
+void add_fixed_box(CaseScene& scene, const std::string& name, const Vec3& min, const Vec3& max) {
   scene.add_block(name, box_mesh(min, max, 1, 1, 1), BodyKind::fixed);
 }
 
-void add_box(Scene& scene, const std::string& name, const Vec3& min, const Vec3& max) {
+void add_box(CaseScene& scene, const std::string& name, const Vec3& min, const Vec3& max) {
   scene.add_block(name, box_mesh(min, max, 1, 1, 1), BodyKind::tetrahedra);
 }
 
@@ -53,7 +53,7 @@ Stage motion(double time_step, double duration) {
   return stage;
 }
 
-std::vector<Moment> record(const Scene& scene, const CaseOptions& options, Progress& progress,
+std::vector<Moment> record(const CaseScene& scene, const CaseOptions& options, Progress& progress,
                            const std::function<bool(const Moment&)>& go_on) {
   const double s = options.scale, root = std::sqrt(s);
   std::vector<Moment> moments;
@@ -78,7 +78,7 @@ double farthest(const Moment& from, const Moment& to) {
   return way;
 }
 
-bool sets_off(const Scene& scene, double distance, const CaseOptions& options, Progress& progress) {
+bool sets_off(const CaseScene& scene, double distance, const CaseOptions& options, Progress& progress) {
   Moment settled;
   bool off = false;
   record(scene, options, progress, [&](const Moment& moment) {

@@ -15,9 +15,9 @@ namespace {
 constexpr double moved = 1e-3;
 
 /// In the axes of the base's steps: x down their dip, z their normal. The toe column stands on x = −width … 0.
-Scene row_scene(const ColumnRow& row, double friction_angle) {
+CaseScene row_scene(const ColumnRow& row, double friction_angle) {
   const double depth = row.width;
-  Scene scene = rock_scene(friction_angle);
+  CaseScene scene = rock_scene(friction_angle);
   tilt(scene, row.base_dip);
   const std::vector<double> height = heights(row);
   add_fixed_box(scene, "apron", Vec3(0, -depth, -2 * row.width), Vec3(2 * row.width, depth, 0));
@@ -37,7 +37,7 @@ Bracket limit_by_runs(const ColumnRow& row, double young, CaseTable& table, cons
                       Progress& progress) {
   const double expected = limiting_friction_angle(row);
   return narrowed({expected - 4, expected + 4}, options.thorough ? 10 : 7, [&](double angle) {
-    Scene scene = row_scene(row, angle);
+    CaseScene scene = row_scene(row, angle);
     scene.project.materials[0].young = young;
     const bool falls = sets_off(scene, moved * row.width, options, progress);
     table.rows.push_back({decimals(young / 1e9, 0), decimals(angle, 3), falls ? "falls" : "stands"});

@@ -32,12 +32,12 @@ struct CriticalWedge {
     equilibrium = wedge_equilibrium(turned(shape.planes(), turn), -Vec3::UnitZ());
   }
 
-  Scene scene(double friction_angle) const {
+  CaseScene scene(double friction_angle) const {
     const Material rock{.name = "rock", .density = 2000, .young = 1e9, .poisson = 0.25};
     Joint planes;
     planes.name = "planes";
     planes.friction_angle = friction_angle;
-    Scene scene = wedge_in_mould(shape, turn, rock, planes, 1);
+    CaseScene scene = wedge_in_mould(shape, turn, rock, planes, 1);
     scene.project.stages = {settling(time_step, settling_steps), motion(time_step, duration)};
     return scene;
   }

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double gravity = 9.81, fall_time = 1, step = 0.01;
 
-Scene falling_cube(Integrator integrator, Strain strain) {
-  Scene scene;
+CaseScene falling_cube(Integrator integrator, Strain strain) {
+  CaseScene scene;
   scene.project.gravity = {0, 0, -gravity};
   scene.project.solver.integrator = integrator;
   scene.project.solver.strain = strain;
@@ -22,7 +22,7 @@ Scene falling_cube(Integrator integrator, Strain strain) {
 }
 
 /// Depth fallen, at full scale [m].
-double fallen(const Scene& scene, double scale, Progress& progress) {
+double fallen(const CaseScene& scene, double scale, Progress& progress) {
   double depth = 0;
   run_scene(scaled(scene, scale), progress, [&](const Simulation& simulation, const StepReport&) {
     depth = -simulation.history().monitors.front().displacement.z() / scale;

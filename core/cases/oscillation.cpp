@@ -32,7 +32,7 @@ struct Shaking {
 
 /// A block on a slab, whose shaking along `direction` starts after settling.
 struct ShakenScene {
-  Scene scene;
+  CaseScene scene;
   Vec3 direction;
   Shaking shaking;
   double time_step = 0.002, length = 0;  ///< s
@@ -108,7 +108,7 @@ CaseOutcome newmark(const CaseOptions& options, Progress& progress) {
 
 CaseOutcome oscillating_force(const CaseOptions& options, Progress& progress) {
   const double mass = 1, friction = 0.8, amplitude = 8, duration = 10, time_step = 0.001;
-  Scene scene = rock_scene(degrees(std::atan(friction)));
+  CaseScene scene = rock_scene(degrees(std::atan(friction)));
   const Vec3 size(0.3, 0.3, 0.1);
   scene.project.materials[0].density = mass / size.prod();
   scene.project.materials[0].young = 1e9;  // light as the block is, rounding in 50 GPa would be felt

@@ -23,7 +23,7 @@ Mat3 tensor_of(const Voigt& s) {
 Stage at_rest() { return settling(1, 4); }
 
 /// Largest difference of a component of any tetrahedron's stress from the expected one, over the largest of those.
-double stress_deviation(const Scene& scene, const Voigt& expected, Progress& progress) {
+double stress_deviation(const CaseScene& scene, const Voigt& expected, Progress& progress) {
   double deviation = 0;
   run_scene(scene, progress, [&](const Simulation& simulation, const StepReport&) {
     deviation = 0;
@@ -69,7 +69,7 @@ CaseOutcome one_block(const CaseOptions& options, Progress& progress) {
   expected << cauchy(0, 0), cauchy(1, 1), cauchy(2, 2), cauchy(0, 1), cauchy(1, 2), cauchy(2, 0);
 
   const auto deviation = [&](Strain strain) {
-    Scene scene;
+    CaseScene scene;
     scene.project.gravity.setZero();
     scene.project.solver.strain = strain;
     scene.add_material(rock);
@@ -101,8 +101,8 @@ CaseOutcome one_block(const CaseOptions& options, Progress& progress) {
 }
 
 /// Two cubes on each other, meshed so that no diagonal and no inner node of one meets the other's.
-Scene two_cubes(double pressure) {
-  Scene scene;
+CaseScene two_cubes(double pressure) {
+  CaseScene scene;
   scene.project.gravity.setZero();
   scene.add_material(rock);
   Joint joint;
@@ -131,7 +131,7 @@ CaseOutcome across_a_joint(const CaseOptions& options, Progress& progress) {
   expected[2] = -pressure * options.scale / (widening * widening);
   CaseOutcome outcome;
   for (const ContactModel contact : {ContactModel::area, ContactModel::facet_wise}) {
-    Scene scene = two_cubes(pressure);
+    CaseScene scene = two_cubes(pressure);
     scene.project.solver.contact = contact;
     outcome.findings.push_back({.quantity = "deviation from uniform stress, contact " + std::string(to_string(contact)),
                                 .unit = "",

@@ -19,8 +19,8 @@ double angular_velocity(double breadth) {
   return std::sqrt(2 * gravity * lever * (1 - std::cos(radians(lean))) / radius_squared);
 }
 
-Scene pinned_bar() {
-  Scene scene;
+CaseScene pinned_bar() {
+  CaseScene scene;
   scene.project.gravity = {0, 0, -gravity};
   scene.project.solver.integrator = Integrator::generalized_alpha;
   scene.project.solver.spectral_radius = 0.9;
@@ -38,7 +38,7 @@ Scene pinned_bar() {
 }
 
 CaseOutcome swing(const CaseOptions& options, Progress& progress) {
-  const Scene scene = pinned_bar();
+  const CaseScene scene = pinned_bar();
   const double start = scene.project.monitors.front().at.x(), root = std::sqrt(options.scale);
   double lowest = 0, last_offset = start, last_speed = 0;
   run_scene(scaled(scene, options.scale), progress, [&](const Simulation& simulation, const StepReport&) {

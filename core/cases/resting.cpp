@@ -13,7 +13,7 @@ namespace {
 constexpr double moved = 1e-3;
 
 CaseOutcome slope(const CaseOptions& options, Progress& progress) {
-  Scene scene = rock_scene(30);
+  CaseScene scene = rock_scene(30);
   tilt(scene, 26.5);
   add_fixed_box(scene, "slope", Vec3(-1, -1, -1), Vec3(9, 3, 0));
   for (int i = 0; i < 32; ++i) {
@@ -33,9 +33,9 @@ CaseOutcome slope(const CaseOptions& options, Progress& progress) {
 }
 
 /// Bricks of 1 m on a table that ends at x = 0; each brick overhangs the lower one by `share` of what would balance.
-Scene overhanging_bricks(int count, double share) {
+CaseScene overhanging_bricks(int count, double share) {
   const double length = 1, height = 0.2;
-  Scene scene = rock_scene(30);
+  CaseScene scene = rock_scene(30);
   add_fixed_box(scene, "table", Vec3(-3, -1, -1), Vec3(0, 1, 0));
   double end = 0;
   for (int i = count; i >= 1; --i) {
@@ -91,7 +91,7 @@ struct Card {
   double least_friction() const { return centroid().x() / outline()[2].y(); }
 };
 
-void add_card(Scene& scene, const std::string& name, const Card& card, bool mirrored) {
+void add_card(CaseScene& scene, const std::string& name, const Card& card, bool mirrored) {
   const auto [foot, outer, upper, lower] = card.outline();
   // Mirrored, the foot comes first from the left; so the corners keep their sense.
   const std::array<Eigen::Vector2d, 4> section =
@@ -105,8 +105,8 @@ void add_card(Scene& scene, const std::string& name, const Card& card, bool mirr
   scene.add_block(name, hexahedron_mesh(corners, 1, 1, 4), BodyKind::tetrahedra);
 }
 
-Scene leaning_cards(const Card& card, double friction) {
-  Scene scene = rock_scene(degrees(std::atan(friction)));
+CaseScene leaning_cards(const Card& card, double friction) {
+  CaseScene scene = rock_scene(degrees(std::atan(friction)));
   add_fixed_box(scene, "table", Vec3(-2, -1, -0.5), Vec3(2, 1, 0));
   add_card(scene, "left", card, false);
   add_card(scene, "right", card, true);

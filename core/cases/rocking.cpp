@@ -36,8 +36,8 @@ struct RockingColumn {
     return (std::cos(slope() - angle) - std::cos(slope())) / (std::cos(slope() - tilt) - std::cos(slope()));
   }
 
-  Scene scene(double time_step, double duration) const {
-    Scene scene = rock_scene(45);
+  CaseScene scene(double time_step, double duration) const {
+    CaseScene scene = rock_scene(45);
     add_fixed_box(scene, "floor", Vec3(-4, -2, -1), Vec3(4, 2, 0));
     std::array<Vec3, 8> corners;
     for (int k = 0; k < 8; ++k) {

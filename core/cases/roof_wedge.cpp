@@ -56,7 +56,7 @@ Vec3 base_corner(double direction_1, double direction_2) {
 }
 
 /// The rock beside a face of the wedge: the prism that the face sweeps when it goes outwards.
-void add_rock(Scene& scene, const std::string& name, const std::array<Vec3, 3>& face, const Vec3& outward) {
+void add_rock(CaseScene& scene, const std::string& name, const std::array<Vec3, 3>& face, const Vec3& outward) {
   std::vector<Vec3> nodes(face.begin(), face.end());
   for (const Vec3& corner : face) nodes.push_back(corner + height * outward);
   scene.add_ground(name, nodes,
@@ -73,8 +73,8 @@ Constraint pressing(const std::string& rock, const RoofWedge& wedge, const Vec3&
   return constraint;
 }
 
-Scene roof(const RoofWedge& wedge, double friction_angle) {
-  Scene scene;
+CaseScene roof(const RoofWedge& wedge, double friction_angle) {
+  CaseScene scene;
   scene.add_material({.name = "rock", .density = density, .young = young, .poisson = 0.25});
   Joint joint;
   joint.name = "joint";

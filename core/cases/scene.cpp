@@ -1,6 +1,8 @@
 #include "cases/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "base/error.hpp"
@@ -8,19 +10,19 @@
 
 namespace talus {
 
-int Scene::add_material(const Material& material) {
+int CaseScene::add_material(const Material& material) {
   project.materials.push_back(material);
   return static_cast<int>(project.materials.size()) - 1;
 }
 
-int Scene::add_joint(const Joint& joint) {
+int CaseScene::add_joint(const Joint& joint) {
   if (project.joints.empty()) project.default_joint = joint.name;
   project.joints.push_back(joint);
   system.joint_names.push_back(joint.name);
   return static_cast<int>(project.joints.size()) - 1;
 }
 
-void Scene::add_block(const std::string& name, TetMesh mesh, BodyKind body, int material) {
+void CaseScene::add_block(const std::string& name, TetMesh mesh, BodyKind body, int material) {
   Block block;
   block.name = name;
   block.solid = 0;
@@ -33,8 +35,8 @@ void Scene::add_block(const std::string& name, TetMesh mesh, BodyKind body, int 
   system.blocks.push_back(std::move(block));
 }
 
-void Scene::add_ground(const std::string& name, const std::vector<Vec3>& nodes,
-                       const std::vector<std::array<int, 3>>& triangles, int material) {
+void CaseScene::add_ground(const std::string& name, const std::vector<Vec3>& nodes,
+                           const std::vector<std::array<int, 3>>& triangles, int material) {
   Block block;
   block.name = name;
   block.solid = 0;
@@ -45,7 +47,7 @@ void Scene::add_ground(const std::string& name, const std::vector<Vec3>& nodes,
   system.blocks.push_back(std::move(block));
 }
 
-Monitor& Scene::add_monitor(const std::string& name, const std::string& block, const Vec3& at) {
+Monitor& CaseScene::add_monitor(const std::string& name, const std::string& block, const Vec3& at) {
   return project.monitors.emplace_back(Monitor{name, block, at});
 }
 
@@ -93,7 +95,7 @@ void scale_stage(Stage& stage, double s) {
 
 }  // namespace
 
-Scene scaled(Scene scene, double s) {
+CaseScene scaled(CaseScene scene, double s) {
   Project& p = scene.project;
   for (Material& material : p.materials) material.young *= s, material.damping /= std::sqrt(s);
   for (Joint& joint : p.joints) joint.cohesion *= s, joint.tensile_strength *= s;
@@ -113,15 +115,44 @@ Scene scaled(Scene scene, double s) {
   return scene;
 }
 
-void run_scene(const Scene& scene, Progress& progress,
+namespace {
+
+/// Follows the ledger of a run.
+class LedgerWatch {
+ public:
+  void look(const EnergyLedger& e) {
+    for (const double energy : {e.kinetic, e.elastic, e.potential, e.contact, e.friction_dissipated,
+                                e.damping_dissipated, e.constraint_work, e.integration_loss})
+      moved_ = std::max(moved_, std::abs(energy));
+    remainder_ = e.remainder;
+  }
+  void require_closed() const {
+    constexpr double share = 1e-8;
+    if (std::abs(remainder_) <= share * moved_) return;
+    char text[120];
+    std::snprintf(text, sizeof text, "the energy ledger does not close: %.3g J of %.3g J are missing", remainder_,
+                  moved_);
+    throw std::runtime_error(text);
+  }
+
+ private:
+  double moved_ = 0, remainder_ = 0;  // J
+};
+
+}  // namespace
+
+void run_scene(const CaseScene& scene, Progress& progress,
                const std::function<bool(const Simulation&, const StepReport&)>& after_step) {
   Simulation simulation(scene.project, scene.system);
+  LedgerWatch ledger;
   while (!simulation.finished()) {
     if (progress.cancelled()) throw Cancelled{};
     const StepReport report = simulation.step();
     if (!simulation.converged()) throw std::runtime_error(simulation.failure());
-    if (after_step && !after_step(simulation, report)) return;
+    ledger.look(report.energy);
+    if (after_step && !after_step(simulation, report)) break;
   }
+  ledger.require_closed();
 }
 
 }  // namespace talus

@@ -10,7 +10,7 @@
 namespace talus {
 
 /// A scene built in the program: a project without shapes, and the blocks that would come of them.
-struct Scene {
+struct CaseScene {
   Project project;
   BlockSystem system;
 
@@ -28,11 +28,12 @@ struct Scene {
 /// The scene at another scale that behaves alike (Froude's and Cauchy's similarity): lengths × s, times × √s,
 /// velocities × √s, moduli, stresses and strengths × s, forces × s³, rates × 1/√s; densities, angles, gravity and joint
 /// stiffnesses [Pa/m] stay. What the project expects of a run goes along.
-Scene scaled(Scene scene, double s);
+CaseScene scaled(CaseScene scene, double s);
 
-/// Runs all stages; `after_step` may return false to end the run. Throws std::runtime_error where the solver does not
-/// converge, Cancelled when `progress` says so.
-void run_scene(const Scene& scene, Progress& progress,
+/// Runs all stages; `after_step` may return false to end the run. Every case holds the energy ledger to close: throws
+/// std::runtime_error where its remainder exceeds 1e-8 of the energy that moved, or where the solver does not converge;
+/// Cancelled when `progress` says so.
+void run_scene(const CaseScene& scene, Progress& progress,
                const std::function<bool(const Simulation&, const StepReport&)>& after_step = {});
 
 }  // namespace talus

@@ -38,7 +38,7 @@ ColumnMode mode_of(const ColumnMotion& motion) {
 
 ColumnMotion run_column(const ColumnPoint& point, const CaseOptions& options, Progress& progress) {
   const double height = 1, width = point.slenderness * height;
-  Scene scene = rock_scene(point.friction_angle);
+  CaseScene scene = rock_scene(point.friction_angle);
   tilt(scene, point.dip);
   add_fixed_box(scene, "slab", Vec3(-2, -1, -1), Vec3(3, 1, 0));
   add_box(scene, "column", Vec3(0, -0.25, 0), Vec3(width, 0.25, height));

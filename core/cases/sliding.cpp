@@ -12,8 +12,8 @@ namespace {
 constexpr int slab = 0, block = 1;
 
 /// A block of 1 m on a long slab that dips towards +x, both in the slab's axes; the slab's mesh does not match.
-Scene block_on_incline(double dip, double friction_angle) {
-  Scene scene = rock_scene(friction_angle);
+CaseScene block_on_incline(double dip, double friction_angle) {
+  CaseScene scene = rock_scene(friction_angle);
   tilt(scene, dip);
   add_fixed_box(scene, "slab", Vec3(-4, -3, -1), Vec3(40, 3, 0));
   add_box(scene, "block", Vec3(0, -0.5, 0), Vec3(1, 0.5, 1));
@@ -44,7 +44,7 @@ CaseOutcome slides(const CaseOptions& options, Progress& progress) {
   for (const Row& row :
        {Row{"acceleration, 30°, φ 15°", 30, 15, 9.81, 2600}, Row{"acceleration, 28°, φ 22.5°", 28, 22.5, 9.81, 2600},
         Row{"acceleration, 40°, φ 20°, g 10 (3DEC)", 40, 20, 10, 2000}}) {
-    Scene scene = block_on_incline(row.dip, row.friction_angle);
+    CaseScene scene = block_on_incline(row.dip, row.friction_angle);
     scene.project.gravity *= row.g / scene.project.gravity.norm();
     scene.project.materials[0].density = row.density;
     scene.project.stages = {settling(0.01, 20), motion(0.01, 1)};
@@ -65,8 +65,8 @@ struct Company {
   bool moving = false;  ///< one slides down and off the slab, one falls onto it
 };
 
-Scene block_in_company(const Company& company) {
-  Scene scene = block_on_incline(30, 35);
+CaseScene block_in_company(const Company& company) {
+  CaseScene scene = block_on_incline(30, 35);
   for (int i = 0; i < company.others; ++i) {
     const Vec3 corner(1.7 * (1 + i % 10), i < 10 ? -2.5 : 0.7, 0);
     add_box(scene, "other " + std::to_string(i + 1), corner, corner + Vec3(1, 1.2, 0.8));
@@ -86,7 +86,7 @@ CaseOutcome sticks(const CaseOptions& options, Progress& progress) {
   CaseOutcome outcome;
   for (const Company& company : {Company{"alone"}, Company{"5 others", 5}, Company{"20 others", 20},
                                  Company{"one slides, one falls", 0, true}}) {
-    Scene scene = block_in_company(company);
+    CaseScene scene = block_in_company(company);
     scene.project.stages = {settling(0.01, 50), motion(0.01, 10)};
     const auto moments = record(scene, options, progress);
     const Vec3 crept = moments.back().blocks[block].displacement - moments[50].blocks[block].displacement;
@@ -101,7 +101,7 @@ CaseOutcome sticks(const CaseOptions& options, Progress& progress) {
 
 CaseOutcome stops(const CaseOptions& options, Progress& progress) {
   const double speed = 5, friction = 0.5, g = 9.81;
-  Scene scene = block_on_incline(0, degrees(std::atan(friction)));
+  CaseScene scene = block_on_incline(0, degrees(std::atan(friction)));
   InitialVelocity start;
   start.block = "block";
   start.linear = Vec3(speed, 0, 0);

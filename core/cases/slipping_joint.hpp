@@ -11,7 +11,7 @@ struct SlippingJoint {
   double young = 0;              ///< Pa
   double stiffness = 0;          ///< Pa/m, normal and shear
   double friction_angle = 0;     ///< degrees
-  double slipping_length = 0;    ///< m, ℓ
+  double slipping_length = 0;    ///< m, ℓ, from tip to tip
 
   double first_unloading() const;  ///< N/m, nothing slips
   double loading() const;          ///< N/m, shear is carried by friction and spring

@@ -11,8 +11,8 @@ namespace {
 constexpr double gravity = 9.81, mass = 1000, stiffness = 1e8;
 
 /// A cube of 1 m³ and 1 t, much stiffer than the joint it stands on: 1 m² of 1e8 Pa/m.
-Scene cube_on_spring(double drop, Integrator integrator) {
-  Scene scene;
+CaseScene cube_on_spring(double drop, Integrator integrator) {
+  CaseScene scene;
   scene.project.gravity = {0, 0, -gravity};
   scene.project.solver.integrator = integrator;
   scene.project.solver.spectral_radius = 1;
@@ -41,7 +41,7 @@ struct Bounce {
   double energy_loss = 0;     ///< integration loss over the highest kinetic energy
 };
 
-Bounce bounce(const Scene& scene, double scale, Progress& progress) {
+Bounce bounce(const CaseScene& scene, double scale, Progress& progress) {
   const double root = std::sqrt(scale);
   Bounce result;
   double last_force = 0, last_time = 0, kinetic = 0;
@@ -72,7 +72,7 @@ CaseOutcome elastic_impact(const CaseOptions& options, Progress& progress) {
   const double force = weight + std::sqrt(weight * weight + stiffness * mass * speed * speed);
   CaseOutcome outcome;
   for (const Integrator integrator : {Integrator::generalized_alpha, Integrator::constant_acceleration}) {
-    Scene scene = cube_on_spring(drop, integrator);
+    CaseScene scene = cube_on_spring(drop, integrator);
     scene.project.stages.push_back(motion(1e-3, 0.45));
     scene.project.stages.push_back(motion(step, 0.015));
     const Bounce found = bounce(scene, options.scale, progress);
@@ -112,7 +112,7 @@ CaseOutcome elastic_impact(const CaseOptions& options, Progress& progress) {
 /// The cube settles by mg/k; then half its weight is added, and it swings about 1.5 mg/k without leaving the joint.
 CaseOutcome block_on_springs(const CaseOptions& options, Progress& progress) {
   constexpr double settled = mass * gravity / stiffness, step = 1e-4, duration = 0.21;
-  Scene scene = cube_on_spring(0, Integrator::generalized_alpha);
+  CaseScene scene = cube_on_spring(0, Integrator::generalized_alpha);
   scene.project.stages.push_back(settling(1, 4));
   Stage swing = motion(step, duration);
   swing.loads = {{.block = "cube", .at = {0.5, 0.5, 0.5}, .force = {0, 0, -mass * gravity / 2}, .table = {}}};

@@ -18,8 +18,8 @@ const ElasticBar bar{.length = 10, .area = side * side, .young = 10e9, .density 
 const SmoothPulse pulse{.peak = peak_force, .duration = 2.5e-3};
 
 /// A bar without Poisson's effect along x, free unless held, and no gravity.
-Scene bar_scene(int cells, double step, double duration, Integrator integrator) {
-  Scene scene;
+CaseScene bar_scene(int cells, double step, double duration, Integrator integrator) {
+  CaseScene scene;
   scene.project.gravity.setZero();
   scene.project.solver.integrator = integrator;
   scene.project.solver.spectral_radius = 1;
@@ -30,8 +30,8 @@ Scene bar_scene(int cells, double step, double duration, Integrator integrator) 
 }
 
 /// The bar is free at both ends and pushed at x = 0 for a moment.
-Scene pushed_bar(int cells, double step, Integrator integrator) {
-  Scene scene = bar_scene(cells, step, bar.travel_time() + pulse.duration, integrator);
+CaseScene pushed_bar(int cells, double step, Integrator integrator) {
+  CaseScene scene = bar_scene(cells, step, bar.travel_time() + pulse.duration, integrator);
   scene.project.loads = surface_loads(scene.system.blocks.front(), [](const Vec3&, const Vec3& normal) {
     return Vec3(normal.x() < -0.5 ? 1 / bar.area : 0, 0, 0);
   });
@@ -136,8 +136,8 @@ CaseOutcome bar_wave(const CaseOptions& options, Progress& progress) {
 }
 
 /// Held at x = 0, the rest suddenly in motion: the tip goes to and fro along straight lines, v·t, −v·t, …
-Scene ringing_bar(Integrator integrator, double step, int periods) {
-  Scene scene = bar_scene(40, step, periods * 4 * bar.travel_time(), integrator);
+CaseScene ringing_bar(Integrator integrator, double step, int periods) {
+  CaseScene scene = bar_scene(40, step, periods * 4 * bar.travel_time(), integrator);
   for (const Vec3& node : scene.system.blocks.front().mesh.nodes)
     if (node.x() == 0)
       scene.project.constraints.push_back({.block = "bar", .at = node, .displacement = {0, 0, 0}, .table = {}});

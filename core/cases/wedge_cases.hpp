@@ -12,7 +12,7 @@ namespace talus {
 constexpr bool at_threshold(double factor_of_safety) { return factor_of_safety >= 0.9 && factor_of_safety <= 1.35; }
 
 /// One of the 65 tests: the wedge meshed with 8^refinements tetrahedra, settled and then let go for `duration` [s].
-Scene wedge_test_scene(const WedgeTest& test, double friction_angle, int refinements, double duration);
+CaseScene wedge_test_scene(const WedgeTest& test, double friction_angle, int refinements, double duration);
 
 /// The same, run until the wedge has gone 10 % of its length, lies still, or a second has passed.
 WedgeMotion run_wedge_test(const WedgeTest& test, double friction_angle, int refinements, const CaseOptions& options,

@@ -50,9 +50,9 @@ ClosedSurface mould(const WedgeShape& wedge) {
   return surface;
 }
 
-Scene wedge_in_mould(const WedgeShape& wedge, const Mat3& turn, const Material& rock, const Joint& planes,
-                     int refinements) {
-  Scene scene;
+CaseScene wedge_in_mould(const WedgeShape& wedge, const Mat3& turn, const Material& rock, const Joint& planes,
+                         int refinements) {
+  CaseScene scene;
   scene.add_material(rock);
   scene.add_joint(planes);
 

@@ -33,8 +33,8 @@ ClosedSurface mould(const WedgeShape& wedge);
 
 /// The wedge (block 1) meshed, `refinements` times eight tetrahedra for one, in its fixed mould (block 0), both turned
 /// by `turn`; no stages.
-Scene wedge_in_mould(const WedgeShape& wedge, const Mat3& turn, const Material& rock, const Joint& planes,
-                     int refinements);
+CaseScene wedge_in_mould(const WedgeShape& wedge, const Mat3& turn, const Material& rock, const Joint& planes,
+                         int refinements);
 
 /// The planes after a turn.
 WedgePlanes turned(const WedgePlanes& planes, const Mat3& turn);

@@ -22,7 +22,7 @@ constexpr double still_speed = 1e-6;
 
 }  // namespace
 
-WedgeWatch::WedgeWatch(const Scene& scene, const WedgePlanes& planes, double length)
+WedgeWatch::WedgeWatch(const CaseScene& scene, const WedgePlanes& planes, double length)
     : planes_(planes), length_(length), gravity_(scene.project.gravity.norm()) {
   const Block& wedge = scene.system.blocks[1];
   weight_ = scene.project.materials[wedge.material].density * wedge.volume * gravity_;

@@ -21,7 +21,7 @@ struct WedgeMotion {
 class WedgeWatch {
  public:
   /// `planes` as they lie in the scene, `length` of the wedge [m].
-  WedgeWatch(const Scene& scene, const WedgePlanes& planes, double length);
+  WedgeWatch(const CaseScene& scene, const WedgePlanes& planes, double length);
 
   /// To be called after each step. False when there is nothing more to see: the wedge has gone its way, or lies still.
   bool look(const Simulation& simulation);

@@ -11,18 +11,18 @@ constexpr double longest = 1;  // s; a wedge that has not gone 5 % of its length
 
 }  // namespace
 
-Scene wedge_test_scene(const WedgeTest& test, double friction_angle, int refinements, double duration) {
+CaseScene wedge_test_scene(const WedgeTest& test, double friction_angle, int refinements, double duration) {
   Joint planes;
   planes.name = "planes";
   planes.friction_angle = friction_angle;
-  Scene scene = wedge_in_mould(test.shape(), test.turn(), plaster(), planes, refinements);
+  CaseScene scene = wedge_in_mould(test.shape(), test.turn(), plaster(), planes, refinements);
   scene.project.stages = {settling(time_step, settling_steps), motion(time_step, duration)};
   return scene;
 }
 
 WedgeMotion run_wedge_test(const WedgeTest& test, double friction_angle, int refinements, const CaseOptions& options,
                            Progress& progress) {
-  const Scene scene = scaled(wedge_test_scene(test, friction_angle, refinements, longest), options.scale);
+  const CaseScene scene = scaled(wedge_test_scene(test, friction_angle, refinements, longest), options.scale);
   WedgeWatch watch(scene, turned(test.shape().planes(), test.turn()), test.shape().length() * options.scale);
   run_scene(scene, progress, [&](const Simulation& simulation, const StepReport&) { return watch.look(simulation); });
   return watch.motion();

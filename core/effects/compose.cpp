@@ -34,26 +34,26 @@ const Block& block_named(const BlockSystem& system, const std::string& name) {
   return found == system.blocks.end() ? system.blocks.front() : *found;
 }
 
-std::vector<LoadedPoint> loaded_points(const Project& project, const BlockSystem& system) {
+std::vector<LoadedPoint> loaded_points(const Project& project, const BlockSystem& system, const Place& list) {
   std::vector<LoadedPoint> loads;
   for (std::size_t i = 0; i < project.loads.size(); ++i) {
     const PointLoad& load = project.loads[i];
     const double tolerance = point_tolerance * block_size(block_named(system, load.block));
-    loads.push_back({material_point(system, load.block, load.at, tolerance, "/loads/" + std::to_string(i)), load.force,
-                     load.table});
+    loads.push_back(
+        {material_point(system, load.block, load.at, tolerance, (list / i).text()), load.force, load.table});
   }
   return loads;
 }
 
-std::vector<HeldPoint> held_points(const Project& project, const BlockSystem& system) {
+std::vector<HeldPoint> held_points(const Project& project, const BlockSystem& system, const Place& list) {
   std::vector<HeldPoint> points;
   for (std::size_t i = 0; i < project.constraints.size(); ++i) {
     const Constraint& constraint = project.constraints[i];
     if (!constraint.at) continue;
     const Block& block = block_named(system, constraint.block);
     const double size = block_size(block);
-    const MaterialPoint point = material_point(system, constraint.block, *constraint.at, point_tolerance * size,
-                                               "/constraints/" + std::to_string(i));
+    const MaterialPoint point =
+        material_point(system, constraint.block, *constraint.at, point_tolerance * size, (list / i).text());
     points.push_back({point, constraint.displacement,
                       constraint_stiffness * project.materials[block.material].young * size, constraint.table});
   }
@@ -153,9 +153,10 @@ Composition compose(const Project& project, const BlockSystem& system, int stage
     if (status.name == "initial stress" && !corotational) add(std::make_unique<InitialStress>(set));
     if (status.name == "inertia") composition.inertia = add(std::make_unique<Inertia>(set));
     if (status.name == "displacement constraint" && holds_points(now))
-      add(std::make_unique<DisplacementConstraints>(set, held_points(now, system)));
+      add(std::make_unique<DisplacementConstraints>(set,
+                                                    held_points(now, system, place_of_constraints(project, stage))));
     if (status.name == "point load" && !now.loads.empty())
-      add(std::make_unique<PointLoads>(set, loaded_points(now, system)));
+      add(std::make_unique<PointLoads>(set, loaded_points(now, system, place_of_loads(project, stage))));
     if (status.name == "body force") add(std::make_unique<BodyForce>(set, project.gravity));
     if (status.name == "normal contact") composition.normal = add(std::make_unique<NormalContact>(set, contacts));
     if (status.name == "shear contact") composition.shear = add(std::make_unique<ShearContact>(set, contacts));

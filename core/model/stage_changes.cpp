@@ -13,7 +13,23 @@ void change(Joint& joint, const JointChange& change) {
   if (change.tensile_strength) joint.tensile_strength = *change.tensile_strength;
 }
 
+/// Of the list under `key` that holds in a stage: the project's own, or that of the last stage that gives one.
+template <class Gives>
+Place place_of(const Project& project, int stage, const char* key, Gives gives) {
+  for (int k = stage; k >= 0; --k)
+    if (gives(project.stages[k])) return Place() / "stages" / static_cast<std::size_t>(k) / key;
+  return Place() / key;
+}
+
 }  // namespace
+
+Place place_of_loads(const Project& project, int stage) {
+  return place_of(project, stage, "loads", [](const Stage& s) { return s.loads.has_value(); });
+}
+
+Place place_of_constraints(const Project& project, int stage) {
+  return place_of(project, stage, "constraints", [](const Stage& s) { return s.constraints.has_value(); });
+}
 
 Project project_in_stage(const Project& project, int stage) {
   Project changed = project;

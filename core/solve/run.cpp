@@ -75,6 +75,7 @@ class Recording {
         expectations_(project, system),
         writer_(options.out, project, system, options.project_text),
         next_frame_(project.output.every) {
+    report_.threads = options.threads;
     const HistoryRow row = simulation_.history();
     expectations_.look(simulation_, row);
     writer_.add_history(row);
@@ -99,6 +100,8 @@ class Recording {
     }
     writer_.add_step(step);
     if (step.cuts > 0) writer_.log(describe(step));
+    if (step.equilibrium)
+      stage_events_.push_back({step.time, "stage " + project_.stages[step.stage].name + " in equilibrium"});
     add_step(report_, step);
   }
 
@@ -116,7 +119,7 @@ class Recording {
     report_.blocks = block_outcomes(system_, simulation_.bodies(), motions_.classes(simulation_.bodies()));
     report_.names = motion_names(system_);
     report_.effects = simulation_.effects();
-    report_.events = merged(events_.events(), motions_.events());
+    report_.events = merged(merged(events_.events(), motions_.events()), stage_events_);
     report_.expect = expectations_.outcomes();
     writer_.finish(report_);
     return report_;
@@ -136,6 +139,7 @@ class Recording {
   RunObserver& observer_;
   EventWatch events_;
   MotionWatch motions_;
+  std::vector<Event> stage_events_;
   ExpectationWatch expectations_;
   ResultWriter writer_;
   double next_frame_;  ///< s

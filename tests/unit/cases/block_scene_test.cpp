@@ -7,8 +7,8 @@
 namespace talus {
 namespace {
 
-Scene falling_block() {
-  Scene scene = rock_scene(30);
+CaseScene falling_block() {
+  CaseScene scene = rock_scene(30);
   add_box(scene, "block", Vec3(0, 0, 0), Vec3(1, 1, 1));
   scene.project.stages = {motion(0.01, 1)};
   return scene;
@@ -26,7 +26,7 @@ TEST(BlockScene, a_record_speaks_of_full_size_at_any_scale) {
 
 TEST(BlockScene, sets_off_ends_the_run_at_the_distance) {
   NoProgress nobody;
-  Scene scene = falling_block();
+  CaseScene scene = falling_block();
   scene.project.stages.insert(scene.project.stages.begin(), settling(0.01, 1));
   EXPECT_TRUE(sets_off(scene, 1, {}, nobody));
   EXPECT_FALSE(sets_off(scene, 10, {}, nobody));

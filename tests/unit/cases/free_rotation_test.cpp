@@ -25,7 +25,7 @@ TEST(FreeRotation, MiddleAxisTurnsOverWhenItIsKnownTo) {
 }
 
 TEST(FreeRotation, AngularMomentumOfABoxIsItsInertiaTimesItsSpin) {
-  Scene scene;
+  CaseScene scene;
   scene.add_material({.name = "rock", .density = 2, .young = 1e9, .poisson = 0.2});
   scene.add_block("box", box_mesh({-0.5, -1, -1.5}, {0.5, 1, 1.5}, 2, 1, 3), BodyKind::tetrahedra);
   BodySet bodies(scene.project, scene.system);

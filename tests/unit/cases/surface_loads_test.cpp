@@ -9,7 +9,7 @@ using namespace talus;
 namespace {
 
 Block slab() {
-  Scene scene;
+  CaseScene scene;
   scene.add_material({.name = "rock", .density = 2000, .young = 1e9, .poisson = 0.2});
   scene.add_block("slab", box_mesh({0, 0, 0}, {2, 3, 1}, 3, 2, 2), BodyKind::tetrahedra);
   return scene.system.blocks.front();

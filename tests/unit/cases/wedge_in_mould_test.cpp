@@ -53,7 +53,7 @@ TEST(WedgeInMould, SceneHoldsTheWholeWedgeHoweverFineItsMesh) {
   for (const WedgeTest& test : {wedge_tests().front(), wedge_tests().back()}) {
     const double volume = test.block == 1 ? 0.16 * 0.14 * 0.07 / 6 : 0.10 * 0.20 * 0.10 / 6;
     for (const int refinements : {0, 1, 2}) {
-      const Scene scene = wedge_in_mould(test.shape(), test.turn(), plaster(), {}, refinements);
+      const CaseScene scene = wedge_in_mould(test.shape(), test.turn(), plaster(), {}, refinements);
       ASSERT_EQ(scene.system.blocks.size(), 2u);
       EXPECT_EQ(scene.system.blocks[0].body, BodyKind::fixed);
       EXPECT_NEAR(scene.system.blocks[1].volume, volume, 1e-12);

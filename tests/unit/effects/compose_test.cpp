@@ -107,6 +107,13 @@ TEST(Compose, a_load_outside_its_block_is_an_error_that_names_the_load) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.place(), "/loads/1");
   }
+  project.stages[0].loads = project.loads;
+  try {
+    compose(project, system, 0, set, contacts);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), "/stages/0/loads/1");
+  }
 }
 
 }  // namespace
