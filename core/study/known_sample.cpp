@@ -155,7 +155,7 @@ std::vector<KnownSample> find_known_samples(const std::filesystem::path& folder)
 
 SampleOutcome run_sample(const KnownSample& sample, const CaseOptions& options, Progress& progress) {
   PartOfProgress meshing(progress, 0, meshing_share, ""), solving(progress, meshing_share, 1 - meshing_share, "");
-  Scene scene;
+  CaseScene scene;
   scene.project = read_project(sample.project);
   scene.system = build_blocks(scene.project, sample.project.parent_path(), meshing);
   const std::string text = write_project(scene.project);
