@@ -23,7 +23,7 @@ constexpr double g = 9.81;
 /// A scene, the normals that its smooth bodies have, and what its first moving block should do.
 struct Trial {
   std::string name;
-  Scene scene;
+  CaseScene scene;
   std::vector<Vec3> normals;
   std::string block;
   Vec3 expected = Vec3::Zero();  ///< m/s at the end
@@ -36,19 +36,19 @@ Stage moving(double time_step, double duration) {
 }
 
 /// A cube of 3 × 3 × 3 cells with its lower corner at `min`.
-void add_cube(Scene& scene, const std::string& name, const Vec3& min, bool mirrored) {
+void add_cube(CaseScene& scene, const std::string& name, const Vec3& min, bool mirrored) {
   scene.add_block(name, box_mesh(min, min + Vec3(1, 1, 1), 3, 3, 3, mirrored), BodyKind::tetrahedra);
 }
 
-Scene ground_and_cube(double friction_angle) {
-  Scene scene = rock_scene(friction_angle);
+CaseScene ground_and_cube(double friction_angle) {
+  CaseScene scene = rock_scene(friction_angle);
   scene.project.gravity = Vec3(0, 0, -g);
   scene.add_block("ground", box_mesh({0, 0, -1}, {6, 5, 0}, 8, 7, 1), BodyKind::fixed);
   add_cube(scene, "cube", {0.6, 0.6, 0}, true);
   return scene;
 }
 
-void push(Scene& scene, const Vec3& velocity, double duration) {
+void push(CaseScene& scene, const Vec3& velocity, double duration) {
   scene.project.velocities.push_back({"cube", velocity, Vec3::Zero()});
   scene.project.stages = {settling(2e-3, 20), moving(2e-3, duration)};
 }
@@ -180,7 +180,7 @@ void run_wedges(int refinements, ContactModel model) {
     const WedgeEquilibrium equilibrium = test.equilibrium();
     if (at_threshold(equilibrium.factor(plaster_friction_angle))) continue;
     ++rows;
-    Scene scene = wedge_test_scene(test, plaster_friction_angle, refinements, 1);
+    CaseScene scene = wedge_test_scene(test, plaster_friction_angle, refinements, 1);
     scene.project.solver.contact = model;
     WedgeWatch watch(scene, turned(test.shape().planes(), test.turn()), test.shape().length());
     try {
