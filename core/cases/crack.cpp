@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/units.hpp"
 #include "cases/block_scene.hpp"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cases/bar_wave.hpp"
 #include "cases/block_scene.hpp"
