@@ -1,6 +1,7 @@
 #include "verify_markdown.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -37,12 +38,12 @@ std::string heading_text(const std::vector<std::string>& columns, const std::str
   return row_text(columns) + rule + '\n';
 }
 
-/// How near the worst held number comes to its tolerance, in %.
+/// How near the worst held number comes to its tolerance, in %; "–" where that is no number.
 std::string margin_text(const CaseResult& result) {
   double worst = 0;
   for (const Finding& finding : result.outcome.findings)
-    if (!finding.reported && finding.error() > 0) worst = std::max(worst, finding.error() / finding.tolerance);
-  return number(100 * worst, 2);
+    if (!finding.reported && !(finding.error() <= 0)) worst = std::max(worst, finding.error() / finding.tolerance);
+  return std::isfinite(worst) && !result.outcome.findings.empty() ? number(100 * worst, 2) : "–";
 }
 
 /// The link to a heading, as GitHub makes it.
@@ -54,6 +55,7 @@ std::string anchor_of(const std::string& heading) {
 
 std::string overview_text(const std::vector<CaseResult>& results) {
   std::string text =
+      verdict_text(results).substr(1) + '\n' +
       heading_text({"Case", "What", "Numbers held", "Error, % of tolerance", "Seconds", "Passed"}, "llrrrl");
   for (const CaseResult& result : results) {
     const auto held = std::count_if(result.outcome.findings.begin(), result.outcome.findings.end(),

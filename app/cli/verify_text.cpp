@@ -103,7 +103,7 @@ std::string case_text(const CaseResult& result, bool tables) {
   for (const Finding& finding : result.outcome.findings)
     text += row_text(finding.quantity, finding.unit, words_of(finding));
   for (const Repetition& repetition : result.repetitions) text += wrapped(repetition_text(repetition), 2);
-  for (const std::string& remark : result.outcome.remarks) text += wrapped(remark, 2);
+  for (const std::string& remark : result.outcome.remarks) text += wrapped("– " + remark, 2);
   if (!result.source.empty()) text += wrapped("Source: " + result.source, 2);
   if (tables)
     for (const CaseTable& table : result.outcome.tables) text += table_text(table);

@@ -91,6 +91,8 @@ TEST_F(DrivenWindow, RunsAKnownAnswerFromTheHelpMenuAndExportsIt) {
   EXPECT_FALSE(button(*dialog, "Run all quick ones").isEnabled());
   ASSERT_TRUE(wait([&] { return !dialog->job().isBusy(); }));
   EXPECT_EQ(list.item(row, 1)->text(), QStringLiteral("passed"));
+  rest(50);
+  keepPicture(*dialog, "known_answers.png");
 
   const auto* findings = dialog->findChild<PlainTable*>(QStringLiteral("findings"));
   ASSERT_NE(findings, nullptr);
@@ -99,8 +101,6 @@ TEST_F(DrivenWindow, RunsAKnownAnswerFromTheHelpMenuAndExportsIt) {
   EXPECT_EQ(findings->item(1, 1)->text(), QStringLiteral("m"));
   EXPECT_EQ(findings->item(1, 3)->text(), QString::fromUtf8("−4.905"));
   EXPECT_EQ(findings->item(1, 6)->text(), QStringLiteral("yes"));
-  rest(50);
-  keepPicture(*dialog, "known_answers.png");
 
   ASSERT_TRUE(dialog->exportJson(folder / "answers.json"));
   const auto json = nlohmann::json::parse(std::ifstream(folder / "answers.json"));

@@ -115,6 +115,7 @@ void CasePage::addFindings(const CaseResult& result) {
     table->item(row, 6)->setIcon(finding.passed() ? theme::icon(QStringLiteral("ok"), theme::Tone::ok)
                                                   : theme::icon(QStringLiteral("error"), theme::Tone::error));
   }
+  table->wrapWords(most_rows);
   table->fitHeight(most_rows);
   content_->addWidget(table);
   addSentence(tr("Error and tolerance are relative to the expected number; with ± they are in its unit."), "faint");

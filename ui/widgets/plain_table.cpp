@@ -1,11 +1,17 @@
 #include "widgets/plain_table.hpp"
 
 #include <QHeaderView>
+#include <QScrollBar>
 #include <algorithm>
 
 #include "widgets/theme.hpp"
 
 namespace talus {
+
+namespace {
+constexpr int cell_padding = 28;  // beside a cell's words: the style sheet's, the focus frame, and what wrapping rounds
+constexpr int line_gap = 10;
+}  // namespace
 
 PlainTable::PlainTable() {
   verticalHeader()->hide();
@@ -37,9 +43,22 @@ void PlainTable::setContent(const QStringList& heads, const std::vector<QStringL
   }
 }
 
+void PlainTable::wrapWords(int most) {
+  connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this, most](int column, int, int width) {
+    if (column != 0) return;
+    const QRect room(0, 0, width - cell_padding, QWIDGETSIZE_MAX);
+    for (int row = 0; row < rowCount(); ++row) {
+      const QRect words = fontMetrics().boundingRect(room, Qt::TextWordWrap, item(row, 0)->text());
+      setRowHeight(row, std::max(verticalHeader()->defaultSectionSize(), words.height() + line_gap));
+    }
+    fitHeight(most);
+  });
+}
+
 void PlainTable::fitHeight(int most) {
-  const int rows = std::min(rowCount(), most);
-  setFixedHeight(horizontalHeader()->sizeHint().height() + rows * verticalHeader()->defaultSectionSize() + 2);
+  int height = horizontalHeader()->sizeHint().height() + horizontalScrollBar()->sizeHint().height();
+  for (int row = 0; row < std::min(rowCount(), most); ++row) height += rowHeight(row);
+  setFixedHeight(height);
 }
 
 }  // namespace talus

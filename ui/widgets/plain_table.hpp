@@ -14,6 +14,8 @@ class PlainTable : public QTableWidget {
   void setContent(const QStringList& heads, const std::vector<QStringList>& rows, const std::vector<bool>& words);
   /// As high as its rows, at most `most` of them; it scrolls beyond.
   void fitHeight(int most);
+  /// Breaks what the first column says into lines where it becomes narrow, and fits the height again.
+  void wrapWords(int most);
 };
 
 }  // namespace talus
