@@ -25,6 +25,8 @@ bool resists_elastically(const ContactPoint& point, double gap) {
   return point.multiplier - point.normal_stiffness * gap > (point.bonded ? -point.tension : 0.0);
 }
 
+bool touches(const ContactPoint& point, double gap, double share) { return gap < share * point.size; }
+
 double shear_strength(const ContactPoint& point, double normal_force) {
   return std::max(0.0, point.cohesion + point.friction * normal_force);
 }

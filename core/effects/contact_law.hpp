@@ -19,6 +19,9 @@ double normal_force(const ContactPoint& point, double gap);
 /// Whether the normal force changes with the gap there: neither open nor yielding.
 bool resists_elastically(const ContactPoint& point, double gap);
 
+/// Whether an open contact is open by less than this share of its size.
+bool touches(const ContactPoint& point, double gap, double share);
+
 /// Mohr–Coulomb strength in shear [N], paper (33)(36) with the cohesion of a bond: c·A + F_n tan φ.
 double shear_strength(const ContactPoint& point, double normal_force);
 

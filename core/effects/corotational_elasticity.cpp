@@ -54,9 +54,8 @@ void add_element_couplings(const BodySet& set, std::vector<std::pair<int, int>>&
 }
 
 Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape, const Increment& d) {
-  Corners corners = set.corner_increments(element, d);
-  for (int i = 0; i < 4; ++i) corners[i] += set.nodes.position[element.nodes[i]];
-  return from_corners(shape, corners);
+  // Summed after both are turned into gradients: an increment far below the rounding of a position still counts.
+  return deformation_gradient(set, element, shape) + from_corners(shape, set.corner_increments(element, d));
 }
 
 Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape) {

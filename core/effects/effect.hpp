@@ -16,7 +16,8 @@ struct StepContext {
   double length = 0;              ///< s, Δ
   double dynamic_factor = 1;      ///< share of the velocity that enters the step: 0 static, 1 dynamic
   TimeIntegration integration{};  ///< of this step; in static stages all forces are taken at its end
-  double extent = 0;              ///< m, largest coordinate: positions are round by this times 1e-16
+  double extent = 0;              ///< m, largest coordinate: where a step begins is rounded to 1e-16 of it
+  double mesh_size = 0;           ///< m, largest: a deformation gradient is rounded to 1e-16, an edge to this times it
 };
 
 /// The column of the energy ledger that an effect's energy belongs to.

@@ -25,7 +25,7 @@ void NormalContact::add_gradient(const Increment& d, Eigen::VectorXd& sum) const
 
 void NormalContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
   for (const ContactPoint& point : contacts_.points)
-    if (resists_elastically(point, gap(point, d)))
+    if (resists_elastically(point, gap(point, d)) || touches(point, gap(point, d), touching_))
       add_contact_spring(contacts_, point, set_, point.normal_stiffness * point.normal * point.normal.transpose(), sum);
 }
 

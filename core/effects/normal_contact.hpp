@@ -17,6 +17,8 @@ class NormalContact final : public Effect {
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+  /// The Hessian takes contacts that are open by less than this share of their size for closed.
+  void count_as_closed(double share) { touching_ = share; }
   void accept(const Increment& d) override;
   double stored_energy() const override { return stored_; }
   double work_on_held(const Increment& d) const override;
@@ -25,6 +27,7 @@ class NormalContact final : public Effect {
   double gap(const ContactPoint& point, const Increment& d) const;
   const BodySet& set_;
   const ContactSet& contacts_;
+  double touching_ = 0;
   double stored_ = 0;  ///< J, in the springs at the end of the last step
 };
 

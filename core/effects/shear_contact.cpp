@@ -45,11 +45,12 @@ void ShearContact::add_gradient(const Increment& d, Eigen::VectorXd& sum) const 
 void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
   for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
     const ContactPoint& point = contacts_.points[i];
-    if (strength_[i] == 0) continue;
+    const bool set_down = strength_[i] == 0 && touching_ > 0 && touches(point, gap(point, d), touching_);
+    if (strength_[i] == 0 && !(set_down && point.friction > 0)) continue;
     Mat3 spring = Mat3::Identity() - point.normal * point.normal.transpose();
     const Vec3 trial = spring_force(i, d);
     const double length = trial.norm();
-    if (length > strength_[i])
+    if (length > strength_[i] && !set_down)
       spring = strength_[i] / length * (spring - trial * trial.transpose() / (length * length));
     add_contact_spring(contacts_, point, set_, point.shear_stiffness * spring, sum);
   }

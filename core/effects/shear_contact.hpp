@@ -22,6 +22,8 @@ class ShearContact final : public Effect {
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+  /// The Hessian takes contacts that are open by less than this share of their size for closed and sticking.
+  void count_as_closed(double share) { touching_ = share; }
   void add_unsymmetric(const Increment& d, const Eigen::VectorXd& x, Eigen::VectorXd& y) const override;
   void accept(const Increment& d) override;
   double stored_energy() const override { return stored_; }
@@ -43,7 +45,8 @@ class ShearContact final : public Effect {
   const BodySet& set_;
   const ContactSet& contacts_;
   std::vector<double> strength_;  ///< N, a point
-  double stored_ = 0;             ///< J, in the springs at the end of the last step
+  double touching_ = 0;
+  double stored_ = 0;  ///< J, in the springs at the end of the last step
 };
 
 }  // namespace talus

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace talus {
 
@@ -35,6 +36,12 @@ void SymmetricBlocks::add(int i, int j, const Mat3& block) {
 }
 
 void SymmetricBlocks::set_zero() { std::fill(values_.begin(), values_.end(), Mat3::Zero()); }
+
+double SymmetricBlocks::diagonal_norm() const {
+  double squares = 0;
+  for (int column = 0; column < nodes(); ++column) squares += values_[column_begin_[column]].diagonal().squaredNorm();
+  return std::sqrt(squares);
+}
 
 void SymmetricBlocks::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
   y.setZero(3 * nodes());

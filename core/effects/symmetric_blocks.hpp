@@ -23,6 +23,8 @@ class SymmetricBlocks {
   void set_zero();
   /// Takes over the values of a matrix with the same pattern.
   void assign(const SymmetricBlocks& other) { values_ = other.values_; }
+  /// Norm of the diagonal.
+  double diagonal_norm() const;
   /// y = K x.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
 

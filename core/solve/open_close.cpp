@@ -17,6 +17,9 @@ constexpr double internal_share = 1e-3;
 constexpr double momentum_share = 1e-6;
 /// A shorter step is taken when the residual falls by at least this share of what the tangent promises.
 constexpr double worthwhile = 0.1;
+/// Of the mesh size: the first iteration takes contacts that are open by less for closed and sticking. A block that is
+/// only just set down has no force from its contacts yet; a tangent without them would send it through the ground.
+constexpr double closing_tolerance = 2e-7;
 
 }  // namespace
 
@@ -47,6 +50,7 @@ void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> coupling
   cholesky_.analyse(matrix_);
   zero_.setZero(3 * nodes);
   factored_length_ = 0;
+  rounding_ = rounding_of_positions_ = 0;
   // A solve with a factor touches each of its entries twice; what a factor costs beside it, at the rates of one core.
   constexpr double factor_rate = 20e9, solve_rate = 10e9;
   patience_ =
@@ -57,6 +61,8 @@ void OpenClose::begin_step(const StepContext& step) {
   const Stopwatch watch(times_.assemble);
   share_ = step.integration.smooth_share();
   length_ = step.length;
+  mesh_size_ = step.mesh_size;
+  tolerance_ = step.dynamic_factor > 0 ? settings_.tolerance : settings_.static_tolerance;
   extent_ = step.extent;
   constant_.set_zero();
   part_.resize(zero_.size());
@@ -110,24 +116,23 @@ double OpenClose::imbalance() const {
 
 const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
   evaluate(zero_);
-  matrix_.set_zero();
-  matrix_.set_weight(1);
   for (const auto& effect : composition_->effects) {
     if (effect->account() != EnergyAccount::kinetic) continue;
     part_.setZero();
     effect->add_gradient(zero_, part_);
     gradient_ -= part_;
-    effect->add_hessian(zero_, matrix_);  // c M
   }
+  assemble(zero_, closing_tolerance);
   factor();
-  factored_length_ = 0;  // of no use for a step
   cholesky_.solve(-gradient_, direction_);
   direction_ *= (1 - step.integration.alpha_m) / (step.integration.beta * step.length * step.length);
   return direction_;
 }
 
-void OpenClose::assemble(const Increment& d) {
+void OpenClose::assemble(const Increment& d, double touching) {
   const Stopwatch watch(times_.assemble);
+  if (composition_->normal) composition_->normal->count_as_closed(touching);
+  if (composition_->shear) composition_->shear->count_as_closed(touching);
   matrix_.assign(constant_);
   scaled_ = share_ * d;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
@@ -137,14 +142,6 @@ void OpenClose::assemble(const Increment& d) {
     matrix_.set_weight(effect.smooth() ? share_ : 1);
     effect.add_hessian(effect.smooth() ? scaled_ : d, matrix_);
   }
-}
-
-/// Every node's position is off by a rounding; each row of the residual has so much of it times its stiffness.
-double OpenClose::rounding_of_positions() const {
-  double squares = 0;
-  for (int node = 0; node < matrix_.nodes(); ++node)
-    squares += matrix_.value(matrix_.column_begin()[node]).diagonal().squaredNorm();
-  return std::numeric_limits<double>::epsilon() * extent_ * std::sqrt(squares);
 }
 
 void OpenClose::factor() {
@@ -197,11 +194,14 @@ Settling OpenClose::settle(Increment& d) {
     if (!std::isfinite(result.residual)) return result;
     const double round_off = std::max(settings_.round_off * force_scale_, settings_.rounding * rounding_);
     const bool stalled = result.residual > 0.5 * last && result.residual <= round_off;
-    result.settled = result.residual <= settings_.tolerance * force_scale_ || stalled;
+    const bool stands = result.iterations == 0 && result.residual <= rounding_of_positions_ && d.isZero(0);
+    result.settled = result.residual <= tolerance_ * force_scale_ || stalled || stands;
     if (result.settled || result.iterations >= settings_.iteration_limit) break;
     last = result.residual;
-    assemble(d);
-    rounding_ = rounding_of_positions();
+    assemble(d, result.iterations == 0 ? closing_tolerance : 0);
+    const double stiffness = matrix_.diagonal_norm();
+    rounding_ = std::numeric_limits<double>::epsilon() * mesh_size_ * stiffness;
+    rounding_of_positions_ = std::numeric_limits<double>::epsilon() * extent_ * stiffness;
     find_direction(d);
     move(d);
   }

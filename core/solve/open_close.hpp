@@ -25,14 +25,14 @@ struct Settling {
 
 /// Settings of the open–close iteration; each with its consequence.
 struct OpenCloseSettings {
-  int iteration_limit = 20;  ///< then the step is cut
-  double tolerance = 1e-9;   ///< residual over force scale at which a step has settled
-  double round_off = 1e-7;   ///< a residual below this that no longer falls is round-off, and has settled too …
-  double rounding = 4;       ///< … as is one of so many roundings of positions times the largest stiffness
-  double linear_tolerance =
-      1e-4;               ///< of the linear solves: the last iteration but one then leaves 1e-4 of the residual
-  int linear_limit = 40;  ///< GMRES iterations after which the matrix is factored anew
-  int shortenings = 6;    ///< halvings of an iteration's step that does not bring the residual down
+  int iteration_limit = 20;         ///< then the step is cut
+  double tolerance = 1e-10;         ///< residual over force scale at which a dynamic step has settled …
+  double static_tolerance = 1e-11;  ///< … and a static one, in which forces hardly do any work
+  double round_off = 1e-9;         ///< a residual below this that no longer falls is round-off, and has settled too …
+  double rounding = 4;             ///< … as is one of so many roundings of a deformation times the stiffness
+  double linear_tolerance = 1e-4;  ///< of the linear solves, of the residual
+  int linear_limit = 40;           ///< GMRES iterations after which the matrix is factored anew
+  int shortenings = 6;             ///< halvings of an iteration's step that does not bring the residual down
 };
 
 /// Finds the increment D at which all forces balance, contacts open and closed, stuck and sliding, each with the
@@ -55,8 +55,9 @@ class OpenClose {
   Settling settle(Increment& d);
   /// Norm of the out-of-balance force at D [N].
   double residual_at(const Increment& d);
-  /// Accelerations a₀ [m/s²] at the start of a stage, 3 numbers a movable node: M a₀ balances all forces but inertia at
-  /// D = 0. Between begin_step and settle.
+  /// Accelerations a₀ [m/s²] at the start of a stage, 3 numbers a movable node: (M + βΔ²K/(1 − α_m)) a₀ balances all
+  /// forces but inertia at D = 0. What is too stiff for the step to resolve, a sticking contact for instance, is thus
+  /// not set off by a load that begins with the stage. Between begin_step and settle.
   const Eigen::VectorXd& start_accelerations(const StepContext& step);
 
   /// ∇Π_e·D of each effect at the last D that was looked at [J].
@@ -68,8 +69,7 @@ class OpenClose {
 
  private:
   void evaluate(const Increment& d);
-  void assemble(const Increment& d);
-  double rounding_of_positions() const;
+  void assemble(const Increment& d, double touching);
   void factor();
   void find_direction(const Increment& d);
   void move(Increment& d);
@@ -82,13 +82,16 @@ class OpenClose {
   Eigen::VectorXd gradient_, part_, direction_, zero_;
   Increment scaled_, start_, best_;
   std::vector<double> works_, norms_;
-  double share_ = 1;            ///< of D at which smooth forces are taken
-  double factored_length_ = 0;  ///< s, Δ of the factor; 0: there is none for this pattern
-  double length_ = 0;           ///< s, Δ
-  double extent_ = 0;           ///< m, largest coordinate
-  double rounding_ = 0;         ///< N, what the rounding of positions alone may leave in the residual
-  int linear_iterations_ = 0;   ///< of the last direction
-  int patience_ = 5;            ///< GMRES iterations that cost as much as a factor
+  double share_ = 1;                   ///< of D at which smooth forces are taken
+  double factored_length_ = 0;         ///< s, Δ of the factor; 0: there is none for this pattern
+  double length_ = 0;                  ///< s, Δ
+  double tolerance_ = 0;               ///< of this step
+  double mesh_size_ = 0, extent_ = 0;  ///< m, largest
+  double rounding_ = 0;                ///< N, what the rounding of deformations alone may leave in the residual
+  double rounding_of_positions_ =
+      0;                       ///< N, what that of the positions a step begins with may: a block at rest stays so
+  int linear_iterations_ = 0;  ///< of the last direction
+  int patience_ = 5;           ///< GMRES iterations that cost as much as a factor
   double force_scale_ = 0, momentum_scale_ = 0;
   SolveTimes times_;
   std::vector<double> seconds_;  ///< of each effect of the stage

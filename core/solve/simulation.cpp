@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/rigid_motion.hpp"
 #include "contact/contact_detector.hpp"
 #include "effects/in_situ_stress.hpp"
 #include "model/stage_changes.hpp"
@@ -98,6 +99,7 @@ struct Simulation::State {
     }
     bodies.stress = stress_before(p, s, bodies);
     for (const Vec3& x : bodies.nodes.reference) context.extent = std::max(context.extent, x.cwiseAbs().maxCoeff());
+    for (const Surface& surface : surfaces) context.mesh_size = std::max(context.mesh_size, surface.size);
   }
 
   bool adaptive() const { return project.solver.time_step_control == TimeStepControl::adaptive; }
@@ -317,10 +319,7 @@ void Simulation::first_guess() {
     s.guess = length * (2 / s.last_length * s.last_increment - 1 / s.earlier_length * s.earlier_increment);
     offer(s.guess);
   }
-  s.guess.resize(s.increment.size());
-  for (std::size_t n = 0; n < s.bodies.nodes.velocity.size(); ++n)
-    if (const int freedom = s.bodies.nodes.freedom[n]; freedom >= 0)
-      s.guess.segment<3>(3 * freedom) = length * s.bodies.nodes.velocity[n];
+  continue_motion(s.bodies, length, s.guess);
   offer(s.guess);
 }
 
