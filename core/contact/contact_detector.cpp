@@ -104,7 +104,7 @@ void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) 
   } else {
     facing.find(step, near, found);
     vertices.find(step, near, found);
-    edges.find(step, near, found);
+    edges.find(step, near, vertices, found);
   }
   std::sort(found.points.begin(), found.points.end(),
             [](const FoundPoint& p, const FoundPoint& q) { return p.key < q.key; });

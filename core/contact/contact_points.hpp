@@ -139,6 +139,8 @@ class FacingSearch {
 class VertexSearch {
  public:
   void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+  /// Whether the last search, or facing facets before it, found the vertex on the patch; even if the contact was false.
+  bool has(int node, int patch) const;
 
  private:
   struct Touch {
@@ -157,6 +159,7 @@ class VertexSearch {
   void touch(const StepGeometry& step, int node, int facet, bool node_is_first);
   void add(const StepGeometry& step, const Touch& touch, FoundPoints& found);
   void drop_false(const StepGeometry& step, FoundPoints& found);
+  void drop_doubled(const StepGeometry& step, FoundPoints& found);
   bool beyond_rim(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
                   const FoundPoints& found) const;
   bool deeper(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
@@ -170,10 +173,11 @@ class VertexSearch {
 /// Crossing convex edges. Points of facing facets and vertices must be there already.
 class EdgeSearch {
  public:
-  void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+  void find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexSearch& vertices,
+            FoundPoints& found);
 
  private:
-  void cross(const StepGeometry& step, int edge_a, int edge_b, FoundPoints& found);
+  void cross(const StepGeometry& step, int edge_a, int edge_b, const VertexSearch& vertices, FoundPoints& found);
   bool found_before(const FoundPoint& p, double from_end, double near, const StepGeometry& step,
                     const FoundPoints& found) const;
 };

@@ -32,7 +32,8 @@ bool may_be_a_ridge(const StepGeometry& step, const ContactEdge& e, double toler
 
 }  // namespace
 
-void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexSearch& vertices,
+                      FoundPoints& found) {
   const double tolerance = cone_tolerance(step.settings);
   const auto ridge = [&](const ContactFacet& facet, int k) {
     return facet.owns_edge[k] && may_be_a_ridge(step, step.features.edges[facet.edges[k]], tolerance);
@@ -44,13 +45,14 @@ void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs
     for (int i = 0; i < 3; ++i) {
       if (!ridge(a, i)) continue;
       for (int j = 0; j < 3; ++j) {
-        if (of_b[j]) cross(step, a.edges[i], b.edges[j], found);
+        if (of_b[j]) cross(step, a.edges[i], b.edges[j], vertices, found);
       }
     }
   }
 }
 
-void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, FoundPoints& found) {
+void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const VertexSearch& vertices,
+                       FoundPoints& found) {
   const ContactEdge &a = step.features.edges[edge_a], &b = step.features.edges[edge_b];
   const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
   const Vec3 u = step.x[a.nodes[1]] - a0, w = step.x[b.nodes[1]] - b0, c = u.cross(w), r = b0 - a0;
@@ -62,9 +64,13 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, FoundPo
   const ContactFacet &fa = step.features.facets[a.facets[0]], &fb = step.features.facets[b.facets[0]];
   const double size = step.broad.scale(fa.body, fb.body).size, rim = step.rim(fa.body, fb.body);
   const double la = u.norm(), lb = w.norm();
-  const auto at_corner = [&](int node, double away) { return away < rim && step.features.corner[node]; };
-  if (at_corner(a.nodes[0], s * la) || at_corner(a.nodes[1], (1 - s) * la)) return;  // a vertex's contact
-  if (at_corner(b.nodes[0], t * lb) || at_corner(b.nodes[1], (1 - t) * lb)) return;
+  const auto vertex_has_it = [&](int node, double away, const ContactEdge& other) {
+    if (away > rim || !step.features.corner[node]) return false;
+    return std::any_of(other.facets.begin(), other.facets.end(),
+                       [&](int f) { return vertices.has(node, step.features.facets[f].patch); });
+  };
+  if (vertex_has_it(a.nodes[0], s * la, b) || vertex_has_it(a.nodes[1], (1 - s) * la, b)) return;
+  if (vertex_has_it(b.nodes[0], t * lb, a) || vertex_has_it(b.nodes[1], (1 - t) * lb, a)) return;
 
   Vec3 n = c / std::sqrt(squared);
   const auto into_a = into_facets(step, a), into_b = into_facets(step, b);

@@ -55,7 +55,8 @@ void beyond_rims(const StepGeometry& step, int facet, const Vec3& p, double rim,
 }
 
 /// Is a point that lies below a facet outside the body all the same, beyond a convex crease of the facet? Where the
-/// crease is sharp, the point still projects onto the facet.
+/// crease is sharp, the point still projects onto the facet. Where it is square, no more may be missed than by
+/// projection.
 bool beside_the_body(const StepGeometry& step, int facet, const Vec3& p) {
   const ContactFacet& f = step.features.facets[facet];
   return std::any_of(f.edges.begin(), f.edges.end(), [&](int edge) {
@@ -63,7 +64,8 @@ bool beside_the_body(const StepGeometry& step, int facet, const Vec3& p) {
     const int beyond = e.facets[0] + e.facets[1] - facet;
     if (step.features.facets[beyond].patch == f.patch) return false;
     const Vec3 n = step.fresh_normal(beyond), on_crease = step.x[e.nodes[0]], across = centre(step, facet) - on_crease;
-    return n.dot(across) < -cone_tolerance(step.settings) * across.norm() && n.dot(p - on_crease) > 0;
+    const double below = -n.dot(across);
+    return below > cone_tolerance(step.settings) * across.norm() && n.dot(p - on_crease) > outside * 3 * below;
   });
 }
 
@@ -119,6 +121,14 @@ void VertexSearch::find(const StepGeometry& step, std::span<const FacetPair> pai
     if (i == 0 || touches_[i].key != touches_[i - 1].key) add(step, touches_[i], found);
   }
   drop_false(step, found);
+  drop_doubled(step, found);
+
+  for (const Touch& t : touches_) taken_.push_back(t.key);
+  std::sort(taken_.begin(), taken_.end());
+}
+
+bool VertexSearch::has(int node, int patch) const {
+  return std::binary_search(taken_.begin(), taken_.end(), vertex_key(node, patch));
 }
 
 void VertexSearch::touch(const StepGeometry& step, int node, int facet, bool node_is_first) {
@@ -177,8 +187,10 @@ void VertexSearch::drop_false(const StepGeometry& step, FoundPoints& found) {
   }
 }
 
-/// Within the rim of a convex crease a contact is the neighbour facet's, unless the vertex points at this facet and
-/// nothing flush with the neighbour holds it. Else a corner that rests on one slab would catch on the side of the next.
+/// Within the rim of a convex crease a vertex is past it where something flush with the neighbour holds it: else a
+/// corner that rests on one slab would catch on the side of the next. Where all its edges lie beyond the crease it is
+/// passing, unless it points at this facet. An edge that reaches back over the facet lies on it, though it ends at the
+/// rim.
 bool VertexSearch::beyond_rim(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
                               const FoundPoints& found) const {
   const double rim = step.rim(step.features.facets[p.facets[0]].body, step.features.facets[p.facets[1]].body);
@@ -186,7 +198,7 @@ bool VertexSearch::beyond_rim(const StepGeometry& step, const FoundPoint& p, con
   const bool points_at_it = rise(step, p.node, h.normal) > cone_tolerance(step.settings);
   bool drop = false;
   beyond_rims(step, facet_below(step, p), projection, rim, [&](const Vec3& beyond) {
-    if (!points_at_it) drop = true;
+    if (!points_at_it && rise(step, p.node, beyond) >= -cone_tolerance(step.settings)) drop = true;
     for (const Held& other : group) {
       const bool holds = other.body != h.body && (other.point < 0 || found.points[other.point].gap <= step.reach);
       if (holds && other.normal.dot(beyond) > std::cos(radians(flush_angle))) drop = true;
@@ -211,6 +223,33 @@ bool VertexSearch::deeper(const StepGeometry& step, const FoundPoint& p, const H
     if (convex && (p.gap < q.gap || tie)) return true;
   }
   return false;
+}
+
+/// Two corners in one place may each lie on a facet of the other: one contact, through the nearer facet.
+void VertexSearch::drop_doubled(const StepGeometry& step, FoundPoints& found) {
+  const auto pushes = [&](const Held& h) {
+    if (h.point < 0) return false;
+    const FoundPoint& p = found.points[h.point];
+    return p.kind == PointKind::vertex && !p.dropped && p.gap < 0;
+  };
+  const auto stands_for = [&](const Held& other, const Held& h) {
+    const FoundPoint &p = found.points[h.point], &q = found.points[other.point];
+    const auto& nodes = step.features.facets[facet_below(step, q)].nodes;
+    return std::find(nodes.begin(), nodes.end(), h.node) != nodes.end() &&
+           (q.gap != p.gap ? q.gap > p.gap : q.key < p.key);
+  };
+  for (const Held& h : held_) {
+    if (!pushes(h)) continue;
+    FoundPoint& p = found.points[h.point];
+    const ContactFacet& below = step.features.facets[facet_below(step, p)];
+    const double rim = step.rim(below.body, step.features.facets[step.features.facets_at(h.node)[0]].body);
+    for (const int corner : below.nodes) {
+      if ((step.x[corner] - step.x[h.node]).norm() > rim) continue;
+      const auto [begin, end] = std::equal_range(held_.begin(), held_.end(), Held{corner, 0, 0, {}},
+                                                 [](const Held& a, const Held& b) { return a.node < b.node; });
+      p.dropped = p.dropped || std::any_of(begin, end, [&](const Held& q) { return pushes(q) && stands_for(q, h); });
+    }
+  }
 }
 
 }  // namespace talus
