@@ -15,8 +15,12 @@ namespace {
 constexpr double internal_share = 1e-3;
 /// The same for the change of momentum that a free flight would need.
 constexpr double momentum_share = 1e-6;
-/// A shorter step is taken when the residual falls by at least this share of what the tangent promises.
-constexpr double worthwhile = 0.1;
+/// A full step that leaves less than this share of the residual needs no search.
+constexpr double worthwhile = 0.9;
+/// A full step whose slope turns round by more than this share is shortened …
+constexpr double overstepped = 0.5;
+/// … until the slope is down to this share.
+constexpr double flat = 0.1;
 /// Of the mesh size: the first iteration takes contacts that are open by less for closed and sticking. A block that is
 /// only just set down has no force from its contacts yet; a tangent without them would send it through the ground.
 constexpr double closing_tolerance = 2e-7;
@@ -79,9 +83,9 @@ void OpenClose::begin_step(const StepContext& step) {
   }
 }
 
-void OpenClose::evaluate(const Increment& d) {
+void OpenClose::evaluate(const Increment& d, Friction friction) {
   const Stopwatch watch(times_.update);
-  if (composition_->shear) composition_->shear->update_strength(d);
+  if (composition_->shear && friction == Friction::coupled) composition_->shear->update_strength(d);
   gradient_.setZero(d.size());
   part_.resize(d.size());
   scaled_ = share_ * d;
@@ -100,7 +104,7 @@ void OpenClose::evaluate(const Increment& d) {
 }
 
 double OpenClose::residual_at(const Increment& d) {
-  evaluate(d);
+  evaluate(d, Friction::coupled);
   return gradient_.norm();
 }
 
@@ -115,7 +119,7 @@ double OpenClose::imbalance() const {
 }
 
 const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
-  evaluate(zero_);
+  evaluate(zero_, Friction::coupled);
   for (const auto& effect : composition_->effects) {
     if (effect->account() != EnergyAccount::kinetic) continue;
     part_.setZero();
@@ -150,10 +154,11 @@ void OpenClose::factor() {
   factored_length_ = length_;
 }
 
-void OpenClose::find_direction(const Increment& d) {
+void OpenClose::find_direction(const Increment& d, Friction friction) {
   if (factored_length_ != length_ || linear_iterations_ > patience_) factor();
   const auto apply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
     matrix_.multiply(x, y);
+    if (friction == Friction::lagged) return;
     for (const auto& effect : composition_->effects) effect->add_unsymmetric(d, x, y);
   };
   const auto precondition = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { cholesky_.solve(x, y); };
@@ -167,27 +172,52 @@ void OpenClose::find_direction(const Increment& d) {
   linear_iterations_ = solve();
 }
 
+double OpenClose::slope_at(double share, Increment& d, Friction friction) {
+  d = start_ - share * direction_;
+  evaluate(d, friction);
+  return -gradient_.dot(direction_);
+}
+
 void OpenClose::move(Increment& d) {
-  const double before = gradient_.norm();
+  const double before = gradient_.norm(), slope_before = -gradient_.dot(direction_);
   start_ = d;
-  double share = 1, least = 1e300;
-  for (int k = 0; k <= settings_.shortenings; ++k, share *= 0.5) {
-    d = start_ - share * direction_;
-    const double residual = residual_at(d);
-    if (residual < (1 - worthwhile * share) * before) return;
-    if (residual < least) {
-      least = residual;
-      best_ = d;
+  const double slope = slope_at(1, d, Friction::coupled);
+  if (gradient_.norm() < worthwhile * before) return;
+  if (slope_before < 0 && std::abs(slope) < -overstepped * slope_before) return;
+  // Where the full step leads astray, one with the strengths of this iterate: then there is a potential, it falls along
+  // the direction, and its floor is found by its slope. Often that is the narrow range in which a contact sticks, with
+  // sliding one way before and the other way behind it.
+  d = start_;
+  evaluate(d, Friction::coupled);
+  find_direction(d, Friction::lagged);
+  go_to_the_floor(d);
+  evaluate(d, Friction::coupled);
+}
+
+void OpenClose::go_to_the_floor(Increment& d) {
+  const double slope_before = -gradient_.dot(direction_);
+  double slope = slope_at(1, d, Friction::lagged);
+  double low = 0, high = 1, low_slope = slope_before, high_slope = slope;
+  if (slope <= -overstepped * slope_before) return;
+  for (int k = 0; k < settings_.shortenings && std::abs(slope) > -flat * slope_before; ++k) {
+    const double share = low + (high - low) * low_slope / (low_slope - high_slope);
+    slope = slope_at(share, d, Friction::lagged);
+    if (slope > 0) {
+      high = share;
+      high_slope = slope;
+      low_slope *= 0.5;  // the Illinois rule: no end stays for ever (Dowell & Jarratt 1971)
+    } else {
+      low = share;
+      low_slope = slope;
+      high_slope *= 0.5;
     }
   }
-  d = best_;
-  evaluate(d);
 }
 
 Settling OpenClose::settle(Increment& d) {
   Settling result;
   double last = 1e300;
-  evaluate(d);
+  evaluate(d, Friction::coupled);
   for (;; ++result.iterations) {
     result.residual = gradient_.norm();
     result.force_scale = force_scale_;
@@ -202,7 +232,7 @@ Settling OpenClose::settle(Increment& d) {
     const double stiffness = matrix_.diagonal_norm();
     rounding_ = std::numeric_limits<double>::epsilon() * mesh_size_ * stiffness;
     rounding_of_positions_ = std::numeric_limits<double>::epsilon() * extent_ * stiffness;
-    find_direction(d);
+    find_direction(d, Friction::coupled);
     move(d);
   }
   if (!result.settled && gradient_.size() > 0) {

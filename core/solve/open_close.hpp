@@ -32,7 +32,7 @@ struct OpenCloseSettings {
   double rounding = 4;             ///< … as is one of so many roundings of a deformation times the stiffness
   double linear_tolerance = 1e-4;  ///< of the linear solves, of the residual
   int linear_limit = 40;           ///< GMRES iterations after which the matrix is factored anew
-  int shortenings = 6;             ///< halvings of an iteration's step that does not bring the residual down
+  int shortenings = 10;            ///< trials for the floor of the potential along a step that has overstepped it
 };
 
 /// Finds the increment D at which all forces balance, contacts open and closed, stuck and sliding, each with the
@@ -68,11 +68,15 @@ class OpenClose {
   std::map<std::string, double> effect_seconds() const;  ///< wall seconds by name, of all stages
 
  private:
-  void evaluate(const Increment& d);
+  /// Strengths in shear: those of the D that is looked at, or those of the iterate that the search started from.
+  enum class Friction { coupled, lagged };
+  void evaluate(const Increment& d, Friction friction);
   void assemble(const Increment& d, double touching);
   void factor();
-  void find_direction(const Increment& d);
+  void find_direction(const Increment& d, Friction friction);
   void move(Increment& d);
+  double slope_at(double share, Increment& d, Friction friction);
+  void go_to_the_floor(Increment& d);
 
   Composition* composition_ = nullptr;
   OpenCloseSettings settings_;
@@ -80,7 +84,7 @@ class OpenClose {
   Cholesky cholesky_;
   Gmres gmres_;
   Eigen::VectorXd gradient_, part_, direction_, zero_;
-  Increment scaled_, start_, best_;
+  Increment scaled_, start_;
   std::vector<double> works_, norms_;
   double share_ = 1;                   ///< of D at which smooth forces are taken
   double factored_length_ = 0;         ///< s, Δ of the factor; 0: there is none for this pattern
