@@ -129,9 +129,11 @@ class FacingSearch {
     Vec3 normal;
   };
   void overlap(const StepGeometry& step, const FacetPair& pair, FoundPoints& found);
+  void place_corners(const StepGeometry& step, std::size_t first);
   void name(const StepGeometry& step, Corner& corner, FoundPoints& found);
   void merge(const StepGeometry& step, FoundPoints& found);
   std::vector<Corner> corners_;
+  std::array<std::vector<Vec3>, 2> places_;            // m, of the corners of one overlap, on both bodies
   std::vector<std::pair<std::uint64_t, int>> by_key_;  // keys and numbers of corners_, sorted
 };
 

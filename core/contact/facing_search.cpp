@@ -82,6 +82,23 @@ class RimsAlong {
   std::size_t count_ = 0;
 };
 
+/// Do all these points lie beyond a convex crease of the facet, or below the facet there by less than `rim`? What
+/// slides along that one has come past the crease from outside, however far it reaches behind this one.
+bool beside_the_body(const StepGeometry& step, int facet, std::span<const Vec3> points, double rim) {
+  const ContactFacet& f = step.features.facets[facet];
+  const Vec3 centre = (step.x[f.nodes[0]] + step.x[f.nodes[1]] + step.x[f.nodes[2]]) / 3;
+  const auto beyond = [&](int other, const Vec3& on_crease) {
+    if (step.features.facets[other].patch == f.patch) return false;
+    const Vec3 n = step.fresh_normal(other);
+    return n.dot(centre - on_crease) < -rim &&
+           std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return n.dot(p - on_crease) > -rim; });
+  };
+  return std::any_of(f.nodes.begin(), f.nodes.end(), [&](int node) {
+    const auto& around = step.features.facets_at(node);
+    return std::any_of(around.begin(), around.end(), [&](int other) { return beyond(other, step.x[node]); });
+  });
+}
+
 }  // namespace
 
 void FacingSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
@@ -124,20 +141,39 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
       apart += c.shares[k] * (step.x[fa.nodes[k]] - origin) - c.shares[3 + k] * (step.x[fb.nodes[k]] - origin);
     }
     least_gap = std::min(least_gap, n.dot(apart));
-
     name(step, c, found);
     corners_.push_back(c);
   }
+  const double rim = step.rim(fa.body, fb.body);
   // A strip between a rim of one body and a rim of the other that has just passed it: two bodies lie flush, or one has
   // settled by as much as the strip is wide. It would hold a block that nothing holds.
   const auto between_rims = [&] {
-    const double rim = step.rim(fa.body, fb.body);
     const RimsAlong rims(step, pair.a, a, polygon, rim, e1, e2);
     return rims.any() && rims.against(RimsAlong(step, pair.b, b, polygon, rim, e1, e2));
   };
-  if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) || between_rims()) {
+  const auto beside = [&] {
+    place_corners(step, first);
+    return beside_the_body(step, pair.b, places_[0], rim) || beside_the_body(step, pair.a, places_[1], rim);
+  };
+  if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) || between_rims() ||
+      (least_gap < -rim && beside())) {
     corners_.resize(first);
     found.covered.resize(first_covered);
+  }
+}
+
+/// Where the corners from number `first` on lie on each of both bodies.
+void FacingSearch::place_corners(const StepGeometry& step, std::size_t first) {
+  for (std::vector<Vec3>& places : places_) places.clear();
+  for (std::size_t i = first; i < corners_.size(); ++i) {
+    const Corner& c = corners_[i];
+    Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      on_a += c.shares[k] * step.x[step.features.facets[c.facets.a].nodes[k]];
+      on_b += c.shares[3 + k] * step.x[step.features.facets[c.facets.b].nodes[k]];
+    }
+    places_[0].push_back(on_a);
+    places_[1].push_back(on_b);
   }
 }
 
