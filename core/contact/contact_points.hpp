@@ -56,6 +56,10 @@ struct FoundPoints {
                     const ContactFeatures& features, std::span<const Vec3> x);
 };
 
+/// Of the rim: what lies deeper than this, one and a half times as deep as anything in the last step, may have come
+/// past a crease.
+inline constexpr double well_below = 0.5;
+
 /// What the searches look at: the surfaces as they are at the start of the step.
 struct StepGeometry {
   const ContactFeatures& features;
@@ -76,10 +80,30 @@ struct StepGeometry {
   /// How deep two bodies' features can lie in each other: what the last step left and this one may add, and never more
   /// than the settings allow. A feature that seems to lie deeper came past from outside, beside the other body. [m]
   double depth(int body_a, int body_b) const;
+  /// Do all these points lie beyond a convex crease of the facet, or below the facet there by less than `rim`? What
+  /// slides along that one has come past the crease from outside, however far it reaches behind this one. Only creases
+  /// count whose facet beyond has a normal that `counts`.
+  template <class Counts>
+  bool came_past_a_crease(int facet, std::span<const Vec3> points, double rim, const Counts& counts) const;
   /// Joint that both facets carry, or −1.
   int common_joint(int facet_a, int facet_b) const;
   Vec3 fresh_normal(int facet) const;
 };
+
+template <class Counts>
+bool StepGeometry::came_past_a_crease(int facet, std::span<const Vec3> points, double rim, const Counts& counts) const {
+  const ContactFacet& f = features.facets[facet];
+  const Vec3 centre = (x[f.nodes[0]] + x[f.nodes[1]] + x[f.nodes[2]]) / 3;
+  for (const int node : f.nodes)
+    for (const int beyond : features.facets_at(node)) {
+      if (features.facets[beyond].patch == f.patch) continue;
+      const Vec3 n = fresh_normal(beyond);
+      const bool convex = n.dot(centre - x[node]) < -rim;
+      const auto is_beyond = [&](const Vec3& p) { return n.dot(p - x[node]) > -rim; };
+      if (convex && counts(n) && std::all_of(points.begin(), points.end(), is_beyond)) return true;
+    }
+  return false;
+}
 
 /// Sine of the angle by which normals may leave a feature's cone.
 double cone_tolerance(const ContactSettings& settings);

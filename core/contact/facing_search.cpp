@@ -82,23 +82,6 @@ class RimsAlong {
   std::size_t count_ = 0;
 };
 
-/// Do all these points lie beyond a convex crease of the facet, or below the facet there by less than `rim`? What
-/// slides along that one has come past the crease from outside, however far it reaches behind this one.
-bool beside_the_body(const StepGeometry& step, int facet, std::span<const Vec3> points, double rim) {
-  const ContactFacet& f = step.features.facets[facet];
-  const Vec3 centre = (step.x[f.nodes[0]] + step.x[f.nodes[1]] + step.x[f.nodes[2]]) / 3;
-  const auto beyond = [&](int other, const Vec3& on_crease) {
-    if (step.features.facets[other].patch == f.patch) return false;
-    const Vec3 n = step.fresh_normal(other);
-    return n.dot(centre - on_crease) < -rim &&
-           std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return n.dot(p - on_crease) > -rim; });
-  };
-  return std::any_of(f.nodes.begin(), f.nodes.end(), [&](int node) {
-    const auto& around = step.features.facets_at(node);
-    return std::any_of(around.begin(), around.end(), [&](int other) { return beyond(other, step.x[node]); });
-  });
-}
-
 }  // namespace
 
 void FacingSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
@@ -153,10 +136,12 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
   };
   const auto beside = [&] {
     place_corners(step, first);
-    return beside_the_body(step, pair.b, places_[0], rim) || beside_the_body(step, pair.a, places_[1], rim);
+    const auto any = [](const Vec3&) { return true; };
+    return step.came_past_a_crease(pair.b, places_[0], rim, any) ||
+           step.came_past_a_crease(pair.a, places_[1], rim, any);
   };
   if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) || between_rims() ||
-      (least_gap < -rim && beside())) {
+      (least_gap < -well_below * rim && beside())) {
     corners_.resize(first);
     found.covered.resize(first_covered);
   }

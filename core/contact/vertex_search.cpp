@@ -151,6 +151,12 @@ void VertexSearch::touch(const StepGeometry& step, int node, int facet, bool nod
   if (std::binary_search(taken_.begin(), taken_.end(), key)) return;
   if (rise(step, node, n) < -cone_tolerance(step.settings)) return;
   if (gap < 0 && beside_the_body(step, facet, step.x[node])) return;
+  const double rim = step.rim(f.body, other);
+  // An edge that reaches back over the facet lies on it, though it ends at the crease.
+  const auto lies_beyond = [&](const Vec3& beyond) {
+    return rise(step, node, beyond) >= -cone_tolerance(step.settings);
+  };
+  if (gap < -well_below * rim && step.came_past_a_crease(facet, {&step.x[node], 1}, rim, lies_beyond)) return;
   touches_.push_back({key, node, facet, node_is_first, {s0, s1, s2}, inside});
 }
 
