@@ -100,7 +100,7 @@ TEST_F(Commands, InfoOnAProjectSaysWhichEffectsAndWhy) {
     EXPECT_FALSE(effect["reason"].get<std::string>().empty());
     if (effect["active"]) on.push_back(effect["name"]);
   }
-  EXPECT_THAT(on, ElementsAre("elasticity", "initial stress", "inertia", "body force"));
+  EXPECT_THAT(on, ElementsAre("elasticity", "inertia", "body force"));
   EXPECT_THAT(talus_cli({"info", sample("free_fall")}).out, HasSubstr("nothing can touch"));
 }
 
