@@ -110,6 +110,12 @@ void BodySet::update_shapes() {
   }
 }
 
+void BodySet::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
+  for (const Element& element : elements)
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < a; ++b) couplings.emplace_back(element.freedoms[a], element.freedoms[b]);
+}
+
 Corners BodySet::corner_increments(const Element& element, const Increment& d) const {
   Corners corners;
   for (int i = 0; i < 4; ++i) corners[i] = d.segment<3>(3 * element.freedoms[i]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "bodies/strain.hpp"
@@ -59,6 +60,8 @@ struct BodySet {
   void update_shapes();
   /// Holds or lets go bodies that were built to move, one flag a body; held ones stand still and keep their stress.
   void hold(const std::vector<bool>& held);
+  /// Adds the pairs of movable nodes that an element joins.
+  void add_couplings(std::vector<std::pair<int, int>>& couplings) const;
   Corners corner_increments(const Element& element, const Increment& d) const;
   Vec3 node_increment(int node, const Increment& d) const {
     const int freedom = nodes.freedom[node];

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/parallel.hpp"
+#include "bodies/deformation.hpp"
 #include "bodies/polar.hpp"
 
 namespace talus {
@@ -12,12 +13,6 @@ namespace talus {
 namespace {
 
 constexpr int grain = 64;  ///< elements, some 20 µs of work
-
-Mat3 from_corners(const ElementShape& shape, const Corners& positions) {
-  Mat3 f = Mat3::Zero();  // differences to corner 0, so that a translation changes no bit
-  for (int r = 1; r < 4; ++r) f += (positions[r] - positions[0]) * shape.gradient[r].transpose();
-  return f;
-}
 
 /// R [2μE + λ tr(E) I], with E = S − I: Piola's stress [Pa].
 Mat3 piola_stress(const Elastic& elastic, const Mat3& f, const Mat3& r) {
@@ -47,37 +42,8 @@ Mat3 twist_stiffness(const Elastic& elastic, const Mat3& stretch) {
 
 }  // namespace
 
-void add_element_couplings(const BodySet& set, std::vector<std::pair<int, int>>& couplings) {
-  for (const Element& element : set.elements)
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < a; ++b) couplings.emplace_back(element.freedoms[a], element.freedoms[b]);
-}
-
-Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape, const Increment& d) {
-  // Summed after both are turned into gradients: an increment far below the rounding of a position still counts.
-  return deformation_gradient(set, element, shape) + from_corners(shape, set.corner_increments(element, d));
-}
-
-Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape) {
-  Corners corners;
-  for (int i = 0; i < 4; ++i) corners[i] = set.nodes.position[element.nodes[i]];
-  return from_corners(shape, corners);
-}
-
-Voigt voigt(const Mat3& t) {
-  Voigt v;
-  v << t(0, 0), t(1, 1), t(2, 2), 0.5 * (t(0, 1) + t(1, 0)), 0.5 * (t(1, 2) + t(2, 1)), 0.5 * (t(2, 0) + t(0, 2));
-  return v;
-}
-
-Mat3 tensor(const Voigt& s) {
-  Mat3 t;
-  t << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-  return t;
-}
-
 void CorotationalElasticity::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
-  add_element_couplings(set_, couplings);
+  set_.add_couplings(couplings);
 }
 
 double CorotationalElasticity::energy_of(std::size_t e, const Mat3& f) const {

@@ -36,16 +36,4 @@ class CorotationalElasticity final : public Effect {
   mutable std::vector<double> energies_;
 };
 
-/// The corners of every element are coupled with each other.
-void add_element_couplings(const BodySet& set, std::vector<std::pair<int, int>>& couplings);
-
-/// Deformation gradient of an element of the undeformed `shape` whose corners are moved by `d` from where they stand.
-Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape, const Increment& d);
-/// The same where they stand.
-Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape);
-
-/// xx, yy, zz, xy, yz, zx of a symmetric tensor, and back.
-Voigt voigt(const Mat3& tensor);
-Mat3 tensor(const Voigt& stress);
-
 }  // namespace talus

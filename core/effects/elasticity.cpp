@@ -1,7 +1,5 @@
 #include "effects/elasticity.hpp"
 
-#include "effects/corotational_elasticity.hpp"
-
 namespace talus {
 
 Voigt Elasticity::new_stress(std::size_t e, const Increment& d) const {
@@ -9,9 +7,7 @@ Voigt Elasticity::new_stress(std::size_t e, const Increment& d) const {
   return set_.bodies[element.body].elastic.stress(strain(set_.shapes[e], set_.corner_increments(element, d)));
 }
 
-void Elasticity::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
-  add_element_couplings(set_, couplings);
-}
+void Elasticity::add_couplings(std::vector<std::pair<int, int>>& couplings) const { set_.add_couplings(couplings); }
 
 double Elasticity::energy(const Increment& d) const {
   double sum = 0;

@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "bodies/deformation.hpp"
+
 namespace talus {
 
 namespace {
@@ -38,9 +40,7 @@ InSituStresses::InSituStresses(const Project& project, const BlockSystem& system
   }
 }
 
-void InSituStresses::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
-  add_element_couplings(set_, couplings);
-}
+void InSituStresses::add_couplings(std::vector<std::pair<int, int>>& couplings) const { set_.add_couplings(couplings); }
 
 double InSituStresses::energy(const Increment& d) const {
   double sum = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "effects/corotational_elasticity.hpp"
+#include "effects/effect.hpp"
 
 namespace talus {
 

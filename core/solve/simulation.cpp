@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bodies/rigid_motion.hpp"
 #include "contact/contact_detector.hpp"
 #include "effects/in_situ_stress.hpp"
 #include "model/stage_changes.hpp"
 #include "solve/contact_outcomes.hpp"
 #include "solve/energy_balance.hpp"
+#include "solve/first_guess.hpp"
 #include "solve/initial_motion.hpp"
 #include "solve/joint_laws.hpp"
-#include "solve/open_close.hpp"
 #include "solve/prescribed_motion.hpp"
 #include "solve/stage_clock.hpp"
 #include "solve/step_control.hpp"
@@ -116,15 +115,15 @@ struct Simulation::State {
   ContactOutcomes outcomes;
   Composition composition;
   OpenClose open_close;
+  FirstGuess first_guess;
   StepControl control;
   EnergyBalance energy;
   std::optional<PrescribedMotion> motion;
   std::vector<MaterialPoint> monitors;
   std::vector<bool> held;
   StepContext context;  ///< of the step that is tried
-  Increment increment, last_increment, earlier_increment, guess;
-  double last_length = 0, earlier_length = 0;  ///< s, of the last accepted steps; 0: there is none to go by
-  double trial_length = 1e300;                 ///< s, what the next step is tried with
+  Increment increment;
+  double trial_length = 1e300;  ///< s, what the next step is tried with
   std::uint64_t pattern_generation = ~0ull;
   bool velocities_given = false, accelerations_wanted = false;
   double detect_seconds = 0;
@@ -178,8 +177,8 @@ void Simulation::begin_stage() {
   std::fill(s.bodies.nodes.prescribed.begin(), s.bodies.nodes.prescribed.end(), Vec3::Zero());
   s.control.begin_stage(stage.time_step);
   s.pattern_generation = ~0ull;
-  for (Increment* d : {&s.increment, &s.last_increment, &s.earlier_increment}) d->setZero(s.bodies.unknowns());
-  s.last_length = s.earlier_length = 0;
+  s.increment.setZero(s.bodies.unknowns());
+  s.first_guess.forget(s.bodies.unknowns());
   s.stage_steps = 0;
   s.context.dynamic_factor = stage.kind == StageKind::dynamic ? 1 : 0;
   s.context.integration = TimeIntegration::of(s.project.solver);
@@ -297,32 +296,6 @@ void Simulation::detect(double length) {
   s.open_close.set_pattern(s.bodies.nodes.movable, std::move(couplings));
 }
 
-void Simulation::first_guess() {
-  // Where the last steps' motion goes on, or where the velocity leads; standing still starts a static step. The paper's
-  // integrator turns the velocity of a sticking node round each step, so that the velocity alone is no good guess.
-  State& s = *state_;
-  s.increment.setZero();
-  double best = s.open_close.residual_at(s.increment);
-  const auto offer = [&](const Increment& guess) {
-    const double residual = s.open_close.residual_at(guess);
-    if (!(residual < best)) return;
-    best = residual;
-    s.increment = guess;
-  };
-  const double length = s.context.length;
-  if (s.last_length > 0) {
-    s.guess = length / s.last_length * s.last_increment;
-    offer(s.guess);
-  }
-  if (s.context.dynamic_factor == 0) return;
-  if (s.earlier_length > 0) {
-    s.guess = length * (2 / s.last_length * s.last_increment - 1 / s.earlier_length * s.earlier_increment);
-    offer(s.guess);
-  }
-  continue_motion(s.bodies, length, s.guess);
-  offer(s.guess);
-}
-
 bool Simulation::inverts_an_element() const {
   const State& s = *state_;
   return std::any_of(s.bodies.elements.begin(), s.bodies.elements.end(), [&](const Element& element) {
@@ -389,7 +362,7 @@ bool Simulation::try_step(double start, double length, StepReport& report) {
         s.bodies.nodes.acceleration[n] = start_accelerations.segment<3>(3 * freedom);
     s.accelerations_wanted = false;
   }
-  first_guess();
+  s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
   return settle(report);
 }
 
@@ -407,10 +380,7 @@ void Simulation::accept(StepReport& report) {
     s.bodies.nodes.position[n] += s.bodies.node_increment(static_cast<int>(n), s.increment);
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   report.energy = s.energy.after_step(s.composition, s.open_close.works(), s.increment);
-  std::swap(s.earlier_increment, s.last_increment);
-  s.earlier_length = s.last_length;
-  s.last_increment = s.increment;
-  s.last_length = s.context.length;
+  s.first_guess.remember(s.increment, s.context.length);
 }
 
 std::vector<Voigt> Simulation::present_stress() const {

@@ -51,7 +51,6 @@ class Simulation {
   /// The contact nearest to a movable node, in words.
   std::string where_it_struggles(int freedom) const;
   void detect(double length);
-  void first_guess();
   bool inverts_an_element() const;
   void accept(StepReport& report);
   std::vector<Voigt> present_stress() const;
