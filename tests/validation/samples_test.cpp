@@ -50,19 +50,18 @@ TEST(Samples, WedgeSlidesAlongTheLineOfIntersection) {
     }
 }
 
-/// No answer is known for the slope from a STEP file: it must come to its end, and nothing may tunnel. Blocks that
-/// strike the bench at 20 m/s go 0.1 m in a step of 0.005 s; they were seen to enter it by 2.5 % of the mesh size, 0.18
-/// m.
+/// No answer is known for the slope from a STEP file: it must come to its end, both halves must slide, and nothing may
+/// tunnel. Blocks that strike the bench at 20 m/s go 0.1 m in a step of 0.005 s.
 TEST(Samples, BlocksOfTheStepSlopeSlideOutAndNothingTunnels) {
   NoProgress progress;
   KnownSample slope;
   slope.project = folder / "step_slope" / "step_slope.talus";
   const RunReport report = run_sample(slope, {}, progress).report;
   EXPECT_EQ(report.status, RunStatus::completed) << report.reason;
-  EXPECT_LT(report.max_relative_penetration, 0.03);
+  EXPECT_LT(report.max_relative_penetration, 0.01);
   std::vector<std::string> moved;
   for (const BlockOutcome& block : report.blocks) {
-    EXPECT_LT(std::abs(block.relative_volume_change), 1e-2) << block.name;
+    EXPECT_LT(std::abs(block.relative_volume_change), 1e-4) << block.name;
     if (block.displacement.x() > 20 && block.displacement.z() < -10) moved.push_back(block.name);
   }
   EXPECT_THAT(moved, testing::UnorderedElementsAre("front south", "front north", "rear south", "rear north"));
