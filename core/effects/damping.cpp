@@ -1,6 +1,6 @@
 #include "effects/damping.hpp"
 
-#include "effects/inertia.hpp"
+#include "effects/consistent_mass.hpp"
 
 namespace talus {
 
@@ -12,20 +12,14 @@ double Damping::energy(const Increment& d) const {
 }
 
 void Damping::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
-  for (const Element& element : set_.elements) {
-    const Corners u = set_.corner_increments(element, d);
-    const Vec3 total = u[0] + u[1] + u[2] + u[3];
-    const double scale = rates_[element.body] * element.mass / (20 * length_);
-    for (int a = 0; a < 4; ++a) sum.segment<3>(3 * element.freedoms[a]) += scale * (total + u[a]);
-  }
+  for (const Element& element : set_.elements)
+    add_mass_times(element, rate_of(element), set_.corner_increments(element, d), sum);
 }
 
 void Damping::add_hessian(const Increment&, SymmetricBlocks& sum) const {
-  for (const Element& element : set_.elements) {
-    const Mat3 block = rates_[element.body] * element.mass / (20 * length_) * Mat3::Identity();
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b <= a; ++b) sum.add(element.freedoms[a], element.freedoms[b], a == b ? 2 * block : block);
-  }
+  for (const Element& element : set_.elements) add_mass(element, rate_of(element), sum);
 }
+
+double Damping::rate_of(const Element& element) const { return rates_[element.body] * element.mass / (20 * length_); }
 
 }  // namespace talus

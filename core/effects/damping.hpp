@@ -20,6 +20,7 @@ class Damping final : public Effect {
   double dissipated(const Increment& d) const override { return 2 * energy(d); }
 
  private:
+  double rate_of(const Element& element) const;  ///< N/m, of the twentieth that the consistent mass is made of
   const BodySet& set_;
   std::vector<double> rates_;
   double length_ = 1;

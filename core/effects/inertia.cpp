@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace talus {
+#include "effects/consistent_mass.hpp"
 
-double mass_square(double mass, const Corners& u) {
-  const Vec3 sum = u[0] + u[1] + u[2] + u[3];
-  double squares = sum.squaredNorm();
-  for (const Vec3& corner : u) squares += corner.squaredNorm();
-  return mass / 20 * squares;
-}
+namespace talus {
 
 Vec3 Inertia::acceleration(int node, const Increment& d) const {
   const double beta = step_.integration.beta, length = step_.length;
@@ -42,18 +37,13 @@ void Inertia::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
     Corners a;
     for (int i = 0; i < 4; ++i)
       a[i] = (1 - alpha_m) * acceleration(element.nodes[i], d) + alpha_m * start_acceleration(element.nodes[i]);
-    const Vec3 total = a[0] + a[1] + a[2] + a[3];
-    for (int i = 0; i < 4; ++i) sum.segment<3>(3 * element.freedoms[i]) += element.mass / 20 * (total + a[i]);
+    add_mass_times(element, element.mass / 20, a, sum);
   }
 }
 
 void Inertia::add_hessian(const Increment&, SymmetricBlocks& sum) const {
   const double scale = (1 - step_.integration.alpha_m) / (20 * step_.integration.beta * step_.length * step_.length);
-  for (const Element& element : set_.elements) {
-    const Mat3 block = scale * element.mass * Mat3::Identity();
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b <= a; ++b) sum.add(element.freedoms[a], element.freedoms[b], a == b ? 2 * block : block);
-  }
+  for (const Element& element : set_.elements) add_mass(element, scale * element.mass, sum);
 }
 
 void Inertia::accept(const Increment& d) {

@@ -36,7 +36,4 @@ class Inertia final : public Effect {
   StepContext step_;
 };
 
-/// uᵀ M u of one element: the consistent mass matrix of a four-node tetrahedron is m/20 (1 + δ_ab).
-double mass_square(double mass, const Corners& u);
-
 }  // namespace talus

@@ -91,11 +91,10 @@ class OpenClose {
   double length_ = 0;                  ///< s, Δ
   double tolerance_ = 0;               ///< of this step
   double mesh_size_ = 0, extent_ = 0;  ///< m, largest
-  double rounding_ = 0;                ///< N, what the rounding of deformations alone may leave in the residual
-  double rounding_of_positions_ =
-      0;                       ///< N, what that of the positions a step begins with may: a block at rest stays so
-  int linear_iterations_ = 0;  ///< of the last direction
-  int patience_ = 5;           ///< GMRES iterations that cost as much as a factor
+  double rounding_ = 0;                ///< N, that the rounding of deformations alone may leave in the residual
+  double rounding_of_positions_ = 0;   ///< N, that the rounding of where a step begins may leave
+  int linear_iterations_ = 0;          ///< of the last direction
+  int patience_ = 5;                   ///< GMRES iterations that cost as much as a factor
   double force_scale_ = 0, momentum_scale_ = 0;
   SolveTimes times_;
   std::vector<double> seconds_;  ///< of each effect of the stage
