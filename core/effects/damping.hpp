@@ -13,6 +13,7 @@ class Damping final : public Effect {
   Damping(const BodySet& set, std::vector<double> rates) : set_(set), rates_(std::move(rates)) {}
   std::string_view name() const override { return "damping"; }
   EnergyAccount account() const override { return EnergyAccount::damping; }
+  bool constant() const override { return true; }
   void begin_step(const StepContext& step) override { length_ = step.length; }
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;

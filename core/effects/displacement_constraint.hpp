@@ -23,6 +23,7 @@ class DisplacementConstraints final : public Effect {
   DisplacementConstraints(const BodySet& set, std::vector<HeldPoint> points) : set_(set), points_(std::move(points)) {}
   std::string_view name() const override { return "displacement constraint"; }
   EnergyAccount account() const override { return EnergyAccount::constraint; }
+  bool constant() const override { return true; }
   void begin_step(const StepContext& step) override;
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;

@@ -7,6 +7,7 @@
 #include "bodies/body_set.hpp"
 #include "effects/symmetric_blocks.hpp"
 #include "effects/time_integration.hpp"
+#include "effects/unsymmetric_blocks.hpp"
 
 namespace talus {
 
@@ -33,6 +34,8 @@ class Effect {
 
   /// Does the Hessian stay the same for all D of a step? Such effects are assembled once a step.
   virtual bool quadratic() const { return true; }
+  /// Does it stay the same even in all steps of one length of a stage? Such effects are assembled when that changes.
+  virtual bool constant() const { return false; }
   /// Smooth forces are taken at the share of D that the time integration says, the others at its end.
   virtual bool smooth() const { return false; }
   /// Pairs of movable nodes that the Hessian may couple.
@@ -43,8 +46,8 @@ class Effect {
   virtual void add_gradient(const Increment& d, Eigen::VectorXd& sum) const = 0;  ///< N
   /// Never negative: where the exact Hessian has a negative eigenvalue, its part is left out [N/m].
   virtual void add_hessian(const Increment&, SymmetricBlocks&) const {}
-  /// y += T x, with T what the derivative of the gradient has beyond the Hessian [N].
-  virtual void add_unsymmetric(const Increment&, const Eigen::VectorXd&, Eigen::VectorXd&) const {}
+  /// What the derivative of the gradient has beyond the Hessian [N/m].
+  virtual void add_unsymmetric(const Increment&, UnsymmetricBlocks&) const {}
   /// The step is taken; the bodies' positions have not moved yet.
   virtual void accept(const Increment&) {}
 

@@ -14,6 +14,7 @@ class Inertia final : public Effect {
   explicit Inertia(BodySet& set) : set_(set) {}
   std::string_view name() const override { return "inertia"; }
   EnergyAccount account() const override { return EnergyAccount::kinetic; }
+  bool constant() const override { return true; }
   void begin_step(const StepContext& step) override { step_ = step; }
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;

@@ -56,19 +56,19 @@ void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
   }
 }
 
-void ShearContact::add_unsymmetric(const Increment& d, const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+void ShearContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
   for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
     const ContactPoint& point = contacts_.points[i];
     if (strength_[i] == 0 || point.friction == 0) continue;
     const Vec3 trial = spring_force(i, d);
     const double length = trial.norm();
     if (length <= strength_[i] || !resists_elastically(point, gap(point, d))) continue;
-    double closing = 0;  // of x along the normal; prescribed nodes do not follow x
-    for (int k = point.stencil_begin; k < point.stencil_end; ++k)
-      if (const int freedom = set_.nodes.freedom[contacts_.nodes[k]]; freedom >= 0)
-        closing -= contacts_.weights[k] * point.normal.dot(x.segment<3>(3 * freedom));
-    const double growth = point.friction * point.normal_stiffness * closing;  // N, of the strength
-    subtract_contact_force(contacts_, point, set_, growth / length * trial, y);
+    const Mat3 growth = point.friction * point.normal_stiffness / length * trial * point.normal.transpose();
+    for (int a = point.stencil_begin; a < point.stencil_end; ++a)
+      for (int b = point.stencil_begin; b < point.stencil_end; ++b) {
+        const int m = set_.nodes.freedom[contacts_.nodes[a]], n = set_.nodes.freedom[contacts_.nodes[b]];
+        if (m >= 0 && n >= 0) sum.add(m, n, contacts_.weights[a] * contacts_.weights[b] * growth);
+      }
   }
 }
 

@@ -24,7 +24,7 @@ class ShearContact final : public Effect {
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
   /// The Hessian takes contacts that are open by less than this share of their size for closed and sticking.
   void count_as_closed(double share) { touching_ = share; }
-  void add_unsymmetric(const Increment& d, const Eigen::VectorXd& x, Eigen::VectorXd& y) const override;
+  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
   double stored_energy() const override { return stored_; }
   double dissipated(const Increment& d) const override;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/vector.hpp"
+#include "effects/block_pattern.hpp"
 
 namespace talus {
 
@@ -12,10 +14,16 @@ namespace talus {
 class SymmetricBlocks {
  public:
   /// `couplings`: pairs of movable nodes that some effect couples, in any order; the diagonal is always there.
-  void set_pattern(int nodes, std::vector<std::pair<int, int>> couplings);
+  void set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
+    set_pattern(BlockPattern(nodes, std::move(couplings)));
+  }
+  void set_pattern(BlockPattern pattern);
 
   /// Adds `block` at row i, column j, and its transpose at (j, i). The pair must be in the pattern.
   void add(int i, int j, const Mat3& block);
+  /// Adds `block` at the row and column of a slot of the pattern, its transpose at (column, row). For stencils that
+  /// keep their slots: finding them takes longer than adding.
+  void add_at(int slot, const Mat3& block) { values_[slot] += weight_ * block; }
 
   /// What is added from now on counts this much.
   void set_weight(double weight) { weight_ = weight; }
@@ -23,20 +31,20 @@ class SymmetricBlocks {
   void set_zero();
   /// Takes over the values of a matrix with the same pattern.
   void assign(const SymmetricBlocks& other) { values_ = other.values_; }
+  /// Takes over the columns of some nodes of a larger matrix, of which this pattern is their part. Has a bit changed?
+  bool assign_part(const SymmetricBlocks& whole, std::span<const int> nodes);
   /// Norm of the diagonal.
   double diagonal_norm() const;
   /// y = K x.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
 
-  int nodes() const { return static_cast<int>(column_begin_.size()) - 1; }
-  const std::vector<int>& column_begin() const { return column_begin_; }
-  const std::vector<int>& rows() const { return rows_; }
+  int nodes() const { return pattern_.nodes(); }
+  const BlockPattern& pattern() const { return pattern_; }
   const Mat3& value(int slot) const { return values_[slot]; }
 
  private:
-  std::vector<int> column_begin_{0};
-  std::vector<int> rows_;  ///< ascending in each column, the diagonal first
-  std::vector<Mat3> values_;
+  BlockPattern pattern_;
+  std::vector<Mat3> values_;  ///< of each slot
   double weight_ = 1;
 };
 

@@ -22,6 +22,7 @@ struct TimeIntegration {
 
   /// Share of the increment at which smooth forces are taken.
   double smooth_share() const { return 1 - alpha_f; }
+  bool operator==(const TimeIntegration&) const = default;
 };
 
 }  // namespace talus

@@ -48,33 +48,34 @@ struct Cholesky::State {
     return matrix;
   }
 
-  void set_pattern(const SymmetricBlocks& matrix) {
+  void set_pattern(const BlockPattern& pattern) {
     column_begin.assign(1, 0);
     rows.clear();
-    for (int column = 0; column < matrix.nodes(); ++column)
+    for (int column = 0; column < pattern.nodes(); ++column)
       for (int c = 0; c < 3; ++c) {
-        for (int slot = matrix.column_begin()[column]; slot < matrix.column_begin()[column + 1]; ++slot)
-          for (int r = matrix.rows()[slot] == column ? c : 0; r < 3; ++r) rows.push_back(3 * matrix.rows()[slot] + r);
+        for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot)
+          for (int r = pattern.rows()[slot] == column ? c : 0; r < 3; ++r) rows.push_back(3 * pattern.rows()[slot] + r);
         column_begin.push_back(static_cast<int>(rows.size()));
       }
     values.resize(rows.size());
   }
 
   void set_values(const SymmetricBlocks& matrix) {
+    const BlockPattern& pattern = matrix.pattern();
     std::size_t k = 0;
-    for (int column = 0; column < matrix.nodes(); ++column)
+    for (int column = 0; column < pattern.nodes(); ++column)
       for (int c = 0; c < 3; ++c)
-        for (int slot = matrix.column_begin()[column]; slot < matrix.column_begin()[column + 1]; ++slot)
-          for (int r = matrix.rows()[slot] == column ? c : 0; r < 3; ++r) values[k++] = matrix.value(slot)(r, c);
+        for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot)
+          for (int r = pattern.rows()[slot] == column ? c : 0; r < 3; ++r) values[k++] = matrix.value(slot)(r, c);
   }
 };
 
 Cholesky::Cholesky() : state_(std::make_unique<State>()) {}
 Cholesky::~Cholesky() = default;
 
-void Cholesky::analyse(const SymmetricBlocks& matrix) {
+void Cholesky::analyse(const BlockPattern& pattern) {
   cholmod_free_factor(&state_->factor, &state_->common);
-  state_->set_pattern(matrix);
+  state_->set_pattern(pattern);
   cholmod_sparse sparse = state_->sparse();
   state_->factor = cholmod_analyze(&sparse, &state_->common);
 }
@@ -86,9 +87,9 @@ void Cholesky::factor(const SymmetricBlocks& matrix) {
   state_->set_values(matrix);
   cholmod_sparse sparse = state_->sparse();
   cholmod_factorize(&sparse, state_->factor, &state_->common);
-  if (state_->common.status != CHOLMOD_OK || state_->factor->minor < state_->factor->n)
-    throw NotPositiveDefinite("the stiffness matrix is not positive definite at node " +
-                              std::to_string(state_->factor->minor / 3));
+  const cholmod_factor& result = *state_->factor;
+  if (state_->common.status == CHOLMOD_OK && result.minor == result.n) return;
+  throw NotPositiveDefinite(static_cast<const int*>(result.Perm)[std::min(result.minor, result.n - 1)] / 3);
 }
 
 void Cholesky::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {

@@ -1,16 +1,11 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 
 #include "effects/symmetric_blocks.hpp"
+#include "solve/not_positive_definite.hpp"
 
 namespace talus {
-
-/// The matrix has a direction without stiffness or mass: our own mistake, or numbers beyond reason in the input.
-struct NotPositiveDefinite : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Sparse Cholesky factorisation by CHOLMOD. The symbolic analysis is kept until the pattern changes.
 class Cholesky {
@@ -20,8 +15,8 @@ class Cholesky {
   Cholesky(const Cholesky&) = delete;
   Cholesky& operator=(const Cholesky&) = delete;
 
-  /// Orders and analyses the pattern of `matrix`; its values do not matter.
-  void analyse(const SymmetricBlocks& matrix);
+  /// Orders and analyses.
+  void analyse(const BlockPattern& pattern);
   /// Factors a matrix of the analysed pattern. Throws NotPositiveDefinite.
   void factor(const SymmetricBlocks& matrix);
   /// x = K⁻¹ b with the last factor.

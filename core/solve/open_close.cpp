@@ -24,6 +24,8 @@ constexpr double flat = 0.1;
 /// Of the mesh size: the first iteration takes contacts that are open by less for closed and sticking. A block that is
 /// only just set down has no force from its contacts yet; a tangent without them would send it through the ground.
 constexpr double closing_tolerance = 2e-7;
+/// Of the residual at which a step has settled: systems that together are out of balance by less are left alone.
+constexpr double negligible_share = 0.1;
 
 }  // namespace
 
@@ -44,38 +46,62 @@ void OpenClose::begin_stage(Composition& composition) {
   seconds_.assign(composition.effects.size(), 0);
   works_.assign(composition.effects.size(), 0);
   norms_.assign(composition.effects.size(), 0);
+  constant_length_ = 0;
+}
+
+SolveTimes OpenClose::times() const {
+  SolveTimes times = times_;
+  times.factor += linear_.work().factor_seconds;
+  times.solve += linear_.work().solve_seconds;
+  return times;
 }
 
 void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
   const Stopwatch watch(times_.factor);
   for (const auto& effect : composition_->effects) effect->add_couplings(couplings);
-  constant_.set_pattern(nodes, couplings);
-  matrix_.set_pattern(nodes, std::move(couplings));
-  cholesky_.analyse(matrix_);
+  const BlockPattern pattern(nodes, std::move(couplings));
+  constant_.set_pattern(pattern);
+  of_step_.set_pattern(pattern);
+  matrix_.set_pattern(pattern);
+  beyond_.set_pattern(pattern);
+  linear_.set_pattern(pattern);
   zero_.setZero(3 * nodes);
-  factored_length_ = 0;
+  pattern_changed_ = true;
   rounding_ = rounding_of_positions_ = 0;
-  // A solve with a factor touches each of its entries twice; what a factor costs beside it, at the rates of one core.
-  constexpr double factor_rate = 20e9, solve_rate = 10e9;
-  patience_ =
-      std::clamp(static_cast<int>(cholesky_.flops() / factor_rate / (16 * cholesky_.entries() / solve_rate)), 5, 30);
+}
+
+void OpenClose::assemble_constant(const StepContext& step) {
+  const bool same_sizes = step.length == constant_length_ && step.integration == constant_integration_;
+  if (same_sizes && !pattern_changed_) return;
+  if (!same_sizes) linear_.outdate();
+  constant_length_ = step.length;
+  constant_integration_ = step.integration;
+  pattern_changed_ = false;
+  constant_.set_zero();
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+    const Effect& effect = *composition_->effects[i];
+    if (!effect.constant()) continue;
+    const Stopwatch share(seconds_[i]);
+    constant_.set_weight(effect.smooth() ? share_ : 1);
+    effect.add_hessian(zero_, constant_);
+  }
 }
 
 void OpenClose::begin_step(const StepContext& step) {
   const Stopwatch watch(times_.assemble);
   share_ = step.integration.smooth_share();
-  length_ = step.length;
   mesh_size_ = step.mesh_size;
   tolerance_ = step.dynamic_factor > 0 ? settings_.tolerance : settings_.static_tolerance;
   extent_ = step.extent;
-  constant_.set_zero();
+  assemble_constant(step);
+  of_step_.assign(constant_);
   part_.resize(zero_.size());
   momentum_scale_ = 0;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
     const Stopwatch share(seconds_[i]);
-    constant_.set_weight(effect.smooth() ? share_ : 1);
-    if (effect.quadratic()) effect.add_hessian(zero_, constant_);
+    of_step_.set_weight(effect.smooth() ? share_ : 1);
+    if (effect.quadratic() && !effect.constant()) effect.add_hessian(zero_, of_step_);
     if (effect.account() != EnergyAccount::kinetic) continue;
     part_.setZero();
     effect.add_gradient(zero_, part_);
@@ -127,9 +153,10 @@ const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
     gradient_ -= part_;
   }
   assemble(zero_, closing_tolerance);
-  factor();
-  cholesky_.solve(-gradient_, direction_);
-  direction_ *= (1 - step.integration.alpha_m) / (step.integration.beta * step.length * step.length);
+  linear_.outdate();  // solved exactly
+  beyond_.set_zero();
+  linear_.solve(matrix_, beyond_, gradient_, 0, direction_);
+  direction_ *= -(1 - step.integration.alpha_m) / (step.integration.beta * step.length * step.length);
   return direction_;
 }
 
@@ -137,7 +164,7 @@ void OpenClose::assemble(const Increment& d, double touching) {
   const Stopwatch watch(times_.assemble);
   if (composition_->normal) composition_->normal->count_as_closed(touching);
   if (composition_->shear) composition_->shear->count_as_closed(touching);
-  matrix_.assign(constant_);
+  matrix_.assign(of_step_);
   scaled_ = share_ * d;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
@@ -148,28 +175,13 @@ void OpenClose::assemble(const Increment& d, double touching) {
   }
 }
 
-void OpenClose::factor() {
-  const Stopwatch watch(times_.factor);
-  cholesky_.factor(matrix_);
-  factored_length_ = length_;
-}
-
 void OpenClose::find_direction(const Increment& d, Friction friction) {
-  if (factored_length_ != length_ || linear_iterations_ > patience_) factor();
-  const auto apply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-    matrix_.multiply(x, y);
-    if (friction == Friction::lagged) return;
-    for (const auto& effect : composition_->effects) effect->add_unsymmetric(d, x, y);
-  };
-  const auto precondition = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { cholesky_.solve(x, y); };
-  const auto solve = [&] {
-    const Stopwatch watch(times_.solve);
-    return gmres_.solve(apply, precondition, gradient_, direction_, settings_.linear_tolerance, settings_.linear_limit);
-  };
-  linear_iterations_ = solve();
-  if (linear_iterations_ < settings_.linear_limit) return;
-  factor();
-  linear_iterations_ = solve();
+  beyond_.set_zero();
+  if (friction == Friction::coupled) {
+    const Stopwatch watch(times_.assemble);
+    for (const auto& effect : composition_->effects) effect->add_unsymmetric(d, beyond_);
+  }
+  linear_.solve(matrix_, beyond_, gradient_, negligible_share * tolerance_ * force_scale_, direction_);
 }
 
 double OpenClose::slope_at(double share, Increment& d, Friction friction) {

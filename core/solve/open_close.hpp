@@ -4,8 +4,7 @@
 #include <string>
 
 #include "effects/compose.hpp"
-#include "solve/cholesky.hpp"
-#include "solve/gmres.hpp"
+#include "solve/linear_system.hpp"
 
 namespace talus {
 
@@ -28,27 +27,25 @@ struct OpenCloseSettings {
   int iteration_limit = 20;         ///< then the step is cut
   double tolerance = 1e-10;         ///< residual over force scale at which a dynamic step has settled …
   double static_tolerance = 1e-11;  ///< … and a static one, in which forces hardly do any work
-  double round_off = 1e-9;         ///< a residual below this that no longer falls is round-off, and has settled too …
-  double rounding = 4;             ///< … as is one of so many roundings of a deformation times the stiffness
-  double linear_tolerance = 1e-4;  ///< of the linear solves, of the residual
-  int linear_limit = 40;           ///< GMRES iterations after which the matrix is factored anew
-  int shortenings = 10;            ///< trials for the floor of the potential along a step that has overstepped it
+  double round_off = 1e-9;  ///< a residual below this that no longer falls is round-off, and has settled too …
+  double rounding = 4;      ///< … as is one of so many roundings of a deformation times the stiffness
+  LinearSettings linear;    ///< of the linear solves
+  int shortenings = 10;     ///< trials for the floor of the potential along a step that has overstepped it
 };
 
 /// Finds the increment D at which all forces balance, contacts open and closed, stuck and sliding, each with the
 /// strength of this very iterate: a semismooth Newton method (Alart & Curnier 1991), where the paper's section 3
-/// iterates on the states. The tangent is symmetric but for friction's dependence on the normal force; a Cholesky
-/// factor of the symmetric part, as old as it serves, preconditions GMRES on all of it.
+/// iterates on the states. The tangent is symmetric but for friction's dependence on the normal force.
 class OpenClose {
  public:
-  explicit OpenClose(OpenCloseSettings settings) : settings_(settings) {}
+  explicit OpenClose(OpenCloseSettings settings) : settings_(settings), linear_(settings.linear) {}
 
   /// The effects of a stage; they must live until end_stage.
   void begin_stage(Composition& composition);
   void end_stage();
-  /// The couplings of contacts have changed: orders and analyses anew.
+  /// The couplings of contacts have changed: finds the independent systems anew.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
-  /// Assembles what stays the same through a step; called once after Effect::begin_step.
+  /// Assembles what stays the same through a step, where it has changed; called once after Effect::begin_step.
   void begin_step(const StepContext& step);
 
   /// The bodies and contacts stand at the start of a step. `d`: a first guess in, the increment out.
@@ -64,15 +61,16 @@ class OpenClose {
   const std::vector<double>& works() const { return works_; }
   /// Norm of inertia's force over that of the largest force, at the last D: how far from static equilibrium.
   double imbalance() const;
-  const SolveTimes& times() const { return times_; }
+  SolveTimes times() const;
+  const LinearWork& linear_work() const { return linear_.work(); }
   std::map<std::string, double> effect_seconds() const;  ///< wall seconds by name, of all stages
 
  private:
   /// Strengths in shear: those of the D that is looked at, or those of the iterate that the search started from.
   enum class Friction { coupled, lagged };
   void evaluate(const Increment& d, Friction friction);
+  void assemble_constant(const StepContext& step);
   void assemble(const Increment& d, double touching);
-  void factor();
   void find_direction(const Increment& d, Friction friction);
   void move(Increment& d);
   double slope_at(double share, Increment& d, Friction friction);
@@ -80,21 +78,22 @@ class OpenClose {
 
   Composition* composition_ = nullptr;
   OpenCloseSettings settings_;
-  SymmetricBlocks constant_, matrix_;
-  Cholesky cholesky_;
-  Gmres gmres_;
+  SymmetricBlocks constant_;  ///< what stays the same through steps of this length of a stage …
+  SymmetricBlocks of_step_;   ///< … with what stays the same through this step …
+  SymmetricBlocks matrix_;    ///< … with the rest
+  UnsymmetricBlocks beyond_;
+  LinearSystem linear_;
   Eigen::VectorXd gradient_, part_, direction_, zero_;
   Increment scaled_, start_;
   std::vector<double> works_, norms_;
-  double share_ = 1;                   ///< of D at which smooth forces are taken
-  double factored_length_ = 0;         ///< s, Δ of the factor; 0: there is none for this pattern
-  double length_ = 0;                  ///< s, Δ
+  double share_ = 1;            ///< of D at which smooth forces are taken
+  double constant_length_ = 0;  ///< s, Δ that constant_ holds for; 0: for none in this stage
+  TimeIntegration constant_integration_;
+  bool pattern_changed_ = false;       ///< since constant_ was assembled
   double tolerance_ = 0;               ///< of this step
   double mesh_size_ = 0, extent_ = 0;  ///< m, largest
   double rounding_ = 0;                ///< N, that the rounding of deformations alone may leave in the residual
   double rounding_of_positions_ = 0;   ///< N, that the rounding of where a step begins may leave
-  int linear_iterations_ = 0;          ///< of the last direction
-  int patience_ = 5;                   ///< GMRES iterations that cost as much as a factor
   double force_scale_ = 0, momentum_scale_ = 0;
   SolveTimes times_;
   std::vector<double> seconds_;  ///< of each effect of the stage
