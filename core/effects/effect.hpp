@@ -34,7 +34,7 @@ class Effect {
 
   /// Does the Hessian stay the same for all D of a step? Such effects are assembled once a step.
   virtual bool quadratic() const { return true; }
-  /// Does it stay the same even in all steps of one length of a stage? Such effects are assembled when that changes.
+  /// And in all steps of a stage that have one length? Such effects are assembled when that changes.
   virtual bool constant() const { return false; }
   /// Smooth forces are taken at the share of D that the time integration says, the others at its end.
   virtual bool smooth() const { return false; }

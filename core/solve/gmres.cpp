@@ -43,7 +43,8 @@ int Gmres::solve(const Map& apply, const Map& precondition, const Eigen::VectorX
     if (std::abs(residual_[k]) <= tolerance * size || left <= 1e-14 * size) break;
     basis_[k] = work_ / left;
   }
-  const Eigen::VectorXd share = hessenberg_.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(residual_.head(k));
+  auto share = residual_.head(k);
+  hessenberg_.topLeftCorner(k, k).triangularView<Eigen::Upper>().solveInPlace(share);
   for (int i = 0; i < k; ++i) x += share[i] * preconditioned_[i];
   return std::abs(residual_[k]) <= tolerance * size ? k : limit;
 }
