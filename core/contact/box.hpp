@@ -19,6 +19,12 @@ struct Box {
     lower = lower.cwiseMin(b.lower);
     upper = upper.cwiseMax(b.upper);
   }
+  void widen(double margin) {
+    lower.array() -= margin;
+    upper.array() += margin;
+  }
+  /// How far apart the boxes are along the axis that parts them most; negative where they overlap.
+  double apart(const Box& b) const { return (lower - b.upper).cwiseMax(b.lower - upper).maxCoeff(); }
   /// Whether no axis separates the boxes by more than `distance`.
   bool within(const Box& b, double distance) const {
     for (int k = 0; k < 3; ++k) {

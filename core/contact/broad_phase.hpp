@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "contact/facet_tree.hpp"
-#include "contact/features.hpp"
+#include "contact/contact_work.hpp"
+#include "contact/neighbours.hpp"
 
 namespace talus {
 
@@ -18,21 +18,31 @@ struct PairScale {
 /// A facet of the body with the lower number and one of the other.
 struct FacetPair {
   int a, b;
-  bool operator<(const FacetPair& o) const { return a != o.a ? a < o.a : b < o.b; }
 };
 
-/// Finds the pairs of facets whose boxes are near each other: bodies by sorting their boxes along x and sweeping,
-/// facets by the bodies' trees. Pairs found are kept with a margin and only filtered until something has moved further
-/// than it.
+/// Finds the pairs of facets whose boxes are near each other. Work follows motion: neighbouring bodies are sought when
+/// one has left the box it was given, facets of two bodies when these have gone further than the margin of their last
+/// search, and pairs of facets found are looked at only where one may be near by now.
 class BroadPhase {
  public:
-  BroadPhase(const ContactFeatures& features, std::span<const ContactBody> bodies, const ContactSettings& settings);
+  /// Counts what it looks at in `work`; this and the features outlive it.
+  BroadPhase(const ContactFeatures& features, std::span<const ContactBody> bodies, const ContactSettings& settings,
+             ContactWork& work);
 
   /// Some bodies are held from now on, or no longer.
   void set_bodies(std::span<const ContactBody> bodies);
+  /// A body falls asleep or wakes. Scales do not change.
+  void set_asleep(int body, bool asleep);
 
-  /// Sorted pairs of facets whose boxes are within the search distance of their bodies at positions x. What is found
-  /// does not depend on earlier calls.
+  /// No node of the body moved by more than `way` [m] since this was said last. Before find(), everything that moved
+  /// must be told of, or …
+  void moved(int body, double way);
+  /// … read off the positions, which costs a look at all nodes of bodies that are not asleep.
+  void read_motion(std::span<const Vec3> x);
+
+  /// Pairs of facets whose boxes are within the search distance of their bodies at positions x; sorted by bodies and
+  /// then by facets. What is found does not depend on earlier calls. Two fixed bodies have none, nor have two of which
+  /// one is asleep and the other asleep or fixed.
   std::span<const FacetPair> find(std::span<const Vec3> x, double reach);
 
   /// How far apart the features of two bodies may lie and yet touch: the reach outside, the depth inside.
@@ -40,30 +50,44 @@ class BroadPhase {
   PairScale scale(int body_a, int body_b) const;
 
   /// Unit normals of the facets at the last positions; only those of facets in the pairs found are up to date.
-  std::span<const Vec3> normals() const { return normals_; }
+  std::span<const Vec3> normals() const { return facets_.normals(); }
 
  private:
-  bool still_valid(std::span<const Vec3> x, double reach) const;
-  void search(std::span<const Vec3> x, double reach);
-  void find_body_pairs(double distance);
-  void update_facet(int facet, std::span<const Vec3> x);
-  std::span<const Box> boxes_of(int body) const;
+  /// Two bodies that are neighbours. Whether something is to be done is asked of how far both have gone together, plus
+  /// the search distance.
+  struct BodyPair {
+    int a, b;
+    double depth;  // m, the search distance without a reach
+    double search_at, filter_at;
+    std::vector<FacetPair> candidates;  // sorted
+    std::vector<int> facets;            // among the candidates
+  };
+  double gone(const BodyPair& pair) const { return odometers_.travelled(pair.a) + odometers_.travelled(pair.b); }
+  bool rests(int body) const { return bodies_[body].fixed || asleep_[body]; }
+  void stand(int body);
+  void list_neighbours();
+  int new_pair(int body_a, int body_b);
+  void begin(BodyPair& pair) const;
+  double distance_of(const BodyPair& pair, double worthwhile, std::span<const Vec3> x);
+  void search(BodyPair& pair, std::span<const Vec3> x, double distance);
+  void take_candidates(BodyPair& pair);
+  void filter(BodyPair& pair, std::span<const Vec3> x, double distance);
 
   const ContactFeatures& features_;
   std::vector<ContactBody> bodies_;
+  std::vector<char> asleep_;
   ContactSettings settings_;
-  double margin_ = 0;
+  double largest_size_ = 0;  // m, of bodies that are not fixed
 
-  std::vector<Box> boxes_;     // a facet
-  std::vector<Vec3> normals_;  // a facet
-  std::vector<FacetTree> trees_;
-  std::vector<int> sweep_;  // bodies by the lower side of their boxes along x
-  std::vector<std::pair<int, int>> body_pairs_, stack_, found_;
-  std::vector<FacetPair> candidates_, near_;
-  std::vector<int> touched_;  // facets among the candidates
-  std::vector<char> is_touched_;
-  std::vector<Vec3> searched_at_;
-  double searched_reach_ = -1;
+  Odometers odometers_;
+  FacetBoxes facets_;
+  Neighbours neighbours_;
+  std::vector<BodyPair> pairs_;     // in no order, with the lists of former pairs for new ones
+  std::vector<int> listed_, free_;  // numbers of pairs_: neighbours in order; unused
+  std::vector<std::pair<int, int>> new_, found_;
+  std::vector<char> is_taken_;  // a facet
+  std::vector<FacetPair> near_;
+  ContactWork& work_;
 };
 
 }  // namespace talus

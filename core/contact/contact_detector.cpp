@@ -24,24 +24,32 @@ struct ContactDetector::State {
         pair_joint(std::move(joints)),
         settings(s),
         features(bodies),
-        broad(features, bodies, settings),
-        memory(s.model == ContactModel::facet_wise),
+        broad(features, bodies, settings, work),
+        memory(bodies.size(), s.model == ContactModel::facet_wise),
         coupling(features),
+        asleep(bodies.size(), 0),
         penetration(bodies.size(), 0.0),
         moved(bodies.size(), 0) {}
 
+  bool rests(int body) const { return bodies[body].fixed || asleep[body]; }
+  bool joints_bond() const;
   double bond_reach() const;
   void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach);
   void find_points(std::span<const Vec3> x, double reach);
   double late_overlap(const FoundPoint& found) const;
-  ContactPoint complete(const FoundPoint& found);
+  ContactPoint complete(const FoundPoint& found, bool& known) const;
+  void complete_all(ContactSet& contacts);
+  void bond(std::span<ContactPoint> points) const;
+  void weaken_broken(std::span<ContactPoint> points) const;
   void write(double reach, ContactSet& contacts);
+  void change_rest(std::span<const int> changed);
 
   std::vector<ContactBody> bodies;
   std::vector<JointLaw> laws;
   std::vector<std::vector<int>> pair_joint;
   ContactSettings settings;
   ContactFeatures features;
+  ContactWork work;
   BroadPhase broad;
   FacetWiseSearch facet_wise;
   FacingSearch facing;
@@ -49,11 +57,20 @@ struct ContactDetector::State {
   EdgeSearch edges;
   ContactMemory memory;
   Coupling coupling;
+  std::vector<char> asleep;         // a body
   std::vector<double> penetration;  // m, a movable body: the deepest of the last step
-  std::vector<char> moved;          // a body: it took part in a step and was not fixed
+  std::vector<int> pressed;         // bodies whose penetration the next step may change
+  std::vector<char> moved;          // a body: it took part in a step and neither was fixed nor asleep
+  bool all_have_moved = false;      // that are free to
 
+  /// Where a point comes from.
+  struct Origin {
+    int found;
+    bool known;  // it goes on from a former one
+  };
   std::vector<FacetPair> near;
   FoundPoints found;
+  std::vector<Origin> origins;
   std::vector<std::uint64_t> families;  // of the points handed out
 };
 
@@ -62,6 +79,11 @@ ContactDetector::ContactDetector(std::vector<ContactBody> bodies, std::vector<Jo
     : state_(std::make_unique<State>(std::move(bodies), std::move(laws), std::move(pair_joint), settings)) {}
 
 ContactDetector::~ContactDetector() = default;
+
+bool ContactDetector::State::joints_bond() const {
+  return std::any_of(laws.begin(), laws.end(),
+                     [](const JointLaw& law) { return law.cohesion > 0 || law.tensile_strength > 0; });
+}
 
 /// A bond of a soft joint holds over a gap that no step's displacement would reach.
 double ContactDetector::State::bond_reach() const {
@@ -116,7 +138,7 @@ double ContactDetector::State::late_overlap(const FoundPoint& f) const {
   return std::max(0.0, -f.gap - std::max(penetration[f.bodies[0]], penetration[f.bodies[1]]));
 }
 
-ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
+ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) const {
   ContactPoint p{};
   p.key = f.key;
   for (int k = 0; k < 2; ++k) {
@@ -126,7 +148,6 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
   p.joint = f.joint >= 0 ? f.joint : pair_joint[p.bodies[0]][p.bodies[1]];
   p.position = f.position;
   p.normal = f.normal;
-  p.gap = f.gap;
   p.area = f.area;
   const PairScale scale = broad.scale(p.bodies[0], p.bodies[1]);
   p.size = scale.size;
@@ -137,10 +158,13 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
   const double shear = law.shear_stiffness > 0 ? law.shear_stiffness : settings.shear_ratio * normal;
   p.normal_stiffness = normal * loaded_area;
   p.shear_stiffness = shear * loaded_area;
+  p.friction = law.friction;
 
   p.mode = f.gap > 0 ? ContactMode::open : ContactMode::stick;
   p.shear_start = Vec3::Zero();
-  if (const auto past = memory.recall(f, scale.size)) {
+  const auto past = memory.recall(f, scale.size);
+  known = past.has_value();
+  if (past) {
     p.bonded = past->bonded && f.area > 0;
     p.mode = past->mode;
     p.shear_start = past->shear;
@@ -151,23 +175,53 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f) {
     if (past->lost_area) p.overlap = std::max(p.overlap, -f.gap - past->spring_force / p.normal_stiffness);
   } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {
     p.overlap = late_overlap(f);
-  } else if (f.area > 0) {
-    p.bonded = (law.cohesion > 0 || law.tensile_strength > 0) && f.gap < bonded_gap * scale.size;
   }
   p.gap = f.gap + p.overlap;
-  p.friction = !p.bonded && memory.ever_broken(f.family) ? law.residual_friction : law.friction;
-  p.cohesion = p.bonded ? law.cohesion * f.area : 0;
-  p.tension = p.bonded ? law.tensile_strength * f.area : 0;
   return p;
+}
+
+void ContactDetector::State::complete_all(ContactSet& contacts) {
+  origins.clear();
+  memory.claim(found.points);
+  for (int i = 0; i < static_cast<int>(found.points.size()); ++i) {
+    if (found.points[i].dropped) continue;
+    Origin origin{i, false};
+    contacts.points.push_back(complete(found.points[i], origin.known));
+    origins.push_back(origin);
+  }
+  if (joints_bond() || memory.any_bonded()) bond(contacts.points);
+  if (memory.any_broken()) weaken_broken(contacts.points);
+}
+
+/// Bonds of joints that have just come to be, and the strength of all.
+void ContactDetector::State::bond(std::span<ContactPoint> points) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ContactPoint& p = points[i];
+    const JointLaw& law = laws[p.joint];
+    const bool is_new = !origins[i].known && !moved[p.bodies[0]] && !moved[p.bodies[1]];
+    if (is_new && p.area > 0) p.bonded = (law.cohesion > 0 || law.tensile_strength > 0) && p.gap < bonded_gap * p.size;
+    if (!p.bonded) continue;
+    p.cohesion = law.cohesion * p.area;
+    p.tension = law.tensile_strength * p.area;
+  }
+}
+
+void ContactDetector::State::weaken_broken(std::span<ContactPoint> points) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ContactPoint& p = points[i];
+    if (!p.bonded && memory.ever_broken(found.points[origins[i].found].family))
+      p.friction = laws[p.joint].residual_friction;
+  }
 }
 
 void ContactDetector::State::write(double reach, ContactSet& contacts) {
   contacts.clear();
   families.clear();
-  memory.claim(found.points);
-  for (FoundPoint& f : found.points) {
-    if (f.dropped) continue;
-    ContactPoint p = complete(f);
+  complete_all(contacts);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    FoundPoint& f = found.points[origins[i].found];
+    ContactPoint& p = contacts.points[i];
     f.dropped = !p.bonded && p.gap > reach;
     if (f.dropped) continue;
     p.stencil_begin = static_cast<int>(contacts.nodes.size());
@@ -176,17 +230,24 @@ void ContactDetector::State::write(double reach, ContactSet& contacts) {
     contacts.weights.insert(contacts.weights.end(), found.weights.begin() + f.stencil_begin,
                             found.weights.begin() + f.stencil_end);
     p.stencil_end = static_cast<int>(contacts.nodes.size());
-    contacts.points.push_back(p);
+    if (kept < i) contacts.points[kept] = p;
+    ++kept;
     families.push_back(f.family);
   }
+  contacts.points.resize(kept);
+  contacts.sort_out();
+  work.points += static_cast<long>(kept);
 }
 
 void ContactDetector::detect(std::span<const Vec3> x, double reach, ContactSet& contacts) {
   State& s = *state_;
+  if (!s.settings.motion_told) s.broad.read_motion(x);
   s.find_points(x, std::max(reach, s.bond_reach()));
   s.write(reach, contacts);
   s.coupling.cover(s.found);
 }
+
+void ContactDetector::moved(int body, double way) { state_->broad.moved(body, way); }
 
 const std::vector<std::pair<int, int>>& ContactDetector::coupled_nodes() const { return state_->coupling.pairs(); }
 
@@ -197,27 +258,67 @@ void ContactDetector::accept(const ContactSet& contacts, std::span<const Contact
   if (contacts.points.size() != s.families.size() || outcomes.size() != s.families.size()) {
     throw std::logic_error("ContactDetector::accept: outcomes of another set of contacts");
   }
-  s.memory.accept(contacts.points, s.families, outcomes, [&](int body) { return s.bodies[body].fixed; });
-  for (std::size_t b = 0; b < s.bodies.size(); ++b) s.moved[b] = s.moved[b] || !s.bodies[b].fixed;
-  std::fill(s.penetration.begin(), s.penetration.end(), 0.0);
+  s.memory.accept(contacts.points, s.families, outcomes);
+  for (int b = 0; !s.all_have_moved && b < static_cast<int>(s.bodies.size()); ++b) s.moved[b] |= !s.rests(b);
+  s.all_have_moved = true;
+  for (int body : s.pressed) s.penetration[body] = s.bodies[body].fixed ? 0 : s.memory.resting().deepest(body);
+  s.pressed.clear();
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (!(outcomes[i].gap < 0)) continue;
     for (int body : contacts.points[i].bodies) {
-      if (!s.bodies[body].fixed) s.penetration[body] = std::max(s.penetration[body], -outcomes[i].gap);
+      if (s.bodies[body].fixed) continue;
+      s.penetration[body] = std::max(s.penetration[body], -outcomes[i].gap);
+      s.pressed.push_back(body);
     }
   }
 }
 
 void ContactDetector::set_laws(std::vector<JointLaw> laws) { state_->laws = std::move(laws); }
 
+/// What two bodies remember is put aside once both rest, and goes on when one does not any more.
+void ContactDetector::State::change_rest(std::span<const int> changed) {
+  for (int b : changed) features.set_movable(bodies[b], !rests(b));
+  memory.rest(changed, [&](int body) { return rests(body); });
+  for (const ContactMemo& memo : memory.memos()) pressed.insert(pressed.end(), memo.bodies.begin(), memo.bodies.end());
+  families.clear();
+  all_have_moved = false;
+}
+
 void ContactDetector::set_fixed(const std::vector<bool>& fixed) {
   State& s = *state_;
   if (fixed.size() != s.bodies.size()) throw std::logic_error("ContactDetector::set_fixed: not one entry a body");
-  for (std::size_t b = 0; b < fixed.size(); ++b) {
+  std::vector<int> changed;
+  for (int b = 0; b < static_cast<int>(fixed.size()); ++b) {
+    if (s.bodies[b].fixed != fixed[b]) changed.push_back(b);
     s.bodies[b].fixed = fixed[b];
-    s.features.set_movable(s.bodies[b], !fixed[b]);
   }
+  s.change_rest(changed);
   s.broad.set_bodies(s.bodies);
   s.coupling.clear();
 }
+
+void ContactDetector::set_asleep(const std::vector<char>& asleep) {
+  State& s = *state_;
+  if (asleep.size() != s.bodies.size()) throw std::logic_error("ContactDetector::set_asleep: not one entry a body");
+  std::vector<int> changed;
+  for (int b = 0; b < static_cast<int>(asleep.size()); ++b) {
+    if (static_cast<bool>(s.asleep[b]) == static_cast<bool>(asleep[b])) continue;
+    changed.push_back(b);
+    s.asleep[b] = asleep[b];
+    s.broad.set_asleep(b, asleep[b]);
+  }
+  if (changed.empty()) return;
+  s.change_rest(changed);
+  s.coupling.drop_immovable();
+}
+
+std::vector<RestingContact> ContactDetector::resting() const {
+  const State& s = *state_;
+  std::vector<RestingContact> rows;
+  s.memory.resting().list([&](int a, int b) { return !s.bodies[a].fixed || !s.bodies[b].fixed; }, rows);
+  return rows;
+}
+
+const ContactWork& ContactDetector::work() const { return state_->work; }
 
 }  // namespace talus

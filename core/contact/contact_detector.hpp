@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact_point.hpp"
+#include "contact/contact_work.hpp"
 #include "mesh/surface.hpp"
 #include "model/solver_settings.hpp"
 
@@ -17,7 +18,8 @@ struct ContactBody {
   const Surface* surface = nullptr;  ///< outlives the detector; its node numbers are local
   int first_node = 0;                ///< local node i is global node first_node + i
   bool fixed = false;
-  double young = 0;  ///< Pa
+  double young = 0;        ///< Pa
+  bool one_piece = false;  ///< rigid or affine: all its nodes move together
 };
 
 struct ContactSettings {
@@ -26,6 +28,7 @@ struct ContactSettings {
   double shear_ratio = 0.4;  ///< k_s / k_n
   double facing_angle = 3;   ///< degrees within which two facets face each other
   double depth = 0.3;        ///< of h: deeper than this is not a contact of this facet
+  bool motion_told = false;  ///< moved() tells what moved; else detect() looks at all nodes of bodies that are awake
 };
 
 /// Finds the contact points of all bodies (METHOD §3) and remembers them from step to step.
@@ -41,17 +44,25 @@ class ContactDetector {
   /// from the former points that they go on from (docs/contact.md, "Memory"). Until a step is accepted in which one of
   /// the two bodies could move, their facing points that touch are bonded if the joint has cohesion or tension. May be
   /// called again with other positions before accept(): nothing is remembered but by that.
+  /// What this costs follows what moves: bodies that are apart are not looked at until they may have come near.
   void detect(std::span<const Vec3> x, double reach, ContactSet& contacts);
 
-  /// Pairs of nodes (i < j, of movable bodies; also of one body, where corners merge) that the contacts couple or may
-  /// soon: the sparse pattern is planned for them. Sorted.
+  /// No node of the body moved by more than `way` [m] since this was said last, or since the start: for settings with
+  /// `motion_told`, once for every body that moved at all before detect() sees its new positions. Fixed bodies may move
+  /// too (prescribed motion).
+  void moved(int body, double way);
+
+  /// Pairs of nodes (i < j, of bodies that are neither fixed nor asleep; also of one body, where corners merge) that
+  /// the contacts couple or may soon: the sparse pattern is planned for them. Sorted. All nodes of a body in one piece
+  /// are meant by its first, its handle: no pair lies within such a body.
   const std::vector<std::pair<int, int>>& coupled_nodes() const;
 
   /// Counts the changes of coupled_nodes(): while it stays the same, so does the pattern.
   std::uint64_t coupling_generation() const;
 
   /// Takes the outcomes of an accepted step, one for each point of `contacts`, which must be what detect() gave last,
-  /// with the modes of the last iterate. Throws std::logic_error if their numbers differ.
+  /// with the modes of the last iterate. Throws std::logic_error if their numbers differ, or if bodies were held,
+  /// released, put to sleep or woken since.
   void accept(const ContactSet& contacts, std::span<const ContactOutcome> outcomes);
 
   /// Strength changed between stages.
@@ -61,6 +72,18 @@ class ContactDetector {
   /// Two held bodies make no contacts, and theirs are remembered until one is released; what a pair's size and
   /// stiffness are measured by changes, and so does the plan of coupled_nodes().
   void set_fixed(const std::vector<bool>& fixed);
+
+  /// Bodies fall asleep or wake: `asleep` has an entry a body; throws std::logic_error if it has not. A body that is
+  /// asleep does not move. Two of them, or one and a fixed one, make no contacts and cost nothing; what their contacts
+  /// remember goes on, when one of the two wakes, as if they had been awake. A sleeper and a body that is awake have
+  /// contacts as usual. To be called when something changes, between accept() and detect() or to detect anew.
+  void set_asleep(const std::vector<char>& asleep);
+
+  /// Contacts of bodies that are at rest, one of them asleep: those that detect() does not give. Sorted by bodies.
+  std::vector<RestingContact> resting() const;
+
+  /// What has been looked at so far, in all.
+  const ContactWork& work() const;
 
  private:
   struct State;

@@ -109,20 +109,25 @@ bool ContactMemory::ever_broken(std::uint64_t family) const {
 }
 
 void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const std::uint64_t> families,
-                           std::span<const ContactOutcome> outcomes, const std::function<bool(int body)>& held) {
-  std::erase_if(memos_, [&](const Memo& m) { return !held(m.bodies[0]) || !held(m.bodies[1]); });
+                           std::span<const ContactOutcome> outcomes) {
+  memos_.clear();
+  any_bonded_ = false;
+  const std::size_t broken_before = broken_.size();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ContactPoint& p = points[i];
     const ContactOutcome& o = outcomes[i];
     const bool bonded = p.bonded && !o.broke;
     if (o.broke) broken_.push_back(families[i]);
     if (p.mode == ContactMode::open && !bonded) continue;
+    any_bonded_ = any_bonded_ || bonded;
     memos_.push_back({.key = p.key,
                       .family = families[i],
                       .bodies = {p.bodies[0], p.bodies[1]},
+                      .joint = p.joint,
                       .position = p.position,
                       .normal = p.normal,
                       .shear = o.shear_force,
+                      .gap = o.gap,
                       .size = p.size,
                       .area = p.area,
                       .normal_force = o.normal_force,
@@ -133,9 +138,14 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
                       .bonded = bonded,
                       .lives = false});
   }
-  std::sort(memos_.begin(), memos_.end(), [](const Memo& p, const Memo& q) { return p.key < q.key; });
-  std::sort(broken_.begin(), broken_.end());
-  broken_.erase(std::unique(broken_.begin(), broken_.end()), broken_.end());
+  if (broken_.size() > broken_before) {
+    std::sort(broken_.begin(), broken_.end());
+    broken_.erase(std::unique(broken_.begin(), broken_.end()), broken_.end());
+  }
+  sort_by_family();
+}
+
+void ContactMemory::sort_by_family() {
   by_family_.resize(memos_.size());
   std::iota(by_family_.begin(), by_family_.end(), 0);
   std::sort(by_family_.begin(), by_family_.end(), [&](int a, int b) {
@@ -143,6 +153,26 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
     if (p.family != q.family) return p.family < q.family;
     return p.position.x() != q.position.x() ? p.position.x() < q.position.x() : a < b;
   });
+}
+
+void ContactMemory::rest(std::span<const int> changed, const std::function<bool(int)>& rests) {
+  const auto awake = [&](int body) { return !rests(body); };
+  for (int body : changed) {
+    if (awake(body)) {
+      resting_.take(
+          body, [](int) { return true; }, memos_);
+    } else {
+      resting_.take(body, awake, memos_);
+    }
+  }
+  std::erase_if(memos_, [&](const Memo& memo) {
+    if (awake(memo.bodies[0]) || awake(memo.bodies[1])) return false;
+    resting_.put(memo);
+    return true;
+  });
+  std::sort(memos_.begin(), memos_.end(), [](const Memo& p, const Memo& q) { return p.key < q.key; });
+  any_bonded_ = std::any_of(memos_.begin(), memos_.end(), [](const Memo& m) { return m.bonded; });
+  sort_by_family();
 }
 
 }  // namespace talus

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "contact/contact_detector.hpp"
 #include "contact/contact_points.hpp"
+#include "contact/resting_contacts.hpp"
 
 namespace talus {
 
-/// What contacts remember from one accepted step to the next. Shear is kept as force and area, so that a corner whose
-/// share of the area changes keeps its traction: no anchor points, hence no jumps when corners merge.
+/// What contacts remember from one accepted step to the next, and who goes on from it. Contacts of two bodies at rest
+/// are put aside and cost nothing.
 class ContactMemory {
  public:
   /// What a point goes on from.
@@ -29,7 +29,7 @@ class ContactMemory {
   };
 
   /// `by_key_alone`: the facet-wise model knows nothing of the features around.
-  explicit ContactMemory(bool by_key_alone) : by_key_alone_(by_key_alone) {}
+  ContactMemory(std::size_t bodies, bool by_key_alone) : by_key_alone_(by_key_alone), resting_(bodies) {}
 
   /// Must precede recall(): gives every former contact to the point that has its key. One that lost its key hands its
   /// force on, once: corners of facing facets to nobody while the same patches go on facing each other, for then their
@@ -44,30 +44,32 @@ class ContactMemory {
 
   /// Whether a bond between these two patches ever broke.
   bool ever_broken(std::uint64_t family) const;
+  bool any_broken() const { return !broken_.empty(); }
+  bool any_bonded() const { return any_bonded_ || resting_.any_bonded(); }
 
-  /// Replaces everything by the outcomes of a step, but for contacts of bodies that are both `held`: they rest and are
-  /// not looked for. Contacts that are open and not bonded are forgotten. `families` belong to the points.
+  /// Replaces everything by the outcomes of a step, but for contacts of bodies that both rest: they are not looked for.
+  /// Contacts that are open and not bonded are forgotten. `families` belong to the points, which are sorted by key.
   void accept(std::span<const ContactPoint> points, std::span<const std::uint64_t> families,
-              std::span<const ContactOutcome> outcomes, const std::function<bool(int body)>& held);
+              std::span<const ContactOutcome> outcomes);
+
+  /// Bodies rest from now on or no longer: `changed` are those of which that may have changed. What was put aside goes
+  /// on as if it had never been.
+  void rest(std::span<const int> changed, const std::function<bool(int body)>& rests);
+
+  const std::vector<ContactMemo>& memos() const { return memos_; }  ///< of bodies of which one is not at rest
+  const RestingContacts& resting() const { return resting_; }
 
  private:
-  struct Memo {
-    std::uint64_t key, family;
-    std::array<int, 2> bodies;
-    Vec3 position, normal, shear;
-    double size, area;
-    double normal_force, multiplier;
-    double slip, overlap;
-    ContactMode mode;
-    bool bonded;
-    bool lives;  // a point has its key
-  };
+  using Memo = ContactMemo;
   const Memo* with_key(std::uint64_t key) const;
   const Memo* nearest_facing(const FoundPoint& point, double distance) const;
   const FoundPoint* heir_of(const Memo& memo, std::span<const FoundPoint> points) const;
   static void add_forces(const Memo& memo, const FoundPoint& point, Recollection& sum);
+  void sort_by_family();
 
   bool by_key_alone_;
+  bool any_bonded_ = false;
+  RestingContacts resting_;
   std::vector<Memo> memos_;                            // sorted by key
   std::vector<int> by_family_;                         // numbers of memos_, sorted by family and then along x
   std::vector<std::uint64_t> facing_;                  // families with an area, sorted

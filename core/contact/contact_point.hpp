@@ -48,17 +48,31 @@ struct ContactPoint {
   ContactMode mode = ContactMode::open;
 };
 
-/// All contact points of a step, flat.
+/// All contact points of a step, flat; and sorted by what their law calls for, so that what is off is absent.
 struct ContactSet {
   std::vector<ContactPoint> points;
   std::vector<int> nodes;       ///< global node numbers of all stencils
   std::vector<double> weights;  ///< Σ = +1 over the first body's nodes, −1 over the second's
 
-  void clear() {
-    points.clear();
-    nodes.clear();
-    weights.clear();
-  }
+  std::vector<int> loose;    ///< numbers of the points without a bond, ascending
+  std::vector<int> bonded;   ///< … of those with one
+  std::vector<int> sheared;  ///< … of those that can bear shear: with friction, or with cohesion of a bond
+
+  void clear();
+  /// Fills the lists from the points. What detect() gives is sorted out already.
+  void sort_out();
+};
+
+/// What is remembered of a contact of two bodies at rest, as it was in the last step that they took part in.
+struct RestingContact {
+  int bodies[2];
+  int joint;
+  Vec3 position;  ///< m
+  Vec3 normal;    ///< unit, from the second body to the first
+  ContactMode mode;
+  double normal_force;  ///< N, compression positive
+  Vec3 shear_force;     ///< N, on the first body
+  double area;          ///< m²
 };
 
 /// What a contact point came to at the end of an accepted step; handed back to the memory.

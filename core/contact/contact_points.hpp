@@ -65,7 +65,7 @@ struct StepGeometry {
   const ContactFeatures& features;
   const BroadPhase& broad;
   std::span<const Vec3> x;
-  std::span<const Vec3> normals;        ///< a facet
+  std::span<const Vec3> normals;        ///< a facet; up to date for those in the pairs that are searched
   std::span<const double> penetration;  ///< m, a body: the deepest of the last step
   const ContactSettings& settings;
   double reach;
@@ -87,7 +87,7 @@ struct StepGeometry {
   bool came_past_a_crease(int facet, std::span<const Vec3> points, double rim, const Counts& counts) const;
   /// Joint that both facets carry, or −1.
   int common_joint(int facet_a, int facet_b) const;
-  Vec3 fresh_normal(int facet) const;
+  Vec3 fresh_normal(int facet) const;  ///< of any facet
 };
 
 template <class Counts>

@@ -6,19 +6,19 @@ namespace talus {
 
 bool Coupling::holds(int i, int j) const {
   if (i == j) return true;
-  if (row_begin_.empty()) return false;
   const auto pair = std::minmax(i, j);
-  const auto begin = pairs_.begin() + row_begin_[pair.first], end = pairs_.begin() + row_begin_[pair.first + 1];
-  return std::binary_search(begin, end, std::pair<int, int>(pair));
+  const Row& row = rows_[pair.first];
+  return std::binary_search(pairs_.begin() + row.begin, pairs_.begin() + row.end, std::pair<int, int>(pair));
 }
 
 bool Coupling::holds(const FoundPoints& found) const {
+  const auto handle = [&](int i) { return features_.handle[found.nodes[i]]; };
   for (const FoundPoint& p : found.points) {
     if (p.dropped) continue;
     for (int i = p.stencil_begin; i < p.stencil_end; ++i) {
       if (!features_.movable[found.nodes[i]]) continue;
       for (int j = p.stencil_begin; j < i; ++j) {
-        if (features_.movable[found.nodes[j]] && !holds(found.nodes[i], found.nodes[j])) return false;
+        if (features_.movable[found.nodes[j]] && !holds(handle(i), handle(j))) return false;
       }
     }
   }
@@ -28,22 +28,46 @@ bool Coupling::holds(const FoundPoints& found) const {
 void Coupling::widen(std::span<const int> nodes, int patch, std::vector<int>& widened) const {
   for (int node : nodes) {
     if (!features_.movable[node]) continue;
-    widened.push_back(node);
+    widened.push_back(features_.handle[node]);
     for (int f : features_.facets_at(node)) {
       if (patch >= 0 && features_.facets[f].patch != patch) continue;
-      widened.insert(widened.end(), features_.facets[f].nodes.begin(), features_.facets[f].nodes.end());
+      for (int n : features_.facets[f].nodes) widened.push_back(features_.handle[n]);
     }
   }
 }
 
+void Coupling::forget_rows() {
+  for (const auto& pair : pairs_) rows_[pair.first] = {};
+}
+
+void Coupling::index_rows() {
+  for (int i = 0; i < static_cast<int>(pairs_.size()); ++i) {
+    Row& row = rows_[pairs_[i].first];
+    if (row.end == 0) row.begin = i;
+    row.end = i + 1;
+  }
+}
+
 void Coupling::clear() {
+  forget_rows();
   pairs_.clear();
-  row_begin_.clear();
+  ++generation_;
+}
+
+void Coupling::drop_immovable() {
+  const auto immovable = [&](const auto& pair) {
+    return !features_.movable[pair.first] || !features_.movable[pair.second];
+  };
+  if (std::none_of(pairs_.begin(), pairs_.end(), immovable)) return;
+  forget_rows();
+  std::erase_if(pairs_, immovable);
+  index_rows();
   ++generation_;
 }
 
 void Coupling::cover(const FoundPoints& found) {
   if (holds(found)) return;
+  forget_rows();
   pairs_.clear();
   std::vector<int> nodes;
   for (const FoundPoint& p : found.points) {
@@ -61,9 +85,7 @@ void Coupling::cover(const FoundPoints& found) {
   }
   std::sort(pairs_.begin(), pairs_.end());
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-  row_begin_.assign(features_.node_count() + 1, 0);
-  for (const auto& pair : pairs_) ++row_begin_[pair.first + 1];
-  for (std::size_t i = 1; i < row_begin_.size(); ++i) row_begin_[i] += row_begin_[i - 1];
+  index_rows();
   ++generation_;
 }
 

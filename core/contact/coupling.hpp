@@ -10,16 +10,19 @@
 namespace talus {
 
 /// Plans which nodes contacts may couple: those of their stencils, and the nodes around them on the same patches, where
-/// the contacts may slide to. The plan stays until a contact needs a pair that it lacks.
+/// the contacts may slide to. A body that moves in one piece has one handle for all its nodes. The plan stays until a
+/// contact needs a pair that it lacks.
 class Coupling {
  public:
-  explicit Coupling(const ContactFeatures& features) : features_(features) {}
+  explicit Coupling(const ContactFeatures& features) : features_(features), rows_(features.node_count()) {}
 
   /// Makes sure that the plan holds what these points couple.
   void cover(const FoundPoints& found);
 
   /// Forgets the plan: other nodes may move.
   void clear();
+  /// Forgets the pairs with nodes that may not move any more.
+  void drop_immovable();
 
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
   std::uint64_t generation() const { return generation_; }
@@ -28,10 +31,15 @@ class Coupling {
   bool holds(int i, int j) const;
   bool holds(const FoundPoints& found) const;
   void widen(std::span<const int> nodes, int patch, std::vector<int>& widened) const;
+  void forget_rows();
+  void index_rows();
 
+  struct Row {
+    int begin = 0, end = 0;
+  };
   const ContactFeatures& features_;
   std::vector<std::pair<int, int>> pairs_;  // sorted
-  std::vector<int> row_begin_;              // by first node
+  std::vector<Row> rows_;                   // a node: the pairs that it is the first of
   std::uint64_t generation_ = 0;
 };
 

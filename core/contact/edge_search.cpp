@@ -89,8 +89,8 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   const double gap = -n.dot(r);
   if (!(gap <= step.reach) || (gap < 0 && gap < -step.depth(fa.body, fb.body))) return;
   const double facing = std::cos(radians(step.settings.facing_angle));
-  const bool a_faces = std::max(-n.dot(step.normals[a.facets[0]]), -n.dot(step.normals[a.facets[1]])) > facing;
-  const bool b_faces = std::max(n.dot(step.normals[b.facets[0]]), n.dot(step.normals[b.facets[1]])) > facing;
+  const bool a_faces = std::max(-n.dot(step.normals[a.facets[0]]), -n.dot(step.fresh_normal(a.facets[1]))) > facing;
+  const bool b_faces = std::max(n.dot(step.normals[b.facets[0]]), n.dot(step.fresh_normal(b.facets[1]))) > facing;
   if (a_faces && b_faces) return;  // the facing facets have it
 
   FoundPoint p{};

@@ -9,6 +9,7 @@ ContactFeatures::ContactFeatures(std::span<const ContactBody> bodies) {
   for (const ContactBody& b : bodies) nodes = std::max(nodes, b.first_node + static_cast<int>(b.surface->ring.size()));
   corner.assign(nodes, 0);
   movable.assign(nodes, 0);
+  handle.resize(nodes);
   for (int b = 0; b < static_cast<int>(bodies.size()); ++b) add_body(bodies[b], b);
   facet_begin.push_back(static_cast<int>(facets.size()));
   link_nodes(bodies);
@@ -59,7 +60,10 @@ void ContactFeatures::add_body(const ContactBody& body, int number) {
     f.joint = s.triangles[t].joint;
     facets.push_back(f);
   }
-  for (std::size_t i = 0; i < s.ring.size(); ++i) corner[body.first_node + i] = s.corner[i];
+  for (int i = 0; i < static_cast<int>(s.ring.size()); ++i) {
+    corner[body.first_node + i] = s.corner[i];
+    handle[body.first_node + i] = body.one_piece ? body.first_node : body.first_node + i;
+  }
   set_movable(body, !body.fixed);
   patch_count_ += s.patch_count;
   crease_count_ += static_cast<int>(distinct.size());

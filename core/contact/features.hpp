@@ -37,6 +37,7 @@ class ContactFeatures {
   std::vector<int> facet_begin;  ///< of body b: facet_begin[b] … facet_begin[b + 1]
   std::vector<char> corner;      ///< a node
   std::vector<char> movable;     ///< a node
+  std::vector<int> handle;       ///< a node: itself, or the first of its body if all of that moves together
 
   /// A body's nodes may move from now on, or may not.
   void set_movable(const ContactBody& body, bool movable_now);

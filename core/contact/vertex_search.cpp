@@ -78,7 +78,7 @@ OwnSide own_side(const StepGeometry& step, int node, int facet, const Vec3& norm
   OwnSide side{-1, -1};
   double most = 2;
   for (int f : step.features.facets_at(node)) {
-    const double along = step.normals[f].dot(normal);
+    const double along = step.fresh_normal(f).dot(normal);
     if (along < most) most = along, side.facet = f;
     if (side.joint < 0) side.joint = step.common_joint(f, facet);
   }

@@ -87,10 +87,11 @@ class Scene {
  public:
   int add(const Shape& shape, bool fixed = false) {
     surfaces_.push_back(std::make_unique<Surface>(make_surface(shape.nodes, shape.triangles)));
-    bodies_.push_back({surfaces_.back().get(), static_cast<int>(x.size()), fixed, young});
+    bodies_.push_back({surfaces_.back().get(), static_cast<int>(x.size()), fixed, young, one_piece});
     x.insert(x.end(), shape.nodes.begin(), shape.nodes.end());
     return static_cast<int>(bodies_.size()) - 1;
   }
+  const std::vector<ContactBody>& bodies() const { return bodies_; }
   int first_node(int body) const { return bodies_[body].first_node; }
   int node_count(int body) const { return static_cast<int>(bodies_[body].surface->ring.size()); }
   double size(int body) const { return bodies_[body].surface->size; }
@@ -115,7 +116,8 @@ class Scene {
   std::vector<JointLaw> laws = {JointLaw{.friction = 0.5}};
   ContactSettings settings;
   ContactSet contacts;
-  double young = 1e9;
+  double young = 1e9;      ///< of the bodies that are added next
+  bool one_piece = false;  ///< are they rigid?
 
  private:
   std::vector<std::unique_ptr<Surface>> surfaces_;

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "contact/contact_point.hpp"
+
+namespace talus {
+
+/// What a contact remembers from one accepted step to the next. Shear is kept as force and area, so that a corner whose
+/// share of the area changes keeps its traction: no anchor points, hence no jumps when corners merge.
+struct ContactMemo {
+  std::uint64_t key, family;
+  std::array<int, 2> bodies;
+  int joint;
+  Vec3 position, normal, shear;
+  double gap, size, area;
+  double normal_force, multiplier;
+  double slip, overlap;
+  ContactMode mode;
+  bool bonded;
+  bool lives;  ///< a point has its key
+};
+
+/// Memos of pairs of bodies at rest, put aside until one of the two moves again.
+class RestingContacts {
+ public:
+  explicit RestingContacts(std::size_t bodies) : partners_(bodies), deepest_(bodies, 0.0) {}
+
+  void put(const ContactMemo& memo);
+  /// Appends the memos of the body's pairs with partners that `wakes`, and forgets them here.
+  void take(int body, const std::function<bool(int partner)>& wakes, std::vector<ContactMemo>& memos);
+
+  /// How deep the body lies in those that it rests with. [m]
+  double deepest(int body) const { return deepest_[body]; }
+  bool any_bonded() const { return bonded_ > 0; }
+
+  /// Appends what is remembered of pairs that `are_wanted`, sorted by bodies and then by keys.
+  void list(const std::function<bool(int body_a, int body_b)>& are_wanted, std::vector<RestingContact>& rows) const;
+
+ private:
+  void measure(int body);
+
+  std::map<std::pair<int, int>, std::vector<ContactMemo>> pairs_;
+  std::vector<std::vector<int>> partners_;  // a body
+  std::vector<double> deepest_;             // a body
+  int bonded_ = 0;
+};
+
+}  // namespace talus
