@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "chosen_bodies.hpp"
 #include "command.hpp"
 #include "effects/compose.hpp"
 #include "project_choice.hpp"
@@ -49,12 +50,13 @@ Json list_of(const Things& things) {
 
 Json blocks_of(const BlockSystem& system) {
   Json blocks = Json::array();
-  for (const Block& block : system.blocks)
-    blocks.push_back({{"name", block.name},
-                      {"body", to_string(block.body)},
-                      {"volume", block.volume},
-                      {"nodes", block.mesh.nodes.size()},
-                      {"tetrahedra", block.mesh.tetrahedra.size()}});
+  for (const Block& block : system.blocks) {
+    Json json = {{"name", block.name}, {"body", to_string(block.body)}};
+    if (!block.body_reason.empty()) json["body_reason"] = block.body_reason;
+    json.update(
+        {{"volume", block.volume}, {"nodes", block.mesh.nodes.size()}, {"tetrahedra", block.mesh.tetrahedra.size()}});
+    blocks.push_back(json);
+  }
   return blocks;
 }
 
@@ -81,12 +83,12 @@ void print_motions(const Json& motions) {
   std::cout << table.text();
 }
 
-void print_blocks(const Json& blocks) {
+void print_blocks(const Json& blocks, const BlockSystem& system) {
   Table table({"Block", "Body", "Volume [m³]", "Nodes", "Tetrahedra"}, "llrrr");
   for (const Json& block : blocks)
     table.add(
         {block["name"], block["body"], number(block["volume"], 8), block["nodes"].dump(), block["tetrahedra"].dump()});
-  std::cout << table.text();
+  std::cout << table.text() << chosen_bodies_text(system);
 }
 
 Json json_of_project(const Project& project, const BlockSystem& system) {
@@ -103,9 +105,9 @@ Json json_of_project(const Project& project, const BlockSystem& system) {
           {"effects", list_of(called_effects(project, system))}};
 }
 
-void print_project(const Json& info, const std::vector<EffectStatus>& effects) {
+void print_project(const Json& info, const BlockSystem& system, const std::vector<EffectStatus>& effects) {
   std::cout << info["project"].get<std::string>() << "\n\n";
-  print_blocks(info["blocks"]);
+  print_blocks(info["blocks"], system);
   Table materials({"Material", "Density [kg/m³]", "Young's modulus [Pa]", "Poisson's ratio"}, "lrrr");
   for (const Json& m : info["materials"])
     materials.add({m["name"], number(m["density"]), number(m["young"]), number(m["poisson"])});
@@ -131,7 +133,7 @@ ExitCode inform_of_project(const ProjectChoice& choice, bool json) {
   if (json)
     std::cout << info.dump(2) << '\n';
   else
-    print_project(info, called_effects(project, system));
+    print_project(info, system, called_effects(project, system));
   return done;
 }
 
@@ -159,12 +161,12 @@ Json json_of_results(const std::filesystem::path& folder, const ResultReader& re
           {"events", events}};
 }
 
-void print_results(const Json& info) {
+void print_results(const Json& info, const BlockSystem& system) {
   std::cout << info["project"].get<std::string>() << "\n"
             << info["status"].get<std::string>() << ", " << info["steps"] << " steps, " << info["frames"] << " frames";
   if (info["frames"] != 0) std::cout << " from " << info["first_time"] << " to " << info["last_time"] << " s";
   std::cout << "\n\n";
-  print_blocks(info["blocks"]);
+  print_blocks(info["blocks"], system);
   std::cout << '\n';
   for (const char* list : {"stages", "monitors"}) {
     std::cout << list << ':';
@@ -182,7 +184,7 @@ ExitCode inform_of_results(const std::filesystem::path& folder, bool json) {
   if (json)
     std::cout << info.dump(2) << '\n';
   else
-    print_results(info);
+    print_results(info, results.system());
   return done;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "chosen_bodies.hpp"
 #include "command.hpp"
 #include "mesh/quality.hpp"
 #include "project_choice.hpp"
@@ -21,17 +22,17 @@ Json json_of(const BlockSystem& system) {
   for (const Block& block : system.blocks) {
     const MeshQuality quality = mesh_quality(block.mesh);
     volume += block.volume;
-    blocks.push_back({{"name", block.name},
-                      {"volume", block.volume},
-                      {"body", to_string(block.body)},
-                      {"nodes", block.mesh.nodes.size()},
-                      {"tetrahedra", block.mesh.tetrahedra.size()},
-                      {"quality", {{"worst", quality.worst}, {"mean", quality.mean}}}});
+    Json json = {{"name", block.name}, {"volume", block.volume}, {"body", to_string(block.body)}};
+    if (!block.body_reason.empty()) json["body_reason"] = block.body_reason;
+    json.update({{"nodes", block.mesh.nodes.size()},
+                 {"tetrahedra", block.mesh.tetrahedra.size()},
+                 {"quality", {{"worst", quality.worst}, {"mean", quality.mean}}}});
+    blocks.push_back(json);
   }
   return {{"blocks", blocks}, {"volume", volume}, {"solids_volume", system.solids_volume}};
 }
 
-void print(const Json& mesh) {
+void print(const Json& mesh, const BlockSystem& system) {
   Table table({"Block", "Volume [m³]", "Body", "Nodes", "Tetrahedra", "Worst quality", "Mean quality"}, "lrlrrrr");
   std::size_t nodes = 0, tetrahedra = 0;
   for (const Json& block : mesh["blocks"]) {
@@ -41,16 +42,18 @@ void print(const Json& mesh) {
                block["tetrahedra"].dump(), number(block["quality"]["worst"], 3), number(block["quality"]["mean"], 3)});
   }
   table.add({"total", number(mesh["volume"], 8), "", std::to_string(nodes), std::to_string(tetrahedra), "", ""});
-  std::cout << table.text() << "Quality: 3 × inscribed / circumscribed radius; 1 is regular, 0 flat.\n";
+  std::cout << table.text() << "Quality: 3 × inscribed / circumscribed radius; 1 is regular, 0 flat.\n"
+            << chosen_bodies_text(system);
 }
 
 ExitCode mesh(const ProjectChoice& choice, bool json) {
   catch_interrupts();
-  const Json result = json_of(build(read(choice), choice));
+  const BlockSystem system = build(read(choice), choice);
+  const Json result = json_of(system);
   if (json)
     std::cout << result.dump(2) << '\n';
   else
-    print(result);
+    print(result, system);
   return done;
 }
 

@@ -53,51 +53,74 @@ std::vector<EventMark> marks_of(const std::vector<EventComparison>& comparisons,
   return marks;
 }
 
-std::vector<Chart> draw_all(const PlotOptions& options, const ResultReader& results, const std::vector<int>& monitors,
-                            const std::vector<HistoryRow>& history, const std::vector<EventMark>& marks) {
-  std::vector<Chart> charts;
-  for (const int monitor : monitors) {
-    const std::string& name = results.monitor_names()[static_cast<std::size_t>(monitor)];
-    for (const auto quantity : {MonitorQuantity::displacement, MonitorQuantity::velocity}) {
-      HistoryPlot plot = monitor_plot(name, monitor, history, quantity);
-      plot.marks = marks;
-      plot.theme = options.theme;
-      const char* what = quantity == MonitorQuantity::displacement ? "-displacement" : "-velocity";
-      charts.push_back({name + what, draw_chart(plot, options.size.width, options.size.height)});
-    }
-  }
-  return charts;
+/// Displacement, velocity and, where it was recorded, stress.
+std::vector<Quantity::Field> fields_of(const HistoryMonitor& monitor) {
+  std::vector<Quantity::Field> fields{Quantity::Field::displacement, Quantity::Field::velocity};
+  if (monitor.stress) fields.push_back(Quantity::Field::stress);
+  return fields;
 }
 
-/// All charts on one sheet: a row a monitor, displacement to the left, velocity to the right.
-Image sheet_of(const std::vector<Chart>& charts) {
-  constexpr int columns = 2;
-  const int width = charts.front().image.width, height = charts.front().image.height;
-  Image sheet(columns * width, static_cast<int>(charts.size()) / columns * height);
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    const auto row_bytes = static_cast<std::size_t>(width) * 3;
-    const std::size_t left = i % columns * row_bytes, top = i / columns * static_cast<std::size_t>(height);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
-      std::copy_n(charts[i].image.rgb.begin() + static_cast<std::ptrdiff_t>(y * row_bytes), row_bytes,
-                  sheet.rgb.begin() + static_cast<std::ptrdiff_t>((top + y) * columns * row_bytes + left));
+const char* ending_of(Quantity::Field field) {
+  if (field == Quantity::Field::displacement) return "-displacement";
+  return field == Quantity::Field::velocity ? "-velocity" : "-stress";
+}
+
+/// A row a monitor, a chart a field.
+std::vector<std::vector<Chart>> draw_all(const PlotOptions& options, const ResultReader& results,
+                                         const std::vector<int>& monitors, const std::vector<HistoryRow>& history,
+                                         const std::vector<EventMark>& marks) {
+  std::vector<std::vector<Chart>> rows;
+  for (const int index : monitors) {
+    const HistoryMonitor& monitor = results.history_monitors()[static_cast<std::size_t>(index)];
+    std::vector<Chart>& row = rows.emplace_back();
+    for (const Quantity::Field field : fields_of(monitor)) {
+      HistoryPlot plot = monitor_plot(monitor.name, index, history, field);
+      plot.marks = marks;
+      plot.theme = options.theme;
+      row.push_back({monitor.name + ending_of(field), draw_chart(plot, options.size.width, options.size.height)});
+    }
   }
+  return rows;
+}
+
+/// All charts on one sheet, paper where a row is shorter than others.
+Image sheet_of(const std::vector<std::vector<Chart>>& rows, const Rgb& paper) {
+  std::size_t columns = 0;
+  for (const auto& row : rows) columns = std::max(columns, row.size());
+  const int width = rows.front().front().image.width, height = rows.front().front().image.height;
+  Image sheet(static_cast<int>(columns) * width, static_cast<int>(rows.size()) * height);
+  for (std::size_t i = 0; i < sheet.rgb.size(); i += 3) {
+    sheet.rgb[i] = paper.red;
+    sheet.rgb[i + 1] = paper.green;
+    sheet.rgb[i + 2] = paper.blue;
+  }
+  const auto row_bytes = static_cast<std::size_t>(width) * 3;
+  const auto lines = static_cast<std::size_t>(height);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < rows[r].size(); ++c)
+      for (std::size_t y = 0; y < lines; ++y)
+        std::copy_n(rows[r][c].image.rgb.begin() + static_cast<std::ptrdiff_t>(y * row_bytes), row_bytes,
+                    sheet.rgb.begin() + static_cast<std::ptrdiff_t>(((r * lines + y) * columns + c) * row_bytes));
   return sheet;
 }
 
-std::vector<std::string> write_all(const std::filesystem::path& out, const std::vector<Chart>& charts) {
+std::vector<std::string> write_all(const PlotOptions& options, const std::vector<std::vector<Chart>>& rows) {
+  const std::filesystem::path& out = options.out;
   if (out.extension() == ".png") {
-    write_png(sheet_of(charts), out);
+    write_png(sheet_of(rows, colours(options.theme).surface), out);
     return {out.string()};
   }
   std::error_code failure;
   std::filesystem::create_directories(out, failure);
   if (failure) throw InputError(out.string(), "cannot be made: " + failure.message(), "choose another folder");
   std::vector<std::string> files;
-  for (const Chart& chart : charts) {
-    std::string name = chart.name + ".png";
-    std::replace(name.begin(), name.end(), '/', '_');
-    write_png(chart.image, out / name);
-    files.push_back((out / name).string());
+  for (const auto& row : rows) {
+    for (const Chart& chart : row) {
+      std::string name = chart.name + ".png";
+      std::replace(name.begin(), name.end(), '/', '_');
+      write_png(chart.image, out / name);
+      files.push_back((out / name).string());
+    }
   }
   return files;
 }
@@ -122,7 +145,7 @@ ExitCode plot(const PlotOptions& options, bool json) {
   if (!options.events.empty())
     comparisons = compare_events(read_reference_events(options.events), results.monitor_names(), history);
   const auto files =
-      write_all(options.out, draw_all(options, results, monitors, history, marks_of(comparisons, results.events())));
+      write_all(options, draw_all(options, results, monitors, history, marks_of(comparisons, results.events())));
 
   if (json) {
     const Json result = {{"pictures", files},

@@ -75,7 +75,7 @@ void scale_expectation(Expectation& expectation, double s) {
   expectation.time *= time;
   if (expectation.since) *expectation.since *= time;
   const auto quantity = parse_quantity(expectation.quantity);
-  const double unit = quantity && quantity->field == Quantity::Field::velocity ? time : s;
+  const double unit = similar(quantity ? quantity->field : Quantity::Field::displacement, s);
   if (expectation.value == 0) expectation.tolerance *= unit;  // absolute there
   expectation.value *= unit;
 }

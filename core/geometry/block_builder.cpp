@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "geometry/mesher_process.hpp"
+#include "model/body_choice.hpp"
 #include "model/validate.hpp"
 
 namespace talus {
@@ -68,31 +69,75 @@ MesherJob make_job(const Project& project, const std::filesystem::path& folder) 
   return job;
 }
 
-Block make_block(const Project& project, MesherBlock meshed) {
-  const Solid& solid = project.solids[static_cast<std::size_t>(meshed.solid)];
+/// What the project and, where it leaves the body open, the chooser say of a block that is cut and named.
+Block described_block(const Project& project, const MesherCutBlock& cut, const BodyChooser& chooser) {
+  const Solid& solid = project.solids[static_cast<std::size_t>(cut.solid)];
   Block block;
-  block.name = std::move(meshed.name);
-  block.solid = meshed.solid;
+  block.name = cut.name;
+  block.solid = cut.solid;
   block.body = solid.body;
   std::string material = solid.material;
-  if (meshed.block_override >= 0) {
-    const BlockOverride& wanted = project.blocks[static_cast<std::size_t>(meshed.block_override)];
+  if (cut.block_override >= 0) {
+    const BlockOverride& wanted = project.blocks[static_cast<std::size_t>(cut.block_override)];
     block.body = wanted.body.value_or(block.body);
     material = wanted.material.value_or(material);
   }
   block.material = index_of(project.materials, material);
+  if (block.body == BodyKind::automatic) {
+    BodyChoice choice = chooser.choose(block.name, project.materials[static_cast<std::size_t>(block.material)]);
+    block.body = choice.body;
+    block.body_reason = std::move(choice.reason);
+  }
+  return block;
+}
+
+bool has_given_size(const Project& project, const MesherCutBlock& cut) {
+  return project.solids[static_cast<std::size_t>(cut.solid)].mesh_size.has_value() ||
+         (cut.block_override >= 0 &&
+          project.blocks[static_cast<std::size_t>(cut.block_override)].mesh_size.has_value());
+}
+
+/// Rigid and affine blocks need tetrahedra for their volume alone.
+double mesh_size_of(const Project& project, const MesherCutBlock& cut, BodyKind body) {
+  const bool moves_by_few_freedoms = body == BodyKind::rigid || body == BodyKind::affine;
+  return moves_by_few_freedoms && !has_given_size(project, cut) ? cut.coarsest_size : cut.usual_size;
+}
+
+void check_built_blocks(const Project& project, const std::vector<Block>& blocks) {
+  std::vector<BuiltBlock> built;
+  for (const Block& block : blocks) built.push_back({block.name, block.body, !block.body_reason.empty()});
+  validate_against_blocks(project, built);
+}
+
+/// Blocks without their meshes, and how finely each is to be meshed.
+MesherSizes describe_blocks(const Project& project, const MesherCutModel& cut, std::vector<Block>& blocks) {
+  const BodyChooser chooser(project, cut.extent);
+  MesherSizes sizes;
+  for (const MesherCutBlock& block : cut.blocks) {
+    blocks.push_back(described_block(project, block, chooser));
+    sizes.sizes.push_back(mesh_size_of(project, block, blocks.back().body));
+  }
+  check_built_blocks(project, blocks);
+  return sizes;
+}
+
+void take_mesh(Block& block, MesherBlock meshed) {
   block.mesh = {std::move(meshed.nodes), std::move(meshed.tetrahedra)};
   for (std::size_t i = 0; i < meshed.triangles.size(); ++i) {
     block.surface.push_back({meshed.triangles[i], meshed.triangle_joints[i]});
   }
   block.volume = meshed.volume;
-  return block;
 }
 
-std::vector<BuiltBlock> built_blocks(const BlockSystem& system) {
-  std::vector<BuiltBlock> built;
-  for (const Block& block : system.blocks) built.push_back({block.name, block.body});
-  return built;
+Project without_what_moves_no_choice(Project project) {
+  project.name.clear();
+  project.joints.clear();
+  project.default_joint.clear();
+  project.interfaces.clear();
+  project.solver = {};
+  project.expect.clear();
+  project.output = {};
+  return project;
 }
 
 /// The mesher has gone without a word: what it did last tells where.
@@ -112,6 +157,7 @@ BlockSystem build_blocks(const Project& project, const std::filesystem::path& fo
   MesherProcess mesher;
   mesher.send(MessageKind::job, to_bytes(job));
   std::string last_words = "starting";
+  std::size_t meshed = 0;  // blocks
   for (;;) {
     constexpr int patience = 50;  // ms, how long a cancelled wait may last
     const bool come = mesher.wait(patience);
@@ -126,12 +172,16 @@ BlockSystem build_blocks(const Project& project, const std::filesystem::path& fo
         progress.report(told.fraction, told.what);
         break;
       }
+      case MessageKind::cut: {
+        const auto cut = from_bytes<MesherCutModel>(message->bytes);
+        mesher.send(MessageKind::sizes, to_bytes(describe_blocks(project, cut, system.blocks)));
+        break;
+      }
       case MessageKind::block:
-        system.blocks.push_back(make_block(project, from_bytes<MesherBlock>(message->bytes)));
+        take_mesh(system.blocks.at(meshed++), from_bytes<MesherBlock>(message->bytes));
         break;
       case MessageKind::end:
         system.solids_volume = from_bytes<MesherEnd>(message->bytes).solids_volume;
-        validate_against_blocks(project, built_blocks(system));
         progress.report(1, "meshed");
         return system;
       case MessageKind::error: {
@@ -142,9 +192,18 @@ BlockSystem build_blocks(const Project& project, const std::filesystem::path& fo
         throw std::runtime_error("the mesher failed while " + last_words + ": " +
                                  from_bytes<MesherFault>(message->bytes).what);
       case MessageKind::job:
-        throw std::runtime_error("the mesher answered with a job");
+      case MessageKind::sizes:
+        throw std::runtime_error("the mesher answered with an order");
     }
   }
+}
+
+bool build_alike(const Project& a, const Project& b) {
+  if (a.solids != b.solids || a.cuts != b.cuts || a.blocks != b.blocks) return false;
+  const auto left_open = [](const auto& thing) { return thing.body == BodyKind::automatic; };
+  const bool chosen = std::any_of(a.solids.begin(), a.solids.end(), left_open) ||
+                      std::any_of(a.blocks.begin(), a.blocks.end(), left_open);
+  return !chosen || without_what_moves_no_choice(a) == without_what_moves_no_choice(b);
 }
 
 }  // namespace talus

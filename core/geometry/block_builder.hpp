@@ -8,6 +8,8 @@
 namespace talus {
 
 /// Imports the project's solids, cuts them along its joints, names the blocks and meshes each with tetrahedra.
+/// A block of body 'auto' gets the body that `BodyChooser` chooses, with the reason. Rigid and affine blocks without a
+/// mesh size are meshed from their corners alone, others to a tenth of their solid's longest side.
 /// gmsh runs in a child process: cancelling kills it, and a crash in it is an InputError here.
 /// `folder`: where the project file lies; paths in the project are relative to it.
 /// Names: a solid's own when it stays in one piece, else NAME.1, NAME.2, … by the pieces' centroids (x, then y, then z,
@@ -15,5 +17,9 @@ namespace talus {
 /// Throws InputError for what the user can mend (what `validate` refuses, overlapping solids, a cut that misses,
 /// a file that is not STEP, an override in no block), Cancelled when `progress` says so.
 BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress);
+
+/// Whether blocks built of one project serve the other: they are cut, named, meshed and, where a body is 'auto', chosen
+/// alike. Both have been validated.
+bool build_alike(const Project& a, const Project& b);
 
 }  // namespace talus

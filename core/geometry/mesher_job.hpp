@@ -8,8 +8,9 @@
 #include "mesh/tet_mesh.hpp"
 #include "model/project.hpp"
 
-/// What passes between the program and the mesher, a program of its own: a job goes out, progress, blocks and at last
-/// an end or an error come back. Names are resolved to indices before.
+/// What passes between the program and the mesher, a program of its own: a job goes out, and what cutting made of it
+/// comes back; how finely to mesh each block goes out, and blocks and at last an end come back. Progress comes between,
+/// and an error or a fault instead. Names are resolved to indices before.
 namespace talus {
 
 struct MesherSolid {
@@ -64,11 +65,42 @@ struct MesherJob {
   }
 };
 
-struct MesherBlock {
+/// A block that is cut and named but not meshed yet.
+struct MesherCutBlock {
   std::string name;
   int solid = 0;
-  int block_override = -1;  ///< index into MesherJob::overrides; −1: none
-  double volume = 0;        ///< m³, of the shape before meshing
+  int block_override = -1;   ///< index into MesherJob::overrides; −1: none
+  double usual_size = 0;     ///< m, of its mesh: as given, or a tenth of its solid's longest side
+  double coarsest_size = 0;  ///< m, at which its corners alone carry the mesh; the usual one where faces are curved
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(name, solid, block_override, usual_size, coarsest_size);
+  }
+};
+
+struct MesherCutModel {
+  Vec3 extent = Vec3::Zero();  ///< m, of the box around all solids
+  std::vector<MesherCutBlock> blocks;
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(extent, blocks);
+  }
+};
+
+struct MesherSizes {
+  std::vector<double> sizes;  ///< m, a block, in the order of MesherCutModel::blocks
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(sizes);
+  }
+};
+
+/// In the order of MesherCutModel::blocks, one by one.
+struct MesherBlock {
+  double volume = 0;  ///< m³, of the shape before meshing
   std::vector<Vec3> nodes;
   std::vector<std::array<int, 4>> tetrahedra;
   std::vector<std::array<int, 3>> triangles;
@@ -76,7 +108,7 @@ struct MesherBlock {
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(name, solid, block_override, volume, nodes, tetrahedra, triangles, triangle_joints);
+    stream(volume, nodes, tetrahedra, triangles, triangle_joints);
   }
 };
 
@@ -119,7 +151,7 @@ struct MesherFault {
   }
 };
 
-enum class MessageKind : std::uint32_t { job, progress, block, end, error, fault };
+enum class MessageKind : std::uint32_t { job, cut, sizes, progress, block, end, error, fault };
 
 /// Precedes every message.
 struct MessageHeader {

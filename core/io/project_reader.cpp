@@ -43,7 +43,8 @@ void read_word(const OrderedJson& object, const char* key, Choice& choice, std::
 }
 
 void read_body(const OrderedJson& object, BodyKind& body) {
-  read_word(object, "body", body, {BodyKind::fixed, BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra});
+  read_word(object, "body", body,
+            {BodyKind::fixed, BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra, BodyKind::automatic});
 }
 
 /// Materials and joints are members of an object, by their names.
@@ -212,6 +213,7 @@ Monitor read_item(const OrderedJson& value, Monitor monitor) {
   read(value, "name", monitor.name);
   read(value, "block", monitor.block);
   read(value, "at", monitor.at);
+  read(value, "stress", monitor.stress);
   return monitor;
 }
 

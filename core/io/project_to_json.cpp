@@ -139,7 +139,9 @@ OrderedJson json_from(const JointChange& change) {
 OrderedJson json_from(const BlockChange& change) { return {{"name", change.name}, {"body", to_string(change.body)}}; }
 
 OrderedJson json_from(const Monitor& monitor) {
-  return {{"name", monitor.name}, {"block", monitor.block}, {"at", json_from(monitor.at)}};
+  OrderedJson json{{"name", monitor.name}, {"block", monitor.block}, {"at", json_from(monitor.at)}};
+  write_unless_usual(json, "stress", monitor.stress, false);
+  return json;
 }
 
 OrderedJson json_from(const Expectation& expectation) {

@@ -14,6 +14,7 @@ struct Block {
   int solid = 0;     ///< index into Project::solids
   int material = 0;  ///< index into Project::materials
   BodyKind body = BodyKind::tetrahedra;
+  std::string body_reason{};  ///< why it was chosen, in words; empty where the project says the body
   TetMesh mesh;
   std::vector<SurfaceTriangle> surface;
   double volume = 0;  ///< m³, of the shape before meshing

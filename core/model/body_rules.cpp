@@ -12,8 +12,8 @@ std::string quoted(BodyKind body) { return "'" + std::string(to_string(body)) + 
 
 void check(const Constraint& constraint, const Place& place, const BodyOfBlock& body_of) {
   if (constraint.at) return;
-  const auto body = body_of(constraint.block);
-  require(!body || *body == BodyKind::fixed, place,
+  const auto known = body_of(constraint.block);
+  require(!known || known->body == BodyKind::fixed || known->body == BodyKind::automatic, place,
           "moves block '" + constraint.block + "' as a whole, which is not fixed",
           "add the point 'at' that is held, or give the block the body 'fixed'");
   const auto& u = constraint.displacement;
@@ -22,15 +22,31 @@ void check(const Constraint& constraint, const Place& place, const BodyOfBlock& 
           "give a number for every component, 0 where the block stays");
 }
 
+/// A block that was made fixed because every stage holds it may be held by every stage.
+void check_change_of_fixed(const BlockChange& change, const Place& place, bool chosen) {
+  require(
+      chosen && change.body == BodyKind::fixed, place / "name",
+      "block '" + change.name + "' is built fixed: a stage can neither hold it nor let it go",
+      "build it as a body that may move, 'tetrahedra' say, and hold it with \"body\": \"fixed\" in the first stage");
+}
+
 void check(const BlockChange& change, const Place& place, const BodyOfBlock& body_of) {
-  const auto built = body_of(change.name);
-  if (!built) return;
-  require(*built != BodyKind::fixed, place / "name",
-          "block '" + change.name + "' is built fixed: a stage can neither hold it nor let it go",
-          "build it as 'tetrahedra', and hold it with \"body\": \"fixed\" in the first stage");
-  require(change.body == BodyKind::fixed || change.body == *built, place / "body",
-          "block '" + change.name + "' is built as " + quoted(*built) + " and cannot become " + quoted(change.body),
-          "use 'fixed' to hold it, or " + quoted(*built) + " to let it go");
+  const auto known = body_of(change.name);
+  if (!known || known->body == BodyKind::automatic) return;
+  if (known->body == BodyKind::fixed) return check_change_of_fixed(change, place, known->chosen);
+  const bool lets_go = change.body == known->body || (known->chosen && change.body == BodyKind::automatic);
+  require(
+      change.body == BodyKind::fixed || lets_go, place / "body",
+      "block '" + change.name + "' is built as " + quoted(known->body) + " and cannot become " + quoted(change.body),
+      "use 'fixed' to hold it, or " + quoted(known->chosen ? BodyKind::automatic : known->body) + " to let it go");
+}
+
+void check(const Monitor& monitor, const Place& place, const BodyOfBlock& body_of) {
+  const auto known = monitor.stress ? body_of(monitor.block) : std::nullopt;
+  if (!known) return;
+  require(known->body != BodyKind::fixed && known->body != BodyKind::rigid, place / "stress",
+          "block '" + monitor.block + "' is " + quoted(known->body) + " and has no stress",
+          "give it the body 'tetrahedra' (or 'affine' for one stress throughout), or take \"stress\" away");
 }
 
 }  // namespace
@@ -43,18 +59,23 @@ void check_bodies(const Project& project, const BodyOfBlock& body_of) {
       check(changes[k], Place() / "stages" / i / "blocks" / k, body_of);
     }
   }
+  for (std::size_t i = 0; i < project.monitors.size(); ++i) {
+    check(project.monitors[i], Place() / "monitors" / i, body_of);
+  }
 }
 
-std::optional<BodyKind> body_before_cutting(const Project& project, const std::string& block) {
+std::optional<KnownBody> body_before_cutting(const Project& project, const std::string& block) {
+  const auto known = [](BodyKind body) { return KnownBody{body, body == BodyKind::automatic}; };
   const auto& solids = project.solids;
   for (const auto& named : project.blocks) {
     if (named.name != block) continue;
+    if (named.body) return known(*named.body);
     const bool alike =
         std::all_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.body == solids[0].body; });
-    return named.body || !alike || solids.empty() ? named.body : solids[0].body;
+    return alike && !solids.empty() ? std::optional(known(solids[0].body)) : std::nullopt;
   }
   for (const auto& solid : solids) {
-    if (solid.name == block || solid.name == block.substr(0, block.rfind('.'))) return solid.body;
+    if (solid.name == block || solid.name == block.substr(0, block.rfind('.'))) return known(solid.body);
   }
   return std::nullopt;
 }

@@ -15,7 +15,9 @@
 /// so that a project is written back digit for digit; the solver converts once.
 namespace talus {
 
-enum class BodyKind { fixed, rigid, affine, tetrahedra };
+/// How much a block may do: nothing; move as one; deform homogeneously too; deform tetrahedron by tetrahedron; or what
+/// `BodyChooser` makes of it. The last is a wish: no built block has it.
+enum class BodyKind { fixed, rigid, affine, tetrahedra, automatic };
 
 /// The word the project file and the results use.
 constexpr std::string_view to_string(BodyKind kind) {
@@ -26,6 +28,8 @@ constexpr std::string_view to_string(BodyKind kind) {
       return "rigid";
     case BodyKind::affine:
       return "affine";
+    case BodyKind::automatic:
+      return "auto";
     case BodyKind::tetrahedra:
       break;
   }
@@ -74,7 +78,7 @@ struct Solid {
   std::variant<BoxShape, PolyhedronShape, FileShape> shape;
   std::string material;
   BodyKind body = BodyKind::tetrahedra;
-  std::optional<double> mesh_size;  ///< m; a tenth of the solid's longest side when absent
+  std::optional<double> mesh_size;  ///< m; when absent, a tenth of the longest side; rigid and affine blocks need none
   bool operator==(const Solid&) const = default;
 };
 
@@ -160,7 +164,8 @@ struct JointChange {
   bool operator==(const JointChange&) const = default;
 };
 
-/// A block that is held, or let go, from a stage on: `fixed`, or the kind that it was built as.
+/// A block that is held, or let go, from a stage on: `fixed`, or the kind that it was built as (`automatic` too, where
+/// that was asked for).
 struct BlockChange {
   std::string name;
   BodyKind body = BodyKind::fixed;
@@ -187,10 +192,11 @@ struct Stage {
 struct Monitor {
   std::string name, block;
   Vec3 at = Vec3::Zero();
+  bool stress = false;  ///< record the stress at the point too
   bool operator==(const Monitor&) const = default;
 };
 
-/// A number the run must come to: quantity "P1.displacement.z" at `time`.
+/// A number the run must come to: quantity "P1.displacement.z" or "P1.stress.zz" at `time`.
 /// The tolerance is relative to |value|, absolute where the value is zero.
 struct Expectation {
   std::string quantity;

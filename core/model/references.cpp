@@ -92,10 +92,17 @@ void check_cut_solids(const Project& project) {
   }
 }
 
-void check_expected_quantity(const std::string& text, const Place& place) {
-  require(parse_quantity(text).has_value(), place, "cannot read the quantity '" + text + "'",
+void check_expected_quantity(const Project& project, const std::string& text, const Place& place) {
+  const auto quantity = parse_quantity(text);
+  require(quantity.has_value(), place, "cannot read the quantity '" + text + "'",
           "write NAME.displacement.z or NAME.velocity.magnitude: a monitor or block, displacement or velocity, "
-          "and x, y, z or magnitude");
+          "and x, y, z or magnitude; or NAME.stress.zz: a monitor, and xx, yy, zz, xy, yz or zx");
+  if (quantity->field != Quantity::Field::stress) return;
+  const bool recorded = std::any_of(project.monitors.begin(), project.monitors.end(), [&](const Monitor& monitor) {
+    return monitor.name == quantity->of && monitor.stress;
+  });
+  require(recorded, place, "'" + quantity->of + "' is no monitor that records stress",
+          "name a monitor, and give it \"stress\": true");
 }
 
 using BlockVisit = std::function<void(const Place&, const std::string&)>;
@@ -139,7 +146,7 @@ void validate_references(const Project& project) {
     if (material) check_material(project, *material, Place() / "blocks" / i / "material");
   }
   for (std::size_t i = 0; i < project.expect.size(); ++i) {
-    check_expected_quantity(project.expect[i].quantity, Place() / "expect" / i / "quantity");
+    check_expected_quantity(project, project.expect[i].quantity, Place() / "expect" / i / "quantity");
   }
   for_each_block_reference(project, [&](const Place& place, const std::string& name) {
     if (may_be_block_name(project, name)) return;

@@ -57,19 +57,12 @@ void check_shape(const FileShape& shape, const Place& solid) {
   require_positive(shape.scale, solid / "scale", "scale", "metres per unit of the file");
 }
 
-void check_body(BodyKind body, const Place& place) {
-  require(body == BodyKind::fixed || body == BodyKind::tetrahedra, place,
-          "this version does not compute '" + std::string(to_string(body)) + "' bodies yet",
-          "use 'tetrahedra' (a coarse mesh_size keeps it cheap) or 'fixed'");
-}
-
 void check_mesh_size(const std::optional<double>& mesh_size, const Place& place) {
   if (mesh_size) require_positive(*mesh_size, place, "mesh size", "m");
 }
 
 void check(const Solid& solid, const Place& place) {
   std::visit([&](const auto& shape) { check_shape(shape, place); }, solid.shape);
-  check_body(solid.body, place / "body");
   check_mesh_size(solid.mesh_size, place / "mesh_size");
 }
 
@@ -93,7 +86,6 @@ void check(const Cut& cut, const Place& place) {
 
 void check(const BlockOverride& block, const Place& place) {
   require_finite(block.at, place / "at");
-  if (block.body) check_body(*block.body, place / "body");
   check_mesh_size(block.mesh_size, place / "mesh_size");
 }
 
@@ -160,10 +152,11 @@ void validate(const Project& project) {
 }
 
 void validate_against_blocks(const Project& project, const std::vector<BuiltBlock>& blocks) {
-  std::map<std::string, BodyKind> bodies;
+  std::map<std::string, KnownBody> bodies;
   std::vector<std::string> names;
-  for (const auto& [name, body] : blocks) {
-    require(bodies.emplace(name, body).second, Place() / "solids", "two blocks come out with the name '" + name + "'",
+  for (const auto& [name, body, chosen] : blocks) {
+    require(bodies.emplace(name, KnownBody{body, chosen}).second, Place() / "solids",
+            "two blocks come out with the name '" + name + "'",
             "rename a solid, or name one of the blocks under blocks");
     names.push_back(name);
   }

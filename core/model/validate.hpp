@@ -8,13 +8,14 @@
 namespace talus {
 
 /// Checks the rules that go beyond the file's schema: ranges, names that must be unique or must exist, closed
-/// polyhedra, what this version computes. Throws InputError for the first broken rule, with a JSON pointer as place.
+/// polyhedra. Throws InputError for the first broken rule, with a JSON pointer as place.
 void validate(const Project& project);
 
 /// A block as geometry made it.
 struct BuiltBlock {
   std::string name;
-  BodyKind body;
+  BodyKind body = BodyKind::tetrahedra;
+  bool chosen = false;  ///< the project left the choice of its body open: 'auto'
 };
 
 /// Checks every reference to a block once geometry has named the blocks, and what is asked of their bodies. Throws

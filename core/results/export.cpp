@@ -146,7 +146,7 @@ void export_csv(const ResultReader& results, const fs::path& folder, Progress& p
   prepare(folder);
   const BlockSystem& system = results.system();
   write_file(folder / "blocks.csv", [&](std::ostream& stream) { write_blocks(stream, system); });
-  TextTableWriter history(folder / "history.csv", history_header(results.monitor_names()));
+  TextTableWriter history(folder / "history.csv", history_header(results.history_monitors()));
   for (const HistoryRow& row : results.history()) history.add(to_columns(row));
   TextTableWriter steps(folder / "steps.csv", steps_header());
   for (const StepReport& step : results.steps()) steps.add(to_columns(step));

@@ -8,6 +8,7 @@
 #include "mesh/block.hpp"
 #include "model/project.hpp"
 #include "results/frame.hpp"
+#include "results/history.hpp"
 
 namespace talus {
 
@@ -43,7 +44,8 @@ class ResultFileReader {
   BlockSystem system;
   std::string project_name;
   std::vector<std::string> stage_names, monitor_names;
-  std::vector<double> frame_times;  ///< s
+  std::vector<HistoryMonitor> history_monitors;  ///< in the order of their names
+  std::vector<double> frame_times;               ///< s
 
   /// Throws std::out_of_range for a frame that is not there, std::runtime_error when it cannot be read.
   Frame frame(int index) const;

@@ -45,12 +45,17 @@ std::array<int, count> local_nodes(const std::int64_t* global, std::int64_t firs
   return nodes;
 }
 
+/// Results of earlier versions lack some datasets.
+bool holds(hid_t parent, const char* path) { return H5Lexists(parent, path, H5P_DEFAULT) > 0; }
+
 BlockSystem read_system(hid_t file) {
   BlockSystem system;
   const Handle talus(check(H5Gopen2(file, "/Talus", H5P_DEFAULT), "holds no blocks"));
   system.joint_names = hdf5::read_strings(talus, "joints");
   system.solids_volume = hdf5::read_number_attribute<double>(talus, "solids_volume");
   const auto names = hdf5::read_strings(talus, "blocks/name"), bodies = hdf5::read_strings(talus, "blocks/body");
+  const auto reasons =
+      holds(talus, "blocks/body_reason") ? hdf5::read_strings(talus, "blocks/body_reason") : std::vector<std::string>();
   const auto solid = hdf5::read_all<std::int32_t>(talus, "blocks/solid");
   const auto material = hdf5::read_all<std::int32_t>(talus, "blocks/material");
   const auto volume = hdf5::read_all<double>(talus, "blocks/volume");
@@ -71,6 +76,7 @@ BlockSystem read_system(hid_t file) {
     block.solid = solid.at(b);
     block.material = material.at(b);
     block.body = body_kind(bodies.at(b));
+    if (!reasons.empty()) block.body_reason = reasons.at(b);
     block.volume = volume.at(b);
     for (int i = 0; i < node_counts.at(b); ++i)
       block.mesh.nodes.emplace_back(Eigen::Map<const Vec3>(&nodes.at(3 * (first_node + i))));
@@ -81,6 +87,14 @@ BlockSystem read_system(hid_t file) {
     first_node += node_counts[b];
   }
   return system;
+}
+
+std::vector<HistoryMonitor> read_history_monitors(hid_t file, const std::vector<std::string>& names) {
+  std::vector<std::int32_t> stress(names.size(), 0);
+  if (holds(file, "/Talus/monitor_stress")) stress = hdf5::read_all<std::int32_t>(file, "/Talus/monitor_stress");
+  std::vector<HistoryMonitor> monitors;
+  for (std::size_t m = 0; m < names.size(); ++m) monitors.push_back({names[m], stress.at(m) != 0});
+  return monitors;
 }
 
 /// The rows of a frame that has as many as it likes.
@@ -137,6 +151,7 @@ ResultFileReader::ResultFileReader(const std::filesystem::path& file) : state_(s
     project_name = hdf5::read_strings(state_->file, "/Talus/project").at(0);
     stage_names = hdf5::read_strings(state_->file, "/Talus/stages");
     monitor_names = hdf5::read_strings(state_->file, "/Talus/monitors");
+    history_monitors = read_history_monitors(state_->file, monitor_names);
     const Table times(state_->file, "/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE);
     frame_times.resize(times.rows());
     times.read(frame_times.data(), 0, times.rows());

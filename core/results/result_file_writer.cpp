@@ -59,12 +59,13 @@ FlatMesh flatten(const BlockSystem& system) {
 void write_blocks(hid_t talus, const BlockSystem& system) {
   const Handle group = hdf5::create_group(talus, "blocks");
   std::vector<std::int32_t> solid, material, nodes, tetrahedra, triangles;
-  std::vector<std::string> body;
+  std::vector<std::string> body, body_reason;
   std::vector<double> volume;
   for (const Block& block : system.blocks) {
     solid.push_back(block.solid);
     material.push_back(block.material);
     body.emplace_back(to_string(block.body));
+    body_reason.push_back(block.body_reason);
     nodes.push_back(static_cast<std::int32_t>(block.mesh.nodes.size()));
     tetrahedra.push_back(static_cast<std::int32_t>(block.mesh.tetrahedra.size()));
     triangles.push_back(static_cast<std::int32_t>(block.surface.size()));
@@ -74,10 +75,18 @@ void write_blocks(hid_t talus, const BlockSystem& system) {
   hdf5::write_fixed(group, "solid", solid);
   hdf5::write_fixed(group, "material", material);
   hdf5::write_strings(group, "body", body);
+  hdf5::write_strings(group, "body_reason", body_reason);
   hdf5::write_fixed(group, "volume", volume);
   hdf5::write_fixed(group, "nodes", nodes);
   hdf5::write_fixed(group, "tetrahedra", tetrahedra);
   hdf5::write_fixed(group, "triangles", triangles);
+}
+
+/// 1 for a monitor that records stress, else 0.
+std::vector<std::int32_t> stress_flags(const std::vector<Monitor>& monitors) {
+  std::vector<std::int32_t> flags;
+  for (const Monitor& monitor : monitors) flags.push_back(monitor.stress ? 1 : 0);
+  return flags;
 }
 
 /// /Talus: names, blocks and the undeformed mesh; the contacts of the frames.
@@ -90,6 +99,7 @@ void create_talus(hid_t file, const Project& project, const BlockSystem& system,
   hdf5::write_strings(group, "materials", names_of(project.materials));
   hdf5::write_strings(group, "stages", names_of(project.stages));
   hdf5::write_strings(group, "monitors", names_of(project.monitors));
+  hdf5::write_fixed(group, "monitor_stress", stress_flags(project.monitors));
   write_blocks(group, system);
   hdf5::write_fixed(group, "nodes", flat.nodes, 3);
   hdf5::write_fixed(group, "triangles", flat.triangles, 3);

@@ -24,10 +24,10 @@ const fs::path& prepared(const fs::path& folder) {
   return folder;
 }
 
-std::vector<std::string> monitor_names_of(const Project& project) {
-  std::vector<std::string> names;
-  for (const Monitor& monitor : project.monitors) names.push_back(monitor.name);
-  return names;
+std::vector<HistoryMonitor> monitors_of(const Project& project) {
+  std::vector<HistoryMonitor> monitors;
+  for (const Monitor& monitor : project.monitors) monitors.push_back({monitor.name, monitor.stress});
+  return monitors;
 }
 
 std::uint64_t node_count(const BlockSystem& system) {
@@ -62,7 +62,7 @@ struct ResultWriter::State {
         lock(folder),
         file(folder / "results.h5", project, system),
         index(folder / "results.xdmf", project.name, node_count(system), tetrahedron_count(system)),
-        history(folder / "history.csv", history_header(monitor_names_of(project))),
+        history(folder / "history.csv", history_header(monitors_of(project))),
         steps(folder / "steps.csv", steps_header()),
         log(folder / "log.txt") {}
 
@@ -126,13 +126,16 @@ const BlockSystem& ResultReader::system() const { return state_->file.system; }
 const std::string& ResultReader::project_name() const { return state_->file.project_name; }
 const std::vector<std::string>& ResultReader::stage_names() const { return state_->file.stage_names; }
 const std::vector<std::string>& ResultReader::monitor_names() const { return state_->file.monitor_names; }
+const std::vector<HistoryMonitor>& ResultReader::history_monitors() const { return state_->file.history_monitors; }
 const std::vector<double>& ResultReader::frame_times() const { return state_->file.frame_times; }
 Frame ResultReader::frame(int index) const { return state_->file.frame(index); }
 
 std::vector<HistoryRow> ResultReader::history() const {
   std::vector<HistoryRow> rows;
-  const std::size_t columns = history_header(monitor_names()).size();
-  for (const auto& row : read_text_table(state_->folder / "history.csv", columns)) rows.push_back(history_row(row));
+  const std::vector<HistoryMonitor>& monitors = history_monitors();
+  const std::size_t columns = history_header(monitors).size();
+  for (const auto& row : read_text_table(state_->folder / "history.csv", columns))
+    rows.push_back(history_row(row, monitors));
   return rows;
 }
 

@@ -7,6 +7,7 @@
 
 #include "mesh/block.hpp"
 #include "results/frame.hpp"
+#include "results/history.hpp"
 #include "results/run_report.hpp"
 
 namespace talus {
@@ -47,7 +48,8 @@ class ResultReader {
   const std::string& project_name() const;
   const std::vector<std::string>& stage_names() const;
   const std::vector<std::string>& monitor_names() const;
-  const std::vector<double>& frame_times() const;  ///< s
+  const std::vector<HistoryMonitor>& history_monitors() const;  ///< the same, and what their columns are
+  const std::vector<double>& frame_times() const;               ///< s
   Frame frame(int index) const;
   std::vector<HistoryRow> history() const;
   std::vector<StepReport> steps() const;

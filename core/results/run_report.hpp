@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,7 +45,8 @@ struct StepReport {
 
 /// One monitor at one moment.
 struct MonitorSample {
-  Vec3 displacement, velocity;
+  Vec3 displacement, velocity;    ///< m, m/s
+  std::optional<Voigt> stress{};  ///< Pa, Cauchy's, tension positive; where the monitor asks for it
 };
 
 /// A row of history.csv.
@@ -78,6 +80,7 @@ constexpr std::string_view to_string(RunStatus status) {
 struct BlockOutcome {
   std::string name;
   BodyKind body = BodyKind::tetrahedra;
+  std::string body_reason{};  ///< why it was chosen; empty where the project says the body
   double volume = 0, relative_volume_change = 0;
   Vec3 displacement = Vec3::Zero();  ///< m, of the centroid
   double rotation_degrees = 0;

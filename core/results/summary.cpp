@@ -13,14 +13,15 @@ using Json = nlohmann::ordered_json;
 Json json(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 Json json(const BlockOutcome& block, const MotionNames& names) {
-  return {{"name", block.name},
-          {"body", to_string(block.body)},
-          {"volume", block.volume},
-          {"relative_volume_change", block.relative_volume_change},
-          {"displacement", json(block.displacement)},
-          {"rotation_degrees", block.rotation_degrees},
-          {"velocity", json(block.velocity)},
-          {"motion", Json::parse(motion_json(block.motion, names))}};
+  Json json_block = {{"name", block.name}, {"body", to_string(block.body)}};
+  if (!block.body_reason.empty()) json_block["body_reason"] = block.body_reason;
+  json_block.update({{"volume", block.volume},
+                     {"relative_volume_change", block.relative_volume_change},
+                     {"displacement", json(block.displacement)},
+                     {"rotation_degrees", block.rotation_degrees},
+                     {"velocity", json(block.velocity)},
+                     {"motion", Json::parse(motion_json(block.motion, names))}});
+  return json_block;
 }
 
 Json json(const EnergyLedger& energy) {

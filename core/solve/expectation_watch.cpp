@@ -31,16 +31,18 @@ ExpectationWatch::ExpectationWatch(const Project& project, const BlockSystem& sy
     }
     if (watched.monitor < 0 && watched.block < 0)
       throw InputError("expectation '" + expectation.quantity + "'", "is no quantity of this run",
-                       "write MONITOR or BLOCK, then .displacement or .velocity, then .x, .y, .z or .magnitude");
+                       "write MONITOR or BLOCK, then .displacement or .velocity, then .x, .y, .z or .magnitude, or "
+                       "MONITOR.stress.zz");
     watched_.push_back(watched);
   }
 }
 
-void ExpectationWatch::follow(Watched& watched, const Vec3& value, double time) {
-  const auto at = [&](double wanted) {
+void ExpectationWatch::follow(Watched& watched, const FieldValue& value, double time) {
+  const auto at = [&](double wanted) -> FieldValue {
     const double share = time > last_time_ ? (wanted - last_time_) / (time - last_time_) : 1;
-    return Vec3(watched.last + share * (value - watched.last));
+    return watched.last + share * (value - watched.last);
   };
+  if (watched.last.size() == 0) watched.last = value;
   const double slack = 1e-12 * std::max(1.0, time);
   if (!watched.start && watched.expectation.since && *watched.expectation.since <= time + slack)
     watched.start = at(std::min(*watched.expectation.since, time));
@@ -51,17 +53,13 @@ void ExpectationWatch::follow(Watched& watched, const Vec3& value, double time) 
 
 void ExpectationWatch::look(const Simulation& simulation, const HistoryRow& row) {
   const double time = simulation.time();
-  const auto moves = [](const Watched& watched) { return watched.quantity.field == Quantity::Field::velocity; };
   for (Watched& watched : watched_) {
-    Vec3 value;
     if (watched.monitor >= 0) {
-      const MonitorSample& sample = row.monitors[watched.monitor];
-      value = moves(watched) ? sample.velocity : sample.displacement;
-    } else {
-      const BlockMotion motion = block_motion(simulation.bodies(), watched.block);
-      value = moves(watched) ? motion.velocity : motion.displacement;
+      follow(watched, field_value(row.monitors[watched.monitor], watched.quantity.field), time);
+      continue;
     }
-    follow(watched, value, time);
+    const BlockMotion motion = block_motion(simulation.bodies(), watched.block);
+    follow(watched, field_value({motion.displacement, motion.velocity}, watched.quantity.field), time);
   }
   last_time_ = time;
 }
@@ -72,10 +70,9 @@ std::vector<ExpectationOutcome> ExpectationWatch::outcomes() const {
     const Expectation& e = watched.expectation;
     ExpectationOutcome outcome{e, 0, 0, watched.end.has_value(), false};
     if (outcome.reached) {
-      const Vec3 change = *watched.end - watched.start.value_or(Vec3::Zero());
-      outcome.computed = watched.quantity.component == Quantity::Component::magnitude
-                             ? change.norm()
-                             : change[static_cast<int>(watched.quantity.component)];
+      FieldValue change = *watched.end;
+      if (watched.start) change -= *watched.start;
+      outcome.computed = component_of(change, watched.quantity.component);
       outcome.error = std::abs(outcome.computed - e.value) / (e.value == 0 ? 1 : std::abs(e.value));
       outcome.passed = outcome.error <= e.tolerance;
     }

@@ -5,6 +5,7 @@
 
 #include "mesh/block.hpp"
 #include "model/quantity.hpp"
+#include "results/monitor_value.hpp"
 #include "results/run_report.hpp"
 
 namespace talus {
@@ -26,10 +27,10 @@ class ExpectationWatch {
     Expectation expectation;
     Quantity quantity;
     int monitor = -1, block = -1;  ///< one of them is given
-    Vec3 last = Vec3::Zero();
-    std::optional<Vec3> start, end;
+    FieldValue last;
+    std::optional<FieldValue> start, end;
   };
-  void follow(Watched& watched, const Vec3& value, double time);
+  void follow(Watched& watched, const FieldValue& value, double time);
 
   std::vector<Watched> watched_;
   double last_time_ = 0;

@@ -42,8 +42,8 @@ std::vector<BlockOutcome> block_outcomes(const BlockSystem& system, const BodySe
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
     const Block& block = system.blocks[b];
     const BlockMotion motion = block_motion(bodies, static_cast<int>(b));
-    outcomes.push_back({block.name, block.body, block.volume, motion.relative_volume_change, motion.displacement,
-                        degrees(motion.rotation), motion.velocity, motions[b]});
+    outcomes.push_back({block.name, block.body, block.body_reason, block.volume, motion.relative_volume_change,
+                        motion.displacement, degrees(motion.rotation), motion.velocity, motions[b]});
   }
   return outcomes;
 }

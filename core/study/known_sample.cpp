@@ -67,7 +67,7 @@ std::vector<ReferenceEvent> scaled_events(const std::filesystem::path& file, dou
   std::vector<ReferenceEvent> events = read_reference_events(file);
   for (ReferenceEvent& event : events) {
     event.time *= std::sqrt(scale);
-    event.reaches *= event.quantity.field == Quantity::Field::velocity ? std::sqrt(scale) : scale;
+    event.reaches *= similar(event.quantity.field, scale);
   }
   return events;
 }
@@ -90,7 +90,7 @@ Finding finding_of(const ExpectationOutcome& outcome) {
   const auto quantity = parse_quantity(e.quantity);
   Finding finding;
   finding.quantity = e.quantity + moment(e);
-  finding.unit = quantity && quantity->field == Quantity::Field::velocity ? "m/s" : "m";
+  finding.unit = unit_of(quantity ? quantity->field : Quantity::Field::displacement);
   finding.expected = e.value;
   finding.computed = outcome.reached ? outcome.computed : did_not_happen;
   finding.tolerance = e.tolerance;

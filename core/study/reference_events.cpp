@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "results/monitor_value.hpp"
 
 namespace talus {
 
@@ -62,9 +63,7 @@ double value_of(const Quantity& quantity, const std::vector<std::string>& monito
     throw InputError("event quantity " + quantity.of, "the results hold no monitor of that name",
                      "name one of the project's monitors");
   const MonitorSample& sample = row.monitors[static_cast<std::size_t>(found - monitors.begin())];
-  const Vec3& vector = quantity.field == Quantity::Field::displacement ? sample.displacement : sample.velocity;
-  if (quantity.component == Quantity::Component::magnitude) return vector.norm();
-  return vector[static_cast<Eigen::Index>(quantity.component)];
+  return component_of(field_value(sample, quantity.field), quantity.component);
 }
 
 /// The time at which a line through two points comes to `level`.

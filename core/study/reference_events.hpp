@@ -18,7 +18,7 @@ struct ReferenceEvent {
   std::string what;
   Quantity quantity;
   std::optional<Quantity> minus;
-  double reaches = 0;     ///< m or m/s
+  double reaches = 0;     ///< m, m/s or Pa
   std::string criterion;  ///< in words: "P2.displacement.y − P1.displacement.y ≥ 5"
 };
 
@@ -29,7 +29,7 @@ std::vector<ReferenceEvent> read_reference_events(const std::filesystem::path& f
 struct EventComparison {
   ReferenceEvent event;
   std::optional<double> computed;    ///< s, between two rows by linear interpolation; empty: it did not happen
-  std::optional<double> value_then;  ///< m or m/s, at the published time; empty: the history ends before
+  std::optional<double> value_then;  ///< m, m/s or Pa, at the published time; empty: the history ends before
 };
 
 /// Throws InputError for a quantity of a monitor that is not in `monitor_names`.

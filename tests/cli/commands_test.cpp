@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "process.hpp"
 
@@ -89,6 +90,48 @@ TEST_F(Commands, MeshTellsBlocks) {
   EXPECT_GT(mesh["blocks"][1]["quality"]["worst"], 0.05);
   EXPECT_LE(mesh["blocks"][1]["quality"]["mean"], 1.0);
   EXPECT_THAT(talus_cli({"mesh", sample("incline_slide")}).out, HasSubstr("Volume [m³]"));
+}
+
+TEST_F(Commands, MeshAndInfoSayWhatAutoBecameAndWhy) {
+  for (const char* command : {"mesh", "info"}) {
+    const Ending ending = talus_cli({command, sample("block_ladder"), "--json"});
+    ASSERT_EQ(ending.exit_code, 0) << ending.err;
+    for (const Json& block : Json::parse(ending.out)["blocks"]) {
+      if (block["name"] != "auto") {
+        EXPECT_FALSE(block.contains("body_reason")) << block;
+        continue;
+      }
+      EXPECT_EQ(block["body"], "rigid");
+      EXPECT_THAT(block["body_reason"].get<std::string>(), HasSubstr("strains it by 2.7e-6"));
+    }
+    EXPECT_THAT(talus_cli({command, sample("block_ladder")}).out,
+                HasSubstr("Body auto became\n  rigid: hard rock: the model's weight strains it by 2.7e-6; "
+                          "nobody asks for its stress\n    auto\n"));
+  }
+}
+
+TEST_F(Commands, ReasonsAndNamesAreBrokenAtAHundredCharacters) {
+  Json project = Json::parse(text_of(sample("free_fall")), nullptr, true, true);
+  project["solids"] = Json::array();
+  for (int i = 0; i < 12; ++i)
+    project["solids"].push_back({{"name", "ein Block mit Überlänge " + std::to_string(i)},
+                                 {"material", project["materials"].begin().key()},
+                                 {"body", "auto"},
+                                 {"box", {{"min", {2 * i, 0, 0}}, {"max", {2 * i + 1, 1, 1}}}}});
+  for (const char* part : {"monitors", "expect"}) project.erase(part);
+  project["joints"] = {{"J1", {{"friction_angle", 30}}}};
+  project["default_joint"] = "J1";
+  write_text(*folder / "many.talus", project.dump());
+  const Ending ending = talus_cli({"mesh", place("many.talus")});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  std::istringstream lines(ending.out.substr(ending.out.find("Body auto became")));
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    const auto characters =
+        std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    EXPECT_LE(characters, 100) << line;
+  }
+  EXPECT_EQ(count, 6) << ending.out;
 }
 
 TEST_F(Commands, InfoOnAProjectSaysWhichEffectsAndWhy) {

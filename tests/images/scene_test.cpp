@@ -294,7 +294,7 @@ HistoryRow history_row(double time) {
 TEST(ChartImage, HistoryWithEvents) {
   std::vector<HistoryRow> history;
   for (int i = 0; i <= 1000; ++i) history.push_back(history_row(0.1 * i));
-  HistoryPlot plot = monitor_plot("P1", 0, history, MonitorQuantity::displacement);
+  HistoryPlot plot = monitor_plot("P1", 0, history, Quantity::Field::displacement);
   plot.marks = {{40, "strength lost"},   {44.2, "J2 opened"},       {45, "sliding starts", true},  {46.1, "J5 opened"},
                 {62, "B3 leaves", true}, {63.7, "B3 lost contact"}, {99, "at rest at the far end"}};
   const Image image = draw_chart(plot, width, height);

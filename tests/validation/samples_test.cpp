@@ -29,13 +29,14 @@ void expect_tolerances_within(const std::string& name, double relative, double a
 TEST(Samples, QuickOnesHaveAnswersAndJiweishanTakesLong) {
   std::vector<std::string> quick, slow;
   for (const KnownSample& s : find_known_samples(folder)) (s.takes_long ? slow : quick).push_back(s.name);
-  EXPECT_THAT(quick, testing::ElementsAre("free_fall", "incline_slide", "incline_stay", "wedge"));
+  EXPECT_THAT(quick, testing::ElementsAre("block_ladder", "free_fall", "incline_slide", "incline_stay", "wedge"));
   EXPECT_THAT(slow, testing::ElementsAre("jiweishan"));
 }
 
 TEST(Samples, AreHeldToTheTolerancesOfTheMethod) {
   expect_tolerances_within("free_fall", 1e-10, 1e-10);
   expect_tolerances_within("incline_slide", 1e-3, 1e-6);
+  expect_tolerances_within("block_ladder", 1e-3, 1e-6);
   expect_tolerances_within("incline_stay", 0, 1e-9);
   expect_tolerances_within("wedge", 1e-2, 0);
 }

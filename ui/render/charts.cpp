@@ -16,6 +16,7 @@
 #include "render/numbers.hpp"
 #include "render/offscreen_window.hpp"
 #include "render/painter.hpp"
+#include "results/monitor_value.hpp"
 
 namespace talus {
 namespace {
@@ -236,6 +237,24 @@ void check(const HistoryPlot& plot, int width, int height) {
                        "use 320 to 8192 pixels a side");
 }
 
+/// What a chart of a monitor's field calls itself, its axis and its curves.
+struct Heading {
+  const char *title_of_chart, *title_of_axis;
+  std::vector<const char*> components;
+};
+
+Heading heading_of(Quantity::Field field) {
+  switch (field) {
+    case Quantity::Field::velocity:
+      return {"velocity", "Velocity", {"x east", "y north", "z up"}};
+    case Quantity::Field::stress:
+      return {"stress", "Stress, tension positive", {"xx", "yy", "zz", "xy", "yz", "zx"}};
+    case Quantity::Field::displacement:
+      break;
+  }
+  return {"displacement", "Displacement", {"x east", "y north", "z up"}};
+}
+
 }  // namespace
 
 Image draw_chart(const HistoryPlot& plot, int width, int height) {
@@ -258,24 +277,23 @@ Image draw_chart(const HistoryPlot& plot, int width, int height) {
 }
 
 HistoryPlot monitor_plot(const std::string& monitor, int monitor_index, std::span<const HistoryRow> history,
-                         MonitorQuantity quantity) {
-  const bool displacement = quantity == MonitorQuantity::displacement;
-  static constexpr std::array<const char*, 3> names{"x east", "y north", "z up"};
+                         Quantity::Field field) {
+  const Heading heading = heading_of(field);
   HistoryPlot plot;
-  plot.title = monitor + (displacement ? ": displacement" : ": velocity");
-  plot.y_title = displacement ? "Displacement" : "Velocity";
+  plot.title = monitor + ": " + heading.title_of_chart;
+  plot.y_title = heading.title_of_axis;
   double largest = 0;
-  for (int component = 0; component < 3; ++component) {
-    Series series{.name = names[component], .x = {}, .y = {}};
+  for (std::size_t component = 0; component < heading.components.size(); ++component) {
+    Series series{.name = heading.components[component], .x = {}, .y = {}};
     for (const HistoryRow& row : history) {
       const MonitorSample& sample = row.monitors.at(static_cast<std::size_t>(monitor_index));
       series.x.push_back(row.time);
-      series.y.push_back((displacement ? sample.displacement : sample.velocity)[component]);
-      largest = std::max(largest, std::abs(series.y.back()));
+      series.y.push_back(field_value(sample, field)[static_cast<Eigen::Index>(component)]);
+      if (std::isfinite(series.y.back())) largest = std::max(largest, std::abs(series.y.back()));
     }
     plot.series.push_back(std::move(series));
   }
-  const DisplayUnit unit = display_unit(displacement ? "m" : "m/s", largest);
+  const DisplayUnit unit = display_unit(std::string(unit_of(field)), largest);
   plot.y_unit = unit.name;
   for (Series& series : plot.series)
     for (double& y : series.y) y *= unit.factor;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/quantity.hpp"
 #include "render/image.hpp"
 #include "render/theme.hpp"
 #include "results/run_report.hpp"
@@ -38,10 +39,9 @@ struct HistoryPlot {
 /// outside 320…8192.
 Image draw_chart(const HistoryPlot& plot, int width = 1600, int height = 1000);
 
-enum class MonitorQuantity { displacement, velocity };
-
-/// The three components of a monitor's displacement or velocity over time, from history.csv's rows.
+/// The components of a monitor's displacement, velocity or stress over time, from history.csv's rows. A stress that was
+/// not recorded leaves curves without points.
 HistoryPlot monitor_plot(const std::string& monitor, int monitor_index, std::span<const HistoryRow> history,
-                         MonitorQuantity quantity);
+                         Quantity::Field field);
 
 }  // namespace talus

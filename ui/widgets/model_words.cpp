@@ -16,6 +16,8 @@ QString body(BodyKind kind) {
       return QObject::tr("affine");
     case BodyKind::tetrahedra:
       return QObject::tr("tetrahedra");
+    case BodyKind::automatic:
+      return QObject::tr("auto");
   }
   return {};
 }

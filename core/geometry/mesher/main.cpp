@@ -1,10 +1,12 @@
 /// talus-mesher: the program that runs gmsh for Talus, so that a crash in it or a cancelled wait ends nothing else.
-/// Reads one job from descriptor 0 and answers there with progress, blocks, and an end or an error (mesher_job.hpp).
+/// Reads one job from descriptor 0, answers there with what cutting made of it, and, told how finely to mesh, with
+/// blocks, and an end or an error (mesher_job.hpp).
 
 #include <gmsh.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "base/error.hpp"
@@ -20,7 +22,7 @@ constexpr int channel = 0;
 void receive_exactly(char* into, std::size_t size) {
   while (size > 0) {
     const ssize_t count = read(channel, into, size);
-    if (count <= 0) throw std::runtime_error("the job ended too early");
+    if (count <= 0) throw std::runtime_error("a message ended too early");
     into += count;
     size -= static_cast<std::size_t>(count);
   }
@@ -43,37 +45,52 @@ void send_message(MessageKind kind, const Message& message) {
   send_exactly(bytes.data(), bytes.size());
 }
 
-MesherJob receive_job() {
+/// The next message, which the order of things makes one of `Message`.
+template <class Message>
+Message receive_message() {
   MessageHeader header;
   receive_exactly(reinterpret_cast<char*>(&header), sizeof header);
   std::string bytes(header.size, '\0');
   receive_exactly(bytes.data(), bytes.size());
-  return from_bytes<MesherJob>(bytes);
+  return from_bytes<Message>(bytes);
 }
 
 void report(double fraction, std::string_view what) {
   send_message(MessageKind::progress, MesherProgress{fraction, std::string(what)});
 }
 
-MesherBlock finished_block(const ImportedModel& model, const CutBlock& cut, const NamedBlock& named,
-                           MeshedShape shape) {
+MesherBlock finished_block(const ImportedModel& model, const CutBlock& cut, MeshedShape shape) {
   for (Vec3& node : shape.nodes) node += model.origin;
-  std::vector<int> joints = std::move(shape.triangle_joints);
-  return {named.name,
-          cut.solid,
-          named.block_override,
-          cut.volume,
-          std::move(shape.nodes),
-          std::move(shape.tetrahedra),
-          std::move(shape.triangles),
-          std::move(joints)};
+  return {cut.volume, std::move(shape.nodes), std::move(shape.tetrahedra), std::move(shape.triangles),
+          std::move(shape.triangle_joints)};
+}
+
+/// Edges of a block with flat faces are shorter than the diagonal of its solid. One size for all that are coarse:
+/// neighbours then have equal triangles on the joint between them. Curved faces need the usual size to keep their
+/// shape.
+double coarsest_size_of(const CutBlock& cut, const ImportedSolid& solid, double usual_size) {
+  const bool flat =
+      std::all_of(cut.facets.begin(), cut.facets.end(), [](const auto& facet) { return facet.second.plane >= 0; });
+  return flat ? solid.bounds.diagonal().norm() : usual_size;
+}
+
+MesherCutModel cut_model(const ImportedModel& model, const CutModel& cut, const std::vector<NamedBlock>& names) {
+  MesherCutModel told;
+  Eigen::AlignedBox3d bounds;
+  for (const ImportedSolid& solid : model.solids) bounds.extend(solid.bounds);
+  told.extent = bounds.sizes();
+  for (std::size_t b = 0; b < names.size(); ++b) {
+    const CutBlock& block = cut.blocks[b];
+    const ImportedSolid& solid = model.solids[static_cast<std::size_t>(block.solid)];
+    told.blocks.push_back({names[b].name, block.solid, names[b].block_override, names[b].mesh_size,
+                           coarsest_size_of(block, solid, names[b].mesh_size)});
+  }
+  return told;
 }
 
 /// From the cut model to finished blocks, sent one by one.
 void mesh_blocks(const ImportedModel& model, const CutModel& cut, const std::vector<NamedBlock>& names,
-                 double share_done) {
-  std::vector<double> sizes;
-  for (const NamedBlock& block : names) sizes.push_back(block.mesh_size);
+                 const std::vector<double>& sizes, double share_done) {
   report(share_done, "meshing the surfaces of " + std::to_string(cut.blocks.size()) + " blocks");
   const std::vector<SurfaceMesh> surfaces = mesh_surfaces(cut, sizes);
   for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
@@ -82,7 +99,7 @@ void mesh_blocks(const ImportedModel& model, const CutModel& cut, const std::vec
     report(share_done + (1 - share_done) * fraction,
            "meshing " + place + " (" + std::to_string(b + 1) + " of " + std::to_string(cut.blocks.size()) + ")");
     MeshedShape shape = fill_with_tetrahedra(surfaces[b], sizes[b], cut.blocks[b].volume, place);
-    send_message(MessageKind::block, finished_block(model, cut.blocks[b], names[b], std::move(shape)));
+    send_message(MessageKind::block, finished_block(model, cut.blocks[b], std::move(shape)));
   }
 }
 
@@ -95,7 +112,9 @@ void work(const MesherJob& job) {
   const CutModel cut = cut_solids(job, model, [](double fraction, std::string_view what) {
     report(imported + (cut_done - imported) * fraction, what);
   });
-  mesh_blocks(model, cut, name_blocks(job, model, cut), cut_done);
+  const std::vector<NamedBlock> names = name_blocks(job, model, cut);
+  send_message(MessageKind::cut, cut_model(model, cut, names));
+  mesh_blocks(model, cut, names, receive_message<MesherSizes>().sizes, cut_done);
   MesherEnd end;
   for (const ImportedSolid& solid : model.solids) end.solids_volume += solid.volume;
   send_message(MessageKind::end, end);
@@ -103,7 +122,7 @@ void work(const MesherJob& job) {
 
 void run() {
   try {
-    const MesherJob job = receive_job();
+    const auto job = receive_message<MesherJob>();
     gmsh::initialize();
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);

@@ -97,5 +97,15 @@ TEST_F(StepFiles, AreCutLikeOtherSolids) {
   EXPECT_GT(joint_area, 2 * 5000);
 }
 
+/// Few large triangles would cut curved faces short.
+TEST_F(StepFiles, CurvedFacesKeepTheirMeshWhateverTheBody) {
+  write("slope.step", slope());
+  Project p = reading("slope.step");
+  p.solids[0].mesh_size.reset();
+  const std::size_t nodes = build(p, folder_).blocks[0].mesh.nodes.size();
+  p.solids[0].body = BodyKind::rigid;
+  EXPECT_EQ(build(p, folder_).blocks[0].mesh.nodes.size(), nodes);
+}
+
 }  // namespace
 }  // namespace talus

@@ -104,10 +104,6 @@ const std::vector<BadText> not_computed{
      "line 12, /solids/0/terrain", "does not compute this yet: a digital terrain model", "STEP file"},
     {"\"through\": [5, 5, 5]", "\"disc\": {\"centre\": [5, 5, 5], \"radius\": 4}", "line 15, /cuts/0/disc",
      "does not compute this yet: a joint of finite size", "plane 'through' a point"},
-    {"\"material\": \"rock\"", "\"material\": \"rock\", \"body\": \"rigid\"", "line 12, /solids/0/body",
-     "does not compute 'rigid' bodies yet", "'tetrahedra'"},
-    {"\"material\": \"rock\"", "\"material\": \"rock\", \"body\": \"affine\"", "line 12, /solids/0/body",
-     "does not compute 'affine' bodies yet", "'tetrahedra'"},
 };
 INSTANTIATE_TEST_SUITE_P(NotComputed, BadProject, testing::ValuesIn(not_computed));
 

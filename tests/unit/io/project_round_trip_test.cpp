@@ -32,7 +32,7 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
             (Solid{"slope", BoxShape{{0, 0, 0}, {10, 10, 10}}, "soft rock", BodyKind::tetrahedra, 1.0 / 3}));
   const PolyhedronShape wedge{{{20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {20, 0, std::nextafter(1.0, 2.0)}},
                               {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-  EXPECT_EQ(p.solids[1], (Solid{"wedge", wedge, "hard/rock", BodyKind::tetrahedra, {}}));
+  EXPECT_EQ(p.solids[1], (Solid{"wedge", wedge, "hard/rock", BodyKind::automatic, {}}));
   EXPECT_EQ(p.solids[2], (Solid{"hill", FileShape{"shapes/hill.step", 0.001}, "soft rock", BodyKind::fixed, {}}));
   ASSERT_EQ(p.cuts.size(), 2u);
   EXPECT_EQ(p.cuts[0], (Cut{"J1", 35, 120, {5, 5, 5}, {}, {}, {"slope", "hill"}}));
@@ -53,7 +53,9 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   ASSERT_EQ(p.velocities.size(), 2u);
   EXPECT_EQ(p.velocities[0], (InitialVelocity{"wedge", {1, 0, 0}, {0, 0, 0.1}}));
   EXPECT_EQ(p.velocities[1], (InitialVelocity{"top", {0, 0, 0}, {0, 0, 0}}));
-  EXPECT_EQ(p.monitors.at(0), (Monitor{"P1", "top", {5, 5, 10}}));
+  ASSERT_EQ(p.monitors.size(), 2u);
+  EXPECT_EQ(p.monitors[0], (Monitor{"P1", "top", {5, 5, 10}}));
+  EXPECT_EQ(p.monitors[1], (Monitor{"P2", "top", {5, 5, 9}, true}));
   ASSERT_EQ(p.expect.size(), 2u);
   EXPECT_EQ(p.expect[0], (Expectation{"P1.displacement.z", 41, -4.905, 1e-6, 40.0, "½gt²"}));
   EXPECT_EQ(p.expect[1], (Expectation{"slope.2.velocity.magnitude", 100, 0, 1e-9, {}, ""}));
@@ -125,6 +127,22 @@ TEST(ProjectRoundTrip, EveryChoiceOfTheSolverComesBack) {
           project.solver.time_step_control = control;
           EXPECT_EQ(parse_project(write_project(project)).solver, project.solver);
         }
+}
+
+TEST(ProjectRoundTrip, EveryBodyComesBack) {
+  Project project = parse_project(small_project);
+  project.blocks = {{"top", {5, 5, 9}, {}, {}, {}}};
+  for (const auto body :
+       {BodyKind::fixed, BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra, BodyKind::automatic}) {
+    project.solids[0].body = body;
+    project.blocks[0].body = body;
+    EXPECT_EQ(parse_project(write_project(project, small_project)), project) << to_string(body);
+  }
+  project.stages.push_back(project.stages[0]);
+  project.stages[1].name = "then";
+  project.stages[0].blocks = {{"top", BodyKind::fixed}};
+  project.stages[1].blocks = {{"top", BodyKind::automatic}};
+  EXPECT_EQ(parse_project(write_project(project)), project);
 }
 
 /// Loads that a stage takes away are something else than loads it leaves alone.

@@ -29,7 +29,7 @@ inline const std::string full_project = R"(// A slope above a road.
   "solids": [
     {"name": "slope", "box": {"min": [0, 0, 0], "max": [10, 10, 10]}, "material": "soft rock", "mesh_size": 0.3333333333333333},
     // the wedge that falls
-    {"name": "wedge", "material": "hard/rock", "body": "tetrahedra",
+    {"name": "wedge", "material": "hard/rock", "body": "auto",
      "polyhedron": {
        "vertices": [[20, 0, 0], [21, 0, 0], [20, 1, 0], [20, 0, 1.0000000000000002]],
        "faces": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]] /* outwards */
@@ -80,7 +80,7 @@ inline const std::string full_project = R"(// A slope above a road.
     "time_step_control": "adaptive",
     "adaptive": {"displacement_limit": 0.01, "error_limit": 1e-5, "iterations": 6, "shortest": 0.01} // of time_step
   },
-  "monitors": [{"name": "P1", "block": "top", "at": [5, 5, 10]}],
+  "monitors": [{"name": "P1", "block": "top", "at": [5, 5, 10]}, {"name": "P2", "block": "top", "at": [5, 5, 9], "stress": true}],
   "expect": [
     {"quantity": "P1.displacement.z", "time": 41, "since": 40, "value": -4.905, "tolerance": 1e-6, "source": "½gt²"},
     {"quantity": "slope.2.velocity.magnitude", "time": 100, "value": 0, "tolerance": 1e-9}

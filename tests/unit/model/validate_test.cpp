@@ -52,10 +52,6 @@ const std::vector<BadProject> bad_values{
        p.solids[0].shape = FileShape{"hill.STP", 0};
      },
      "/solids/0/scale", "greater than 0", "metres per unit"},
-    {"rigid", [](Project& p) { p.solids[0].body = BodyKind::rigid; }, "/solids/0/body", "'rigid' bodies yet",
-     "tetrahedra"},
-    {"affine override", [](Project& p) { p.blocks[0].body = BodyKind::affine; }, "/blocks/0/body", "'affine' bodies",
-     "tetrahedra"},
     {"mesh size", [](Project& p) { p.solids[0].mesh_size = 0; }, "/solids/0/mesh_size", "greater than 0", " m"},
     {"dip", [](Project& p) { p.cuts[0].dip = 91; }, "/cuts/0/dip", "0 to 90, is 91", "horizontal"},
     {"dip direction", [](Project& p) { p.cuts[0].dip_direction = -1; }, "/cuts/0/dip_direction", "0 to 360, is -1",
@@ -112,6 +108,14 @@ const std::vector<BadProject> bad_names{
      "use one of P1, top, slope"},
     {"quantity's grammar", [](Project& p) { p.expect[0].quantity = "P1.stress.z"; }, "/expect/0/quantity",
      "cannot read the quantity 'P1.stress.z'", "NAME.displacement.z"},
+    {"stress not recorded", [](Project& p) { p.expect[0].quantity = "P1.stress.zz"; }, "/expect/0/quantity",
+     "'P1' is no monitor that records stress", "\"stress\": true"},
+    {"stress of a block",
+     [](Project& p) {
+       p.monitors[0].stress = true;
+       p.expect[0].quantity = "top.stress.zz";
+     },
+     "/expect/0/quantity", "'top' is no monitor that records stress", "name a monitor"},
 };
 INSTANTIATE_TEST_SUITE_P(Names, Validate, testing::ValuesIn(bad_names));
 

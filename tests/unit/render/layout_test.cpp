@@ -136,11 +136,27 @@ TEST(MonitorPlot, HasThreeComponentsInAFittingUnit) {
   history[1].time = 2;
   for (HistoryRow& row : history)
     row.monitors = {{Vec3(1, 2, 3), Vec3::Zero()}, {row.time * Vec3(1e-3, 0, -2e-3), Vec3::Zero()}};
-  const HistoryPlot plot = monitor_plot("P2", 1, history, MonitorQuantity::displacement);
+  const HistoryPlot plot = monitor_plot("P2", 1, history, Quantity::Field::displacement);
   ASSERT_EQ(plot.series.size(), 3u);
   EXPECT_EQ(plot.y_unit, "mm");
   EXPECT_NEAR(plot.series[2].y[1], -4, 1e-12);
   EXPECT_EQ(plot.series[0].x, (std::vector<double>{0, 2}));
+}
+
+TEST(MonitorPlot, HasSixComponentsOfStress) {
+  std::vector<HistoryRow> history(2);
+  history[1].time = 2;
+  for (HistoryRow& row : history) {
+    row.monitors = {{Vec3::Zero(), Vec3::Zero()}};
+    row.monitors[0].stress.emplace();
+    *row.monitors[0].stress << 0, 0, -3e6 * row.time, 0, 0, 1e6;
+  }
+  const HistoryPlot plot = monitor_plot("P1", 0, history, Quantity::Field::stress);
+  ASSERT_EQ(plot.series.size(), 6u);
+  EXPECT_EQ(plot.y_unit, "MPa");
+  EXPECT_EQ(plot.series[2].name, "zz");
+  EXPECT_NEAR(plot.series[2].y[1], -6, 1e-12);
+  EXPECT_NEAR(plot.series[5].y[0], 1, 1e-12);
 }
 
 TEST(Chart, RefusesWhatItCannotDraw) {

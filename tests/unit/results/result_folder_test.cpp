@@ -164,6 +164,52 @@ TEST(ResultFolder, steps_and_history_come_back_exactly_and_a_torn_last_line_is_l
   }
 }
 
+TEST(ResultFolder, stress_of_the_monitors_that_record_it_comes_back) {
+  const TemporaryFolder temporary;
+  Project project = example_project();
+  project.monitors[1].stress = true;
+  project.monitors.push_back({"P3", "B1", Vec3::Zero()});
+  Voigt stress;
+  stress << 1e6, -2e6, 3.25e6, 1e-320, 5, -0.0;
+  {
+    ResultWriter writer(temporary.path, project, example_system(), "{}");
+    writer.add_history({.time = 0.5,
+                        .stage = 1,
+                        .monitors = {{Vec3(1, 2, 3), Vec3(4, 5, 6)},
+                                     {Vec3(7, 8, 9), Vec3(10, 11, 12), stress},
+                                     {Vec3(13, 14, 15), Vec3(16, 17, 18)}}});
+  }
+  EXPECT_THAT(text_of(temporary.path / "history.csv"),
+              testing::AllOf(testing::HasSubstr("\"P, 2.velocity.z [m/s]\",\"P, 2.stress.xx [Pa]\","),
+                             testing::HasSubstr("\"P, 2.stress.zx [Pa]\",P3.displacement.x [m],"),
+                             testing::Not(testing::HasSubstr("P1.stress"))));
+  const ResultReader reader(temporary.path);
+  ASSERT_EQ(reader.history_monitors().size(), 3u);
+  for (int m = 0; m < 3; ++m) {
+    EXPECT_EQ(reader.history_monitors()[m].name, reader.monitor_names()[m]);
+    EXPECT_EQ(reader.history_monitors()[m].stress, m == 1);
+  }
+  const auto rows = reader.history();
+  ASSERT_EQ(rows.size(), 1u);
+  const auto& samples = rows[0].monitors;
+  EXPECT_EQ(samples.at(1).stress.value(), stress);
+  EXPECT_EQ(samples.at(2).velocity, Vec3(16, 17, 18));
+  EXPECT_FALSE(samples.at(0).stress);
+  EXPECT_FALSE(samples.at(2).stress);
+}
+
+TEST(ResultFolder, why_a_body_was_chosen_comes_back) {
+  const TemporaryFolder temporary;
+  BlockSystem system = example_system();
+  system.blocks[0].body = BodyKind::rigid;
+  system.blocks[0].body_reason = "hard rock, ä";
+  { const ResultWriter writer(temporary.path, example_project(), system, "{}"); }
+  const ResultReader reader(temporary.path);
+  EXPECT_EQ(reader.system().blocks[0].body, BodyKind::rigid);
+  EXPECT_EQ(reader.system().blocks[0].body_reason, "hard rock, ä");
+  EXPECT_EQ(reader.system().blocks[1].body_reason, "");
+}
+
 TEST(ResultFolder, the_csv_headers_name_units) {
   const TemporaryFolder temporary;
   { const ResultWriter writer(temporary.path, example_project(), example_system(), "{}"); }

@@ -89,6 +89,17 @@ TEST(Summary, holds_what_the_contract_names) {
   EXPECT_EQ(json["expect"][0]["passed"], true);
 }
 
+TEST(Summary, says_why_a_body_was_chosen_where_it_was) {
+  RunReport report = example_report();
+  report.blocks.push_back(report.blocks[0]);
+  report.blocks[1].body = BodyKind::rigid;
+  report.blocks[1].body_reason = "hard rock";
+  const Json json = Json::parse(summary_json(report));
+  EXPECT_FALSE(json["blocks"][0].contains("body_reason"));
+  EXPECT_EQ(json["blocks"][1]["body"], "rigid");
+  EXPECT_EQ(json["blocks"][1]["body_reason"], "hard rock");
+}
+
 TEST(Summary, what_the_run_did_not_reach_is_null_and_not_passed) {
   const Json json = Json::parse(summary_json(example_report()));
   EXPECT_TRUE(json["expect"][1]["computed"].is_null());

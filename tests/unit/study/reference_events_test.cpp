@@ -43,6 +43,16 @@ TEST(ReferenceEvents, TakesTheDifferenceOfTwoMonitors) {
   EXPECT_DOUBLE_EQ(*comparison[0].value_then, (4.5 + 8) / 2);
 }
 
+TEST(ReferenceEvents, StressIsAQuantityToo) {
+  auto history = two_sliders(2);
+  for (HistoryRow& row : history) row.monitors[1].stress = Voigt::Constant(1e5 * row.time);
+  const std::vector<ReferenceEvent> events{event(1, "B.stress.yz", 5e4)};
+  const auto comparison = compare_events(events, names, history);
+  ASSERT_TRUE(comparison[0].computed);
+  EXPECT_DOUBLE_EQ(*comparison[0].computed, 0.5);
+  EXPECT_DOUBLE_EQ(*comparison[0].value_then, 1e5);
+}
+
 TEST(ReferenceEvents, SaysWhatDidNotHappen) {
   const std::vector<ReferenceEvent> events{event(9, "B.velocity.magnitude", 100)};
   const auto comparison = compare_events(events, names, two_sliders(4));
