@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 
 #include "driven_window.hpp"
@@ -62,6 +63,44 @@ TEST_F(PropertyPanelTest, ShowsHowAStageEndsAndWhatItChanges) {
   expectWords(shown({Item::Kind::stage, 0}), {"Until equilibrium|1", "cube|held"});
   expectWords(shown({Item::Kind::stage, 1}),
               {"Damping|0.100 1/s", "J1|φ 20.0°, c 0 MPa", "Point loads|none", "cube|let go"});
+}
+
+TEST_F(PropertyPanelTest, ABodyIsChosenAndTakenBack) {
+  ASSERT_EQ(workspace.document().project().solids[1].name, "cube");
+  workspace.selection().select({Item::Kind::solid, 1});
+  auto* box = panel.findChild<QComboBox*>();
+  ASSERT_NE(box, nullptr);
+  EXPECT_EQ(box->currentText().toStdString(), "tetrahedra");
+  // The stages hold the cube and let it go as tetrahedra.
+  emit box->activated(box->findText(QStringLiteral("rigid")));
+  EXPECT_EQ(workspace.document().project().solids[1].body, BodyKind::tetrahedra);
+  ASSERT_EQ(workspace.problems().size(), 1u);
+  EXPECT_NE(workspace.problems()[0].problem.indexOf(QStringLiteral("cannot become 'tetrahedra'")), -1);
+  EXPECT_EQ(box->currentText().toStdString(), "tetrahedra");
+  emit box->activated(box->findText(QStringLiteral("auto")));
+  EXPECT_EQ(workspace.document().project().solids[1].body, BodyKind::automatic);
+  workspace.document().undoStack().undo();
+  EXPECT_EQ(workspace.document().project().solids[1].body, BodyKind::tetrahedra);
+}
+
+TEST_F(PropertyPanelTest, SaysWhatAutoBecameAndMeshesAnewAfterAChange) {
+  ASSERT_TRUE(workspace.open(write("cube.talus", R"({
+      "talus": 1, "materials": {"rock": {"density": 2600, "young": 25e9, "poisson": 0.24}},
+      "solids": [{"name": "cube", "material": "rock", "body": "auto", "box": {"min": [1, 1, 1], "max": [2, 2, 2]}}],
+      "stages": [{"name": "fall", "type": "dynamic", "time_step": 0.01, "steps": 2}]})")));
+  workspace.mesh();
+  ASSERT_TRUE(wait([&] { return workspace.systemIsCurrent() && !workspace.job().isBusy(); }));
+  expectWords(shown({Item::Kind::block, 0}),
+              {"Body|rigid", "chosen: hard rock: the model's weight strains it by 1e-6"});
+  const size_t coarse = workspace.system()->blocks[0].mesh.nodes.size();
+  Solid changed = workspace.document().project().solids[0];
+  changed.body = BodyKind::tetrahedra;
+  workspace.document().changeSolid(0, changed);
+  EXPECT_FALSE(workspace.systemIsCurrent());
+  workspace.solve();
+  ASSERT_TRUE(wait([&] { return !workspace.job().isBusy(); }));
+  EXPECT_TRUE(workspace.systemIsCurrent());
+  EXPECT_GT(workspace.system()->blocks[0].mesh.nodes.size(), 10 * coarse);
 }
 
 }  // namespace

@@ -28,4 +28,17 @@ void ChangeJoint::apply(const Joint& value) {
   emit document_.projectChanged();
 }
 
+ChangeSolid::ChangeSolid(Document& document, int index, Solid changed)
+    : document_(document),
+      index_(index),
+      before_(document.project().solids.at(static_cast<size_t>(index))),
+      after_(std::move(changed)) {
+  setText(QObject::tr("change solid %1").arg(QString::fromStdString(before_.name)));
+}
+
+void ChangeSolid::apply(const Solid& value) {
+  document_.project_.solids[static_cast<size_t>(index_)] = value;
+  emit document_.projectChanged();
+}
+
 }  // namespace talus

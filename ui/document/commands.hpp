@@ -33,4 +33,17 @@ class ChangeJoint : public QUndoCommand {
   Joint before_, after_;
 };
 
+class ChangeSolid : public QUndoCommand {
+ public:
+  ChangeSolid(Document& document, int index, Solid changed);
+  void redo() override { apply(after_); }
+  void undo() override { apply(before_); }
+
+ private:
+  void apply(const Solid& value);
+  Document& document_;
+  int index_;
+  Solid before_, after_;
+};
+
 }  // namespace talus

@@ -52,6 +52,13 @@ void Document::changeJoint(int index, const Joint& changed) {
   undoStack_.push(new ChangeJoint(*this, index, changed));
 }
 
+void Document::changeSolid(int index, const Solid& changed) {
+  Project candidate = project_;
+  candidate.solids.at(static_cast<size_t>(index)) = changed;
+  check(candidate);
+  undoStack_.push(new ChangeSolid(*this, index, changed));
+}
+
 void Document::replace(Project project, std::filesystem::path file) {
   undoStack_.clear();
   selection_.clear();

@@ -44,6 +44,7 @@ class Document : public QObject {
   /// changes nothing, for what is impossible (a negative density).
   void changeMaterial(int index, const Material& changed);
   void changeJoint(int index, const Joint& changed);
+  void changeSolid(int index, const Solid& changed);
 
  signals:
   void opened();
@@ -53,6 +54,7 @@ class Document : public QObject {
  private:
   friend class ChangeMaterial;
   friend class ChangeJoint;
+  friend class ChangeSolid;
 
   void replace(Project project, std::filesystem::path file);
 

@@ -1,6 +1,9 @@
 #include "widgets/property_panel.hpp"
 
+#include <array>
+
 #include "base/error.hpp"
+#include "widgets/field_chooser.hpp"
 #include "widgets/model_words.hpp"
 #include "widgets/motion_rows.hpp"
 #include "widgets/number_field.hpp"
@@ -47,7 +50,7 @@ void PropertyPanel::rebuild() {
       showProject();
       break;
     case Item::Kind::solid:
-      showSolid(project.solids.at(at));
+      showSolid(item.index);
       break;
     case Item::Kind::cut:
       showCut(project.cuts.at(at));
@@ -82,7 +85,8 @@ void PropertyPanel::rebuild() {
   column_->addWidget(scrolled_, 1);
 }
 
-void PropertyPanel::showSolid(const Solid& solid) {
+void PropertyPanel::showSolid(int index) {
+  const Solid& solid = workspace_.document().project().solids.at(static_cast<size_t>(index));
   header_->setTitle(text(solid.name), tr("solid"));
   auto* shape = addSection(tr("Shape"));
   if (const auto* box = std::get_if<BoxShape>(&solid.shape)) {
@@ -97,9 +101,40 @@ void PropertyPanel::showSolid(const Solid& solid) {
   }
   auto* rock = addSection(tr("Rock"));
   rock->addFact(tr("Material"), text(solid.material));
-  rock->addFact(tr("Body"), words::body(solid.body));
+  addBody(rock, index);
   rock->addFact(tr("Mesh size"),
                 solid.mesh_size ? tr("%1 m").arg(numbers::significant(*solid.mesh_size)) : tr("automatic"));
+}
+
+void PropertyPanel::addBody(Section* section, int solid) {
+  static constexpr std::array bodies{BodyKind::automatic, BodyKind::fixed, BodyKind::rigid, BodyKind::affine,
+                                     BodyKind::tetrahedra};
+  const BodyKind present = workspace_.document().project().solids.at(static_cast<size_t>(solid)).body;
+  QStringList choices;
+  for (const BodyKind body : bodies) choices << words::body(body);
+  auto* box = makeCombo(choices, tr("Body"));
+  box->setCurrentText(words::body(present));
+  connect(box, &QComboBox::activated, this, [this, box, solid, present](int chosen) {
+    Solid changed = workspace_.document().project().solids.at(static_cast<size_t>(solid));
+    changed.body = bodies.at(static_cast<size_t>(chosen));
+    if (changed.body == present) return;
+    try {
+      workspace_.document().changeSolid(solid, changed);
+    } catch (const InputError& error) {
+      workspace_.addProblem(
+          {Problem::Severity::error, text(error.place()), text(error.problem()), text(error.remedy())});
+      box->setCurrentText(words::body(present));
+    }
+  });
+  section->addRow(tr("Body"), box, tr("How much its blocks may do; the next run cuts and meshes them anew"));
+}
+
+void PropertyPanel::showBody(Section* section, const Block& block) {
+  section->addFact(tr("Body"), words::body(block.body));
+  if (block.body_reason.empty()) return;
+  auto* reason = makeLabel(tr("chosen: %1").arg(text(block.body_reason)), "muted");
+  reason->setWordWrap(true);
+  section->addWide(reason);
 }
 
 void PropertyPanel::showCut(const Cut& cut) {
@@ -167,9 +202,9 @@ void PropertyPanel::showBlock(int index) {
     addSection(tr("Motion"), tr("at the time in view"))->addWide(motion_);
     showMotion();
   }
-  auto* shape = addSection(tr("Shape"));
+  auto* shape = addSection(tr("Shape"), workspace_.systemIsCurrent() ? QString() : tr("before the last change"));
   shape->addFact(tr("Volume"), tr("%1 m³").arg(numbers::significant(block.volume, 5)));
-  shape->addFact(tr("Body"), words::body(block.body));
+  showBody(shape, block);
   const auto& materials = workspace_.document().project().materials;
   if (static_cast<size_t>(block.material) < materials.size()) {
     const Material& material = materials[static_cast<size_t>(block.material)];
@@ -225,6 +260,7 @@ void PropertyPanel::showMonitor(int index) {
   auto* section = addSection(tr("Place"));
   section->addFact(tr("Block"), text(monitor.block));
   section->addFact(tr("At, m"), words::point(monitor.at));
+  section->addFact(tr("Stress"), monitor.stress ? tr("recorded") : tr("not recorded"));
 }
 
 }  // namespace talus

@@ -10,7 +10,8 @@
 
 namespace talus {
 
-/// What the selected thing is, with units. Strengths of joints and the constants of materials can be typed over.
+/// What the selected thing is, with units. Strengths of joints and the constants of materials can be typed
+/// over, the body of solids chosen.
 class PropertyPanel : public QWidget {
   Q_OBJECT
  public:
@@ -20,7 +21,11 @@ class PropertyPanel : public QWidget {
   void rebuild();
   void showProject();
   void showSolver(const SolverSettings& solver);
-  void showSolid(const Solid& solid);
+  void showSolid(int index);
+  /// Lets the user choose what a solid's blocks may do.
+  void addBody(Section* section, int solid);
+  /// The body a block was built as, and why where that was left open.
+  void showBody(Section* section, const Block& block);
   void showCut(const Cut& cut);
   void showJoint(int index);
   void showBlock(int index);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "geometry/block_builder.hpp"
 #include "io/project_file.hpp"
 #include "widgets/numbers.hpp"
 #include "widgets/theme.hpp"
@@ -65,6 +66,7 @@ bool Workspace::openProject(const std::filesystem::path& file) {
   }
   forgetResults();
   setSystem(nullptr);
+  builtFrom_ = document_.project();
   namesFromProject();
   problems_.clear();
   emit problemsChanged();
@@ -98,6 +100,7 @@ bool Workspace::openResults(const std::filesystem::path& folder) {
   }
   forgetResults();
   setSystem(nullptr);
+  builtFrom_ = document_.project();
   namesFromProject();
   problems_.clear();
   resultsAreCurrent_ = true;
@@ -155,9 +158,13 @@ void Workspace::solve() {
   goTo(Step::solve);
 }
 
+bool Workspace::systemIsCurrent() const { return system_ && build_alike(builtFrom_, document_.project()); }
+
 void Workspace::start(bool solve) {
   loader_.close();
   forgetResults();
+  if (!systemIsCurrent()) setSystem(nullptr);
+  builtFrom_ = document_.project();
   namesFromProject();
   JobTask task;
   task.project = document_.project();

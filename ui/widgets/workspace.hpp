@@ -49,6 +49,8 @@ class Workspace : public QObject {
 
   /// Blocks of the project or of the results; empty before meshing.
   std::shared_ptr<const BlockSystem> system() const { return system_; }
+  /// They are what the project as it is now would be cut into; if not, the next run cuts and meshes first.
+  bool systemIsCurrent() const;
   /// Name of a block, empty when there is none.
   QString blockName(int block) const;
 
@@ -134,6 +136,7 @@ class Workspace : public QObject {
 
   Step step_ = Step::geometry;
   std::shared_ptr<const BlockSystem> system_;
+  Project builtFrom_;  ///< the project that `system_` was, or is being, built from
   std::shared_ptr<const Frame> frame_;
   std::vector<double> times_;
   int number_ = -1;

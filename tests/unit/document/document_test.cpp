@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "io/project_file.hpp"
 
 namespace talus {
 namespace {
@@ -70,6 +71,26 @@ TEST_F(DocumentTest, ChangesAJointAndTakesItBack) {
   EXPECT_EQ(document.project().joints[0].friction_angle, 30);
   EXPECT_TRUE(document.isSaved());
   EXPECT_EQ(changed, 2);
+}
+
+TEST_F(DocumentTest, ChangesTheBodyOfASolidAndTakesItBack) {
+  document.open(file);
+  int changed = 0;
+  QObject::connect(&document, &Document::projectChanged, [&] { ++changed; });
+  Solid solid = document.project().solids[0];
+  solid.body = BodyKind::automatic;
+  document.changeSolid(0, solid);
+  EXPECT_EQ(document.project().solids[0].body, BodyKind::automatic);
+  EXPECT_EQ(document.undoStack().undoText().toStdString(), "change solid base");
+  document.undoStack().undo();
+  EXPECT_EQ(document.project().solids[0].body, BodyKind::fixed);
+  document.undoStack().redo();
+  document.save();
+  EXPECT_EQ(read_project(file).solids[0].body, BodyKind::automatic);
+  EXPECT_EQ(changed, 3);
+  solid.mesh_size = -1;
+  EXPECT_THROW(document.changeSolid(0, solid), InputError);
+  EXPECT_FALSE(document.project().solids[0].mesh_size);
 }
 
 TEST_F(DocumentTest, RefusesWhatAFileMayNotHold) {
