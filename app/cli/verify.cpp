@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -51,7 +52,7 @@ bool run_cases(const std::vector<KnownCase>& cases, const Request& request, bool
 
 ExitCode verify_cases(const Request& request, bool json) {
   const auto known = all_cases(request.samples.empty() ? samples_folder() : request.samples);
-  const auto cases = chosen_cases(known, request.names, request.all || request.list);
+  const auto cases = chosen_cases(known, request.names, request.all || request.list, request.options.run.body);
   if (request.list) {
     std::cout << (json ? list_json(cases) : list_text(cases));
     return done;
@@ -77,6 +78,15 @@ void add_run_options(CLI::App& command, VerifyOptions& options) {
       ->type_name("S")
       ->capture_default_str();
   add_threads(command, options.run.threads);
+  static const std::map<std::string, BodyKind> bodies{
+      {"tetrahedra", BodyKind::tetrahedra}, {"affine", BodyKind::affine}, {"rigid", BodyKind::rigid}};
+  command
+      .add_option_function<std::string>(
+          "--body", [&options](const std::string& word) { options.run.body = bodies.at(word); },
+          "Run with blocks of this kind where tetrahedra stand otherwise (those cases that ask for no strain)")
+      ->check(CLI::IsMember(bodies).description(""))
+      ->type_name("rigid|affine|tetrahedra")
+      ->default_str("tetrahedra");
   command.add_flag("--repeat", options.repeat,
                    "Run each case again with 2 threads, which must give the same bits, and at a tenth of the scale, "
                    "which must give the same relative numbers");

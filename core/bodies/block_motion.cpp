@@ -39,13 +39,20 @@ BlockMotion block_motion(const BodySet& set, int index) {
   const Body& body = set.bodies[index];
   BlockMotion motion;
   if (body.fixed) return motion;
+  if (body.kind == BodyKind::rigid) {
+    const RigidBody& rigid = set.rigid[body.rigid];
+    motion.displacement = set.nodes.position[rigid.centre] - set.nodes.reference[rigid.centre];
+    motion.velocity = set.nodes.velocity[rigid.centre];
+    motion.rotation = std::abs(Eigen::AngleAxisd(rigid.rotation).angle());
+    return motion;
+  }
   double volume = 0, mass = 0;
   Mat3 gradient = Mat3::Zero();
   for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
     const Element& element = set.elements[e];
     const Mat3 reference = edge_matrix(set.nodes.reference, element.nodes);
     const Mat3 current = edge_matrix(set.nodes.position, element.nodes);
-    volume += current.determinant() / 6;
+    volume += element.volume_ratio * current.determinant() / 6;
     gradient += reference.determinant() * current * reference.inverse();
     for (const int node : element.nodes) {
       motion.displacement += element.mass / 4 * (set.nodes.position[node] - set.nodes.reference[node]);

@@ -11,27 +11,13 @@ PoseFit::Shape PoseFit::shape_of(const Block& block) {
   shape.fixed = block.body == BodyKind::fixed;
   const TetMesh& mesh = block.mesh;
   if (mesh.tetrahedra.empty()) return shape;
-  const Vec3& origin = mesh.nodes.front();  // near the block: coordinates may be those of a country's grid
+  shape.moments = volume_moments(mesh);
   shape.weight.assign(mesh.nodes.size(), 0);
   for (const auto& nodes : mesh.tetrahedra) {
     Mat3 edges;
     for (int i = 0; i < 3; ++i) edges.col(i) = mesh.nodes[nodes[i + 1]] - mesh.nodes[nodes[0]];
-    const double volume = edges.determinant() / 6;
-    Vec3 sum = Vec3::Zero();
-    for (const int node : nodes) {
-      const Vec3 x = mesh.nodes[node] - origin;
-      shape.weight[node] += volume / 4;
-      shape.spread += volume / 20 * x * x.transpose();
-      sum += x;
-    }
-    shape.centroid += volume / 4 * sum;
-    shape.spread += volume / 20 * sum * sum.transpose();
-    shape.volume += volume;
+    for (const int node : nodes) shape.weight[node] += edges.determinant() / 24 / shape.moments.volume;
   }
-  for (double& weight : shape.weight) weight /= shape.volume;
-  shape.centroid /= shape.volume;
-  shape.spread = shape.spread / shape.volume - shape.centroid * shape.centroid.transpose();
-  shape.centroid += origin;
   return shape;
 }
 
@@ -48,13 +34,13 @@ std::vector<BlockPose> PoseFit::poses(const BodySet& set) const {
     const Vec3* reference = set.nodes.reference.data() + body.first_node;
     const Vec3* position = set.nodes.position.data() + body.first_node;
     if (shape.fixed || shape.weight.empty()) {
-      pose.centroid = shape.centroid + position[0] - reference[0];
+      pose.centroid = shape.moments.centroid + position[0] - reference[0];
       continue;
     }
     for (std::size_t n = 0; n < shape.weight.size(); ++n) pose.centroid += shape.weight[n] * position[n];
     Mat3 covariance = Mat3::Zero();
     for (std::size_t n = 0; n < shape.weight.size(); ++n)
-      covariance += shape.weight[n] * (position[n] - pose.centroid) * (reference[n] - shape.centroid).transpose();
+      covariance += shape.weight[n] * (position[n] - pose.centroid) * (reference[n] - shape.moments.centroid).transpose();
     pose.rotation = rotation_of(covariance);
   }
   return poses;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bodies/body_set.hpp"
+#include "mesh/moments.hpp"
 
 namespace talus {
 
@@ -18,16 +19,14 @@ class PoseFit {
   /// One a block. A block that is built fixed is taken as a whole: it does not turn.
   std::vector<BlockPose> poses(const BodySet& set) const;
   /// Mean of (x − c)(x − c)ᵀ over the block's volume, undeformed [m²]; zero where the block has no tetrahedra.
-  const Mat3& spread(int block) const { return shapes_[static_cast<std::size_t>(block)].spread; }
-  double volume(int block) const { return shapes_[static_cast<std::size_t>(block)].volume; }  ///< m³, of its tetrahedra
+  const Mat3& spread(int block) const { return shapes_[static_cast<std::size_t>(block)].moments.spread; }
+  double volume(int block) const { return shapes_[static_cast<std::size_t>(block)].moments.volume; }  ///< m³, of its tetrahedra
 
  private:
   struct Shape {
     std::vector<double> weight;  ///< a node: its share of the block's volume; none without tetrahedra
-    Vec3 centroid = Vec3::Zero();
+    VolumeMoments moments;
     bool fixed = false;
-    Mat3 spread = Mat3::Zero();
-    double volume = 0;
   };
   static Shape shape_of(const Block& block);
   std::vector<Shape> shapes_;

@@ -1,7 +1,12 @@
 #include "bodies/body_set.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <stdexcept>
+
+#include "bodies/finite_rotation.hpp"
+#include "mesh/moments.hpp"
 
 namespace talus {
 
@@ -9,12 +14,22 @@ namespace {
 
 Body make_body(const Block& block, const Material& material) {
   Body body;
+  body.kind = block.body;
   body.node_count = static_cast<int>(block.mesh.nodes.size());
-  body.built_fixed = body.fixed = block.body == BodyKind::fixed;
+  body.fixed = body.built_fixed();
   body.density = material.density;
   body.young = material.young;
   body.elastic = Elastic::of(material);
   return body;
+}
+
+/// Corners of the tetrahedron of the same mass, centroid and moments of inertia as the block: its consistent mass,
+/// which knows of a body no more than these, is the block's.
+Corners equivalent_tetrahedron(const VolumeMoments& moments) {
+  const Mat3 root = std::sqrt(5.0) * Eigen::SelfAdjointEigenSolver<Mat3>(moments.spread).operatorSqrt();
+  Corners corners{Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, -1, 1), Vec3(-1, 1, -1)};
+  for (Vec3& corner : corners) corner = moments.centroid + root * corner;
+  return corners;
 }
 
 }  // namespace
@@ -25,42 +40,114 @@ BodySet::BodySet(const Project& project, const BlockSystem& system) {
     Body body = make_body(block, project.materials.at(block.material));
     body.first_node = static_cast<int>(nodes.reference.size());
     body.first_tetrahedron = tetrahedra;
-    body.first_element = static_cast<int>(elements.size());
     tetrahedra += static_cast<int>(block.mesh.tetrahedra.size());
     nodes.reference.insert(nodes.reference.end(), block.mesh.nodes.begin(), block.mesh.nodes.end());
-    for (const auto& tetrahedron : block.mesh.tetrahedra) {
-      Element element;
-      Corners corners;
-      for (int i = 0; i < 4; ++i) {
-        element.nodes[i] = body.first_node + tetrahedron[i];
-        corners[i] = nodes.reference[element.nodes[i]];
-      }
-      const double volume = element_shape(corners).volume;
-      if (!(volume > 0)) throw std::invalid_argument("block " + block.name + " has an inverted tetrahedron");
-      body.reference_volume += volume;
-      if (body.fixed) continue;
-      element.body = static_cast<int>(bodies.size());
-      element.mass = body.density * volume;
-      elements.push_back(element);
-    }
-    body.element_count = static_cast<int>(elements.size()) - body.first_element;
+    nodes.body.resize(nodes.reference.size(), static_cast<int>(bodies.size()));
     bodies.push_back(body);
+  }
+  nodes.of_blocks = static_cast<int>(nodes.reference.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Block& block = system.blocks[b];
+    const int index = static_cast<int>(b);
+    bodies[b].first_element = static_cast<int>(elements.size());
+    add_tetrahedra(block, index);
+    if (bodies[b].kind == BodyKind::affine) add_affine(block, index);
+    if (bodies[b].kind == BodyKind::rigid) add_rigid(block, index);
+    bodies[b].element_count = static_cast<int>(elements.size()) - bodies[b].first_element;
   }
   nodes.position = nodes.reference;
   for (auto* vectors : {&nodes.velocity, &nodes.acceleration, &nodes.prescribed})
     vectors->assign(nodes.reference.size(), Vec3::Zero());
-  nodes.freedom.resize(nodes.reference.size());
+  nodes.freedom.assign(nodes.reference.size(), -1);
   number_freedoms();
   stress.assign(elements.size(), Voigt::Zero());
   shapes.resize(elements.size());
   update_shapes();
 }
 
+void BodySet::add_tetrahedra(const Block& block, int index) {
+  Body& body = bodies[index];
+  for (const auto& tetrahedron : block.mesh.tetrahedra) {
+    Element element{};
+    Corners corners;
+    for (int i = 0; i < 4; ++i) {
+      element.nodes[i] = body.first_node + tetrahedron[i];
+      corners[i] = nodes.reference[element.nodes[i]];
+    }
+    const double volume = element_shape(corners).volume;
+    if (!(volume > 0)) throw std::invalid_argument("block " + block.name + " has an inverted tetrahedron");
+    body.reference_volume += volume;
+    element.body = index;
+    element.mass = body.density * volume;
+    if (body.kind == BodyKind::tetrahedra) elements.push_back(element);
+  }
+}
+
+int BodySet::add_carrier(const Vec3& where, int body) {
+  nodes.reference.push_back(where);
+  nodes.body.push_back(body);
+  return static_cast<int>(nodes.reference.size()) - 1;
+}
+
+void BodySet::add_affine(const Block& block, int index) {
+  Body& body = bodies[index];
+  const VolumeMoments moments = volume_moments(block.mesh);
+  const Corners corners = equivalent_tetrahedron(moments);
+  const ElementShape shape = element_shape(corners);
+  Element element{};
+  for (int i = 0; i < 4; ++i) element.nodes[i] = add_carrier(corners[i], index);
+  element.body = index;
+  element.mass = body.density * moments.volume;
+  element.volume_ratio = moments.volume / shape.volume;
+  elements.push_back(element);
+  body.first_carrier = element.nodes[0];
+  body.first_carried = static_cast<int>(carried.size());
+  for (const Vec3& x : block.mesh.nodes) {
+    std::array<double, 4> weights;
+    for (int i = 0; i < 4; ++i) weights[i] = 0.25 + shape.gradient[i].dot(x - moments.centroid);
+    carried.push_back(weights);
+  }
+}
+
+void BodySet::add_rigid(const Block& block, int index) {
+  Body& body = bodies[index];
+  const VolumeMoments moments = volume_moments(block.mesh);
+  RigidBody one;
+  one.body = index;
+  one.centre = add_carrier(moments.centroid, index);
+  one.mass = body.density * moments.volume;
+  one.inertia = one.mass * (moments.spread.trace() * Mat3::Identity() - moments.spread);
+  one.radius =
+      std::sqrt(Eigen::SelfAdjointEigenSolver<Mat3>(one.inertia, Eigen::EigenvaluesOnly).eigenvalues()[2] / one.mass);
+  for (const Vec3& x : block.mesh.nodes) one.reach = std::max(one.reach, (x - moments.centroid).norm());
+  body.rigid = static_cast<int>(rigid.size());
+  rigid.push_back(one);
+}
+
 void BodySet::number_freedoms() {
   nodes.movable = 0;
-  for (const Body& body : bodies)
-    for (int n = body.first_node; n < body.first_node + body.node_count; ++n)
-      nodes.freedom[n] = body.fixed ? -1 : nodes.movable++;
+  nodes.free.clear();
+  moving.clear();
+  turning.clear();
+  const auto let_go = [&](int node) {
+    nodes.freedom[node] = nodes.movable++;
+    nodes.free.push_back(node);
+  };
+  std::fill(nodes.freedom.begin(), nodes.freedom.end(), -1);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Body& body = bodies[b];
+    if (body.rigid >= 0) rigid[body.rigid].rotation_freedom = -1;
+    if (body.fixed) continue;
+    moving.push_back(static_cast<int>(b));
+    if (body.kind == BodyKind::tetrahedra)
+      for (int n = body.first_node; n < body.first_node + body.node_count; ++n) let_go(n);
+    if (body.kind == BodyKind::affine)
+      for (int c = 0; c < 4; ++c) let_go(body.first_carrier + c);
+    if (body.kind != BodyKind::rigid) continue;
+    let_go(rigid[body.rigid].centre);
+    rigid[body.rigid].rotation_freedom = nodes.movable++;
+    turning.push_back(body.rigid);
+  }
   for (Element& element : elements)
     for (int i = 0; i < 4; ++i) element.freedoms[i] = nodes.freedom[element.nodes[i]];
 }
@@ -75,12 +162,13 @@ void BodySet::hold(const std::vector<bool>& held) {
   shapes.clear();
   stress.clear();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    Body& body = bodies[b];
-    body.fixed = body.built_fixed || held[b];
-    body.element_count = 0;
-    for (int n = body.first_node; body.fixed && n < body.first_node + body.node_count; ++n)
-      nodes.velocity[n] = nodes.acceleration[n] = Vec3::Zero();
+    bodies[b].fixed = bodies[b].built_fixed() || held[b];
+    bodies[b].element_count = 0;
   }
+  for (std::size_t n = 0; n < nodes.velocity.size(); ++n)
+    if (bodies[nodes.body[n]].fixed) nodes.velocity[n] = nodes.acceleration[n] = Vec3::Zero();
+  for (RigidBody& one : rigid)
+    if (bodies[one.body].fixed) one.angular_momentum = one.moment = Vec3::Zero();
   for (const HeldElement& one : all) {
     Body& body = bodies[one.element.body];
     if (body.fixed) {
@@ -102,24 +190,147 @@ std::vector<Voigt> BodySet::stress_of_held(int index) const {
   return kept;
 }
 
+ElementShape BodySet::shape_of(const Element& element) const {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners[i] = nodes.position[element.nodes[i]];
+  ElementShape shape = element_shape(corners);
+  shape.volume *= element.volume_ratio;
+  return shape;
+}
+
 void BodySet::update_shapes() {
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    Corners corners;
-    for (int i = 0; i < 4; ++i) corners[i] = nodes.position[elements[e].nodes[i]];
-    shapes[e] = element_shape(corners);
-  }
+  for (std::size_t e = 0; e < elements.size(); ++e) shapes[e] = shape_of(elements[e]);
 }
 
 void BodySet::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
   for (const Element& element : elements)
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < a; ++b) couplings.emplace_back(element.freedoms[a], element.freedoms[b]);
+  for (const int r : turning) couplings.emplace_back(nodes.freedom[rigid[r].centre], rigid[r].rotation_freedom);
 }
 
 Corners BodySet::corner_increments(const Element& element, const Increment& d) const {
   Corners corners;
   for (int i = 0; i < 4; ++i) corners[i] = d.segment<3>(3 * element.freedoms[i]);
   return corners;
+}
+
+Vec3 BodySet::node_increment(int node, const Increment& d) const {
+  if (const int freedom = nodes.freedom[node]; freedom >= 0) return d.segment<3>(3 * freedom);
+  const Body& body = bodies[nodes.body[node]];
+  if (body.fixed) return nodes.prescribed[node];
+  if (body.kind == BodyKind::affine) {
+    Vec3 sum = Vec3::Zero();
+    for (int c = 0; c < 4; ++c)
+      sum += carried[node - body.first_node + body.first_carried][c] *
+             d.segment<3>(3 * nodes.freedom[body.first_carrier + c]);
+    return sum;
+  }
+  const RigidBody& one = rigid[body.rigid];
+  return Vec3(d.segment<3>(3 * nodes.freedom[one.centre])) +
+         turn_of(one.theta(d), nodes.position[node] - nodes.position[one.centre]);
+}
+
+void BodySet::freedoms_of(int node, std::vector<int>& freedoms) const {
+  freedoms.clear();
+  const Body& body = bodies[nodes.body[node]];
+  if (body.fixed) return;
+  if (body.kind == BodyKind::tetrahedra) freedoms.push_back(nodes.freedom[node]);
+  if (body.kind == BodyKind::affine)
+    for (int c = 0; c < 4; ++c) freedoms.push_back(nodes.freedom[body.first_carrier + c]);
+  if (body.kind != BodyKind::rigid) return;
+  freedoms.push_back(nodes.freedom[rigid[body.rigid].centre]);
+  freedoms.push_back(rigid[body.rigid].rotation_freedom);
+}
+
+void BodySet::advance(const Increment& from, const Eigen::VectorXd& change, Increment& to) const {
+  to = from + change;
+  for (const int r : turning) {
+    const int first = 3 * rigid[r].rotation_freedom;
+    const double radius = rigid[r].radius;
+    to.segment<3>(first) = radius * composed(change.segment<3>(first) / radius, from.segment<3>(first) / radius);
+  }
+}
+
+void BodySet::carry_positions(Body& body) {
+  double square = 0;
+  for (int n = 0; n < body.node_count; ++n) {
+    Vec3 x = Vec3::Zero();
+    if (body.kind == BodyKind::affine) {
+      for (int c = 0; c < 4; ++c) x += carried[body.first_carried + n][c] * nodes.position[body.first_carrier + c];
+    } else {
+      const RigidBody& one = rigid[body.rigid];
+      const Vec3 arm = nodes.reference[body.first_node + n] - nodes.reference[one.centre];
+      x = nodes.position[one.centre] + one.rotation * arm;
+    }
+    Vec3& before = nodes.position[body.first_node + n];
+    square = std::max(square, (x - before).squaredNorm());
+    before = x;
+  }
+  body.way = std::sqrt(square);
+}
+
+void BodySet::move(const Increment& d) {
+  for (const int b : driven) {
+    Body& body = bodies[b];
+    for (int n = body.first_node; n < body.first_node + body.node_count; ++n) nodes.position[n] += nodes.prescribed[n];
+    body.way = nodes.prescribed[body.first_node].norm();
+  }
+  for (const int b : moving) bodies[b].way = 0;
+  for (const int n : nodes.free) {
+    const Vec3 step = d.segment<3>(3 * nodes.freedom[n]);
+    Body& body = bodies[nodes.body[n]];
+    nodes.position[n] += step;
+    body.way = std::max(body.way, step.norm());
+  }
+  for (const int r : turning) {
+    RigidBody& one = rigid[r];
+    const Mat3 turn = rotation_by(one.theta(d));
+    one.rotation = Eigen::Quaterniond(turn * one.rotation).normalized().toRotationMatrix();
+  }
+  for (const int b : moving)
+    if (bodies[b].one_piece()) carry_positions(bodies[b]);
+}
+
+void BodySet::carry_velocities() {
+  for (const int b : moving) {
+    const Body& body = bodies[b];
+    if (!body.one_piece()) continue;
+    const RigidBody* one = body.kind == BodyKind::rigid ? &rigid[body.rigid] : nullptr;
+    const Vec3 spin = one ? one->spin() : Vec3::Zero();
+    for (int n = 0; n < body.node_count; ++n) {
+      Vec3& v = nodes.velocity[body.first_node + n];
+      v.setZero();
+      if (one)
+        v = nodes.velocity[one->centre] +
+            spin.cross(nodes.position[body.first_node + n] - nodes.position[one->centre]);
+      else
+        for (int c = 0; c < 4; ++c) v += carried[body.first_carried + n][c] * nodes.velocity[body.first_carrier + c];
+    }
+  }
+}
+
+Vec3 BodySet::place_of(int freedom) const {
+  for (const int r : turning)
+    if (rigid[r].rotation_freedom == freedom) return nodes.position[rigid[r].centre];
+  for (const int n : nodes.free)
+    if (nodes.freedom[n] == freedom) return nodes.position[n];
+  return Vec3::Zero();
+}
+
+void BodySet::give_accelerations(const Eigen::VectorXd& accelerations) {
+  for (const int n : nodes.free) nodes.acceleration[n] = accelerations.segment<3>(3 * nodes.freedom[n]);
+  for (const int r : turning) rigid[r].moment = rigid[r].inertia_now() * rigid[r].theta(accelerations);
+}
+
+double BodySet::top_speed() const {
+  double square = 0;
+  for (const int n : nodes.free) square = std::max(square, nodes.velocity[n].squaredNorm());
+  for (const int b : driven) square = std::max(square, nodes.velocity[bodies[b].first_node].squaredNorm());
+  double speed = std::sqrt(square);
+  for (const int r : turning)
+    speed = std::max(speed, nodes.velocity[rigid[r].centre].norm() + rigid[r].reach * rigid[r].spin().norm());
+  return speed;
 }
 
 }  // namespace talus

@@ -1,57 +1,77 @@
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "bodies/rigid_body.hpp"
 #include "bodies/strain.hpp"
 #include "mesh/block.hpp"
 
 namespace talus {
 
-/// All nodes of all blocks, in BlockSystem's order. A node of a fixed block has no freedom (−1).
+/// All nodes of all blocks, in BlockSystem's order, and behind them the nodes that carry affine and rigid bodies: four
+/// corners of the one, the centroid of the other. Nodes of those blocks follow their carriers and have no freedom (−1)
+/// of their own; nor has a node of a body that is fixed.
 struct NodeSet {
   std::vector<Vec3> reference;     ///< m, at the start of the run
   std::vector<Vec3> position;      ///< m, at the start of the step
   std::vector<Vec3> velocity;      ///< m/s, at the start of the step
-  std::vector<Vec3> acceleration;  ///< m/s², at the start of the step
-  std::vector<Vec3> prescribed;    ///< m, increment in this step of a node without freedom; zero for all others
-  std::vector<int> freedom;        ///< number among the movable nodes; its unknowns are 3·freedom … 3·freedom+2
-  int movable = 0;
-  bool any_prescribed = false;  ///< some node without freedom moves in this step
+  std::vector<Vec3> acceleration;  ///< m/s², at the start of the step; of nodes that have a freedom
+  std::vector<Vec3> prescribed;    ///< m, increment in this step of a node of a fixed body; zero for all others
+  std::vector<int> freedom;        ///< number among the freedoms; its unknowns are 3·freedom … 3·freedom+2
+  std::vector<int> body;           ///< that it belongs to
+  std::vector<int> free;           ///< nodes that have a freedom, in the order of their freedoms
+  int of_blocks = 0;               ///< the first so many are nodes of blocks
+  int movable = 0;                 ///< freedoms, each of three unknowns: those of nodes and the rotations of rigid bodies
+  bool any_prescribed = false;     ///< some node of a fixed body moves in this step
 };
 
-/// A four-node tetrahedron of a movable block.
+/// A four-node tetrahedron of a movable block; or all of an affine block, as the tetrahedron of its carriers, which is
+/// made such that its consistent mass is the block's.
 struct Element {
   std::array<int, 4> nodes;  ///< into NodeSet
   std::array<int, 4> freedoms;
   int body = 0;
-  double mass = 0;  ///< kg, constant whatever the strain does
+  double mass = 0;          ///< kg, constant whatever the strain does
+  double volume_ratio = 1;  ///< volume that it stands for, over its own
 };
 
 /// A block as the solver moves it.
 struct Body {
+  BodyKind kind = BodyKind::tetrahedra;  ///< as it was built
   int first_node = 0, node_count = 0;
-  int first_element = 0, element_count = 0;  ///< into BodySet::elements; none while fixed
+  int first_element = 0, element_count = 0;  ///< into BodySet::elements; none while fixed, none if rigid
   int first_tetrahedron = 0;                 ///< into a frame's stress
-  bool built_fixed = false;                  ///< never moves by itself
-  bool fixed = false;                        ///< now: built so, or held by a stage
+  int first_carrier = -1, first_carried = 0; ///< of an affine body, into NodeSet and BodySet::carried
+  int rigid = -1;                            ///< of a rigid body, into BodySet::rigid
+  bool fixed = false;                        ///< now: built so, or held
   double density = 0;                        ///< kg/m³
   double young = 0;                          ///< Pa
   Elastic elastic;
   double reference_volume = 0;  ///< m³, of the mesh
+  double way = 0;               ///< m, of the node that went furthest when the body moved last
+
+  bool built_fixed() const { return kind == BodyKind::fixed; }
+  bool one_piece() const { return kind == BodyKind::rigid || kind == BodyKind::affine; }
 };
 
-/// Displacement increments of a step [m]: 3 numbers a movable node.
+/// Increments of a step [m]: 3 numbers a freedom.
 using Increment = Eigen::VectorXd;
 
 /// All blocks with their nodes, elements and stresses: what moves. Elements run through the bodies that may move now.
 struct BodySet {
   NodeSet nodes;
   std::vector<Body> bodies;
+  std::vector<int> moving;  ///< bodies that are not fixed now
+  std::vector<int> driven;  ///< fixed bodies that are moved by prescription in this stage
   std::vector<Element> elements;
   std::vector<ElementShape>
       shapes;                 ///< an element: before the run, or at the start of the step if update_shapes says so
   std::vector<Voigt> stress;  ///< Pa, an element: what the paper's incremental strain has summed up
+  std::vector<RigidBody> rigid;
+  std::vector<int> turning;                    ///< rigid bodies that are not fixed now
+  std::vector<std::array<double, 4>> carried;  ///< a node of an affine body: weights of its four carriers
 
   BodySet(const Project& project, const BlockSystem& system);
 
@@ -60,13 +80,28 @@ struct BodySet {
   void update_shapes();
   /// Holds or lets go bodies that were built to move, one flag a body; held ones stand still and keep their stress.
   void hold(const std::vector<bool>& held);
-  /// Adds the pairs of movable nodes that an element joins.
+  /// Adds the pairs of freedoms that the mass and the stiffness of a body join.
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const;
   Corners corner_increments(const Element& element, const Increment& d) const;
-  Vec3 node_increment(int node, const Increment& d) const {
-    const int freedom = nodes.freedom[node];
-    return freedom < 0 ? nodes.prescribed[node] : Vec3(d.segment<3>(3 * freedom));
-  }
+  Vec3 node_increment(int node, const Increment& d) const;
+  /// Freedoms that move a node: its own, or those of its affine or rigid body; none where it is fixed.
+  void freedoms_of(int node, std::vector<int>& freedoms) const;
+
+  /// `to` = the increment that lies `change` beyond `from`. Unknowns add up, but for rotations, which follow one
+  /// another: a change of a rotation turns the body on from where it stands.
+  void advance(const Increment& from, const Eigen::VectorXd& change, Increment& to) const;
+  /// The step is taken: positions and rotations move on by `d`, and the nodes of affine and rigid bodies follow. Each
+  /// body notes its way.
+  void move(const Increment& d);
+  /// Velocities of the nodes of affine and rigid bodies from those of their carriers and their angular momentum.
+  void carry_velocities();
+  /// Where a freedom is: its node, or the centroid that it turns about [m].
+  Vec3 place_of(int freedom) const;
+  /// Takes over accelerations [m/s²] of all freedoms.
+  void give_accelerations(const Eigen::VectorXd& accelerations);
+  /// No node moves faster than this [m/s].
+  double top_speed() const;
+
   /// Stress of the tetrahedra of a body that is held, in their order [Pa]; none where it was built fixed.
   std::vector<Voigt> stress_of_held(int body) const;
 
@@ -76,8 +111,14 @@ struct BodySet {
     ElementShape shape;
     Voigt stress;
   };
+  void add_tetrahedra(const Block& block, int index);
+  void add_affine(const Block& block, int index);
+  void add_rigid(const Block& block, int index);
+  int add_carrier(const Vec3& where, int body);
   void number_freedoms();
-  std::vector<HeldElement> held_;  ///< of bodies that a stage holds, in their order
+  void carry_positions(Body& body);
+  ElementShape shape_of(const Element& element) const;
+  std::vector<HeldElement> held_;  ///< of bodies that are held, in their order
 };
 
 }  // namespace talus

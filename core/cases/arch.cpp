@@ -70,6 +70,7 @@ std::vector<KnownCase> arch_cases() {
   return {{.name = "arch",
            .title = "Semicircular arch of 27 voussoirs under its own weight",
            .source = "thrust line within the joints; Milankovitch 1907",
+           .of_any_body = true,
            .run = thickness}};
 }
 

@@ -57,7 +57,7 @@ std::vector<Moment> record(const CaseScene& scene, const CaseOptions& options, P
                            const std::function<bool(const Moment&)>& go_on) {
   const double s = options.scale, root = std::sqrt(s);
   std::vector<Moment> moments;
-  run_scene(scaled(scene, s), progress, [&](const Simulation& simulation, const StepReport& report) {
+  run_scene(as_asked(scene, options), progress, [&](const Simulation& simulation, const StepReport& report) {
     Moment moment{simulation.time() / root, report.stage, {}};
     for (std::size_t b = 0; b < scene.system.blocks.size(); ++b) {
       BlockMotion block = block_motion(simulation.bodies(), static_cast<int>(b));

@@ -103,6 +103,7 @@ std::vector<KnownCase> column_row_cases() {
   return {{.name = "goodman_bray",
            .title = "16 columns topple over each other",
            .source = "limit equilibrium of Goodman & Bray 1976",
+           .of_any_body = true,
            .run = limit}};
 }
 

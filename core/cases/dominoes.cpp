@@ -145,6 +145,7 @@ std::vector<KnownCase> domino_cases() {
            .title = "Dominoes without friction and without rebound",
            .source = "van Leeuwen 2010; a row that leans on itself, integrated",
            .takes_long = true,
+           .of_any_body = true,
            .run = fall}};
 }
 

@@ -49,6 +49,11 @@ Vec3 angular_momentum(const BodySet& bodies) {
     }
     sum += element.mass / 20 * place.cross(velocity);
   }
+  for (const int r : bodies.turning) {
+    const RigidBody& body = bodies.rigid[r];
+    sum += body.angular_momentum +
+           body.mass * bodies.nodes.position[body.centre].cross(bodies.nodes.velocity[body.centre]);
+  }
   return sum;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "model/project.hpp"
 
 /// Cases with a known answer: what a user may hold the solver to (METHOD §7).
 namespace talus {
@@ -13,6 +14,7 @@ struct CaseOptions {
   double scale = 1;       ///< of all lengths; times go with its square root, stresses and moduli with itself
   int threads = 1;        ///< at most
   bool thorough = false;  ///< every row and angle of a case that is thinned otherwise
+  BodyKind body = BodyKind::tetrahedra;  ///< of the blocks that are meshed with tetrahedra otherwise
 };
 
 /// One computed number held against a known one. All three numbers belong to the scale that was asked for: a case
@@ -54,6 +56,7 @@ struct KnownCase {
   std::string source;  ///< of the expected numbers
   bool takes_long = false;
   bool scales = true;  ///< the answer is the same, in relative terms, at any scale
+  bool of_any_body = false;  ///< rigid and affine blocks must come to the same answer: it asks for no strain
   std::function<CaseOutcome(const CaseOptions&, Progress&)> run;
 };
 

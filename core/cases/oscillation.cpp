@@ -159,14 +159,17 @@ std::vector<KnownCase> oscillation_cases() {
   return {{.name = "shaken_base",
            .title = "A block on a flat base shaken at 3 m/s² and 1 Hz, μ = 0.2",
            .source = "v = (A/ω)(cos ωt₁ − cos ωt) − μg(t − t₁)",
+           .of_any_body = true,
            .run = shaken_flat},
           {.name = "newmark_block",
            .title = "A block on a shaken incline of 20°, φ = 30°",
            .source = "Newmark 1965, with the base's acceleration horizontal",
+           .of_any_body = true,
            .run = newmark},
           {.name = "oscillating_force",
            .title = "A block on dry friction under a force of 8 cos t N",
            .source = "Potra, Anitescu, Gavrea & Trinkle 2006; rigid mass, integrated",
+           .of_any_body = true,
            .run = oscillating_force}};
 }
 

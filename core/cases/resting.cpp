@@ -135,11 +135,13 @@ std::vector<KnownCase> resting_cases() {
   return {{.name = "slope_32_blocks",
            .title = "32 blocks on a slope of 26.5°, φ = 30°: nothing moves",
            .source = "Coulomb: α < φ",
+           .of_any_body = true,
            .run = slope},
-          {.name = "overhanging_bricks", .title = "Bricks overhang a table", .source = "(L/2) Σ 1/i", .run = overhang},
+          {.name = "overhanging_bricks", .title = "Bricks overhang a table", .source = "(L/2) Σ 1/i", .of_any_body = true, .run = overhang},
           {.name = "leaning_cards",
            .title = "Two cards lean against each other",
            .source = "moments about the foot; ½ tan θ for thin cards",
+           .of_any_body = true,
            .run = cards}};
 }
 

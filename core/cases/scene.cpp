@@ -115,6 +115,12 @@ CaseScene scaled(CaseScene scene, double s) {
   return scene;
 }
 
+CaseScene as_asked(CaseScene scene, const CaseOptions& options) {
+  for (Block& block : scene.system.blocks)
+    if (block.body == BodyKind::tetrahedra) block.body = options.body;
+  return scaled(std::move(scene), options.scale);
+}
+
 namespace {
 
 /// Follows the ledger of a run.

@@ -30,6 +30,9 @@ struct CaseScene {
 /// stiffnesses [Pa/m] stay. What the project expects of a run goes along.
 CaseScene scaled(CaseScene scene, double s);
 
+/// At the scale and with the bodies that a case was asked to run with.
+CaseScene as_asked(CaseScene scene, const CaseOptions& options);
+
 /// Runs all stages; `after_step` may return false to end the run. Every case holds the energy ledger to close: throws
 /// std::runtime_error where its remainder exceeds 1e-8 of the energy that moved, or where the solver does not converge;
 /// Cancelled when `progress` says so.

@@ -139,10 +139,12 @@ std::vector<KnownCase> slide_or_topple_cases() {
   return {{.name = "toppling_chart",
            .title = "Columns slide, topple or both as the chart says",
            .source = "Ashby 1971, Sagaseta 1986",
+           .of_any_body = true,
            .run = chart},
           {.name = "toppling_examples",
            .title = "Three columns of Wyllie and Mah on 40°",
            .source = "Wyllie & Mah 2004, figure 1.10; 3DEC verification problem 'Sliding and toppling blocks'",
+           .of_any_body = true,
            .run = examples}};
 }
 

@@ -131,14 +131,17 @@ std::vector<KnownCase> sliding_cases() {
   return {{.name = "block_slides",
            .title = "A block slides down an incline",
            .source = "a = g (sin α − tan φ cos α); 3DEC verification problem 'Sliding block'",
+           .of_any_body = true,
            .run = slides},
           {.name = "block_sticks",
            .title = "A block below its friction angle stays, alone and in company",
            .source = "Coulomb: α < φ",
+           .of_any_body = true,
            .run = sticks},
           {.name = "block_stops",
            .title = "A block at 5 m/s stops on a plane, μ = 0.5",
            .source = "v²/(2 μ g)",
+           .of_any_body = true,
            .run = stops}};
 }
 

@@ -17,7 +17,7 @@ struct Slide {
 };
 
 Slide slide(const WedgeTest& test, const CaseOptions& options, Progress& progress) {
-  const CaseScene scene = scaled(wedge_test_scene(test, plaster_friction_angle, 1, duration), options.scale);
+  const CaseScene scene = as_asked(wedge_test_scene(test, plaster_friction_angle, 1, duration), options);
   const Vec3 direction = test.equilibrium().direction;
   const double weight = plaster().density * scene.system.blocks[1].volume * scene.project.gravity.norm();
 

@@ -41,11 +41,11 @@ struct Bounce {
   double energy_loss = 0;     ///< integration loss over the highest kinetic energy
 };
 
-Bounce bounce(const CaseScene& scene, double scale, Progress& progress) {
-  const double root = std::sqrt(scale);
+Bounce bounce(const CaseScene& scene, const CaseOptions& options, Progress& progress) {
+  const double scale = options.scale, root = std::sqrt(scale);
   Bounce result;
   double last_force = 0, last_time = 0, kinetic = 0;
-  run_scene(scaled(scene, scale), progress, [&](const Simulation& simulation, const StepReport& report) {
+  run_scene(as_asked(scene, options), progress, [&](const Simulation& simulation, const StepReport& report) {
     const double force = normal_force(simulation) / (scale * scale * scale), time = simulation.time() / root;
     // The force grows and falls linearly at both ends: its zero lies on the line through two samples.
     const double zero = last_time - last_force * (time - last_time) / (force - last_force);
@@ -75,7 +75,7 @@ CaseOutcome elastic_impact(const CaseOptions& options, Progress& progress) {
     CaseScene scene = cube_on_spring(drop, integrator);
     scene.project.stages.push_back(motion(1e-3, 0.45));
     scene.project.stages.push_back(motion(step, 0.015));
-    const Bounce found = bounce(scene, options.scale, progress);
+    const Bounce found = bounce(scene, options, progress);
     const std::string with = ", " + std::string(to_string(integrator));
     const bool paper = integrator == Integrator::constant_acceleration;
     outcome.findings.push_back({.quantity = "time in contact" + with,
@@ -121,7 +121,7 @@ CaseOutcome block_on_springs(const CaseOptions& options, Progress& progress) {
   const double scale = options.scale, root = std::sqrt(scale);
   double rest = 0, first = 0, last = 0, last_depth = 0, last_time = 0;
   int passages = 0;
-  run_scene(scaled(scene, scale), progress, [&](const Simulation& simulation, const StepReport&) {
+  run_scene(as_asked(scene, options), progress, [&](const Simulation& simulation, const StepReport&) {
     const HistoryRow row = simulation.history();
     const double depth = -row.monitors[0].displacement.z() / scale / settled, time = row.time / root;
     if (row.stage == 0) {
@@ -151,10 +151,12 @@ std::vector<KnownCase> spring_cases() {
   return {{.name = "elastic_impact",
            .title = "A block of 1 t falls 1 m on a joint of 1e8 N/m",
            .source = "oscillator with weight: (π + 2 atan(g/v₀ω))/ω, mg + √((mg)² + kmv₀²)",
+           .of_any_body = true,
            .run = elastic_impact},
           {.name = "block_on_springs",
            .title = "A block settles and swings on its joint",
            .source = "u = mg/(kA), f = √(kA/m)/2π",
+           .of_any_body = true,
            .run = block_on_springs}};
 }
 

@@ -22,7 +22,7 @@ CaseScene wedge_test_scene(const WedgeTest& test, double friction_angle, int ref
 
 WedgeMotion run_wedge_test(const WedgeTest& test, double friction_angle, int refinements, const CaseOptions& options,
                            Progress& progress) {
-  const CaseScene scene = scaled(wedge_test_scene(test, friction_angle, refinements, longest), options.scale);
+  const CaseScene scene = as_asked(wedge_test_scene(test, friction_angle, refinements, longest), options);
   WedgeWatch watch(scene, turned(test.shape().planes(), test.turn()), test.shape().length() * options.scale);
   run_scene(scene, progress, [&](const Simulation& simulation, const StepReport&) { return watch.look(simulation); });
   return watch.motion();

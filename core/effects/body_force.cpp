@@ -6,12 +6,16 @@ double BodyForce::energy(const Increment& d) const {
   double sum = 0;
   for (const Element& element : set_.elements)
     for (const int freedom : element.freedoms) sum -= element.mass / 4 * gravity_.dot(d.segment<3>(3 * freedom));
+  for (const int r : set_.turning)
+    sum -= set_.rigid[r].mass * gravity_.dot(d.segment<3>(3 * set_.nodes.freedom[set_.rigid[r].centre]));
   return sum;
 }
 
 void BodyForce::add_gradient(const Increment&, Eigen::VectorXd& sum) const {
   for (const Element& element : set_.elements)
     for (const int freedom : element.freedoms) sum.segment<3>(3 * freedom) -= element.mass / 4 * gravity_;
+  for (const int r : set_.turning)
+    sum.segment<3>(3 * set_.nodes.freedom[set_.rigid[r].centre]) -= set_.rigid[r].mass * gravity_;
 }
 
 double BodyForce::stored_energy() const {
@@ -19,6 +23,10 @@ double BodyForce::stored_energy() const {
   for (const Element& element : set_.elements)
     for (const int node : element.nodes)
       sum -= element.mass / 4 * gravity_.dot(set_.nodes.position[node] - set_.nodes.reference[node]);
+  for (const int r : set_.turning) {
+    const int centre = set_.rigid[r].centre;
+    sum -= set_.rigid[r].mass * gravity_.dot(set_.nodes.position[centre] - set_.nodes.reference[centre]);
+  }
   return sum;
 }
 

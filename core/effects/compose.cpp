@@ -26,6 +26,8 @@ std::string count(std::size_t n, const std::string& one, const std::string& many
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
+bool deforms(const Block& block) { return block.body == BodyKind::affine || block.body == BodyKind::tetrahedra; }
+
 double block_size(const Block& block) { return std::cbrt(block.volume); }
 
 const Block& block_named(const BlockSystem& system, const std::string& name) {
@@ -99,6 +101,7 @@ std::vector<double> damping_rates(const Project& project, const BlockSystem& sys
 std::vector<EffectStatus> called_effects(const Project& project, const BlockSystem& system) {
   const auto movable = static_cast<std::size_t>(std::count_if(
       system.blocks.begin(), system.blocks.end(), [](const Block& b) { return b.body != BodyKind::fixed; }));
+  const auto deformable = static_cast<std::size_t>(std::count_if(system.blocks.begin(), system.blocks.end(), deforms));
   const bool touching = movable > 0 && system.blocks.size() > 1;
   const bool corotational = project.solver.strain == Strain::corotational;
   std::vector<EffectStatus> list;
@@ -109,10 +112,11 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
   const auto bonds = [](const Joint& j) { return j.cohesion > 0 || j.tensile_strength > 0; };
   const std::string frame = corotational ? ", measured in the rotated frame" : ", summed up step by step";
   const std::string still = "every block is fixed";
-  add("elasticity", movable > 0, count(movable, "block deforms", "blocks deform") + frame, still);
-  add("initial stress", movable > 0 && (!corotational || !project.in_situ.empty()),
+  const std::string stiff = movable == 0 ? still : "every block that moves is rigid";
+  add("elasticity", deformable > 0, count(deformable, "block deforms", "blocks deform") + frame, stiff);
+  add("initial stress", deformable > 0 && (!corotational || !project.in_situ.empty()),
       corotational ? "stress in situ" : "stress is carried from step to step",
-      movable == 0 ? still : "no stress in situ; corotational strain carries none from step to step");
+      deformable == 0 ? stiff : "no stress in situ; corotational strain carries none from step to step");
   const bool any_static = std::any_of(project.stages.begin(), project.stages.end(),
                                       [](const Stage& s) { return s.kind == StageKind::static_; });
   add("inertia", movable > 0,
@@ -135,8 +139,9 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
 }
 
 Composition compose(const Project& project, const BlockSystem& system, int stage, BodySet& set,
-                    const ContactSet& contacts) {
+                    const ContactLinks& links) {
   Composition composition;
+  composition.bodies = &set;
   auto& effects = composition.effects;
   const auto add = [&](auto effect) {
     auto* kept = effect.get();
@@ -158,8 +163,11 @@ Composition compose(const Project& project, const BlockSystem& system, int stage
     if (status.name == "point load" && !now.loads.empty())
       add(std::make_unique<PointLoads>(set, loaded_points(now, system, place_of_loads(project, stage))));
     if (status.name == "body force") add(std::make_unique<BodyForce>(set, project.gravity));
-    if (status.name == "normal contact") composition.normal = add(std::make_unique<NormalContact>(set, contacts));
-    if (status.name == "shear contact") composition.shear = add(std::make_unique<ShearContact>(set, contacts));
+    if (status.name == "normal contact")
+      composition.normal.push_back(add(std::make_unique<NormalContact>(links, NormalContact::Points::loose)));
+    if (status.name == "cohesion and tension")
+      composition.normal.push_back(add(std::make_unique<NormalContact>(links, NormalContact::Points::bonded)));
+    if (status.name == "shear contact") composition.shear = add(std::make_unique<ShearContact>(links));
     const std::vector<double> rates = damping_rates(project, system, project.stages[stage]);
     if (status.name == "damping" && *std::max_element(rates.begin(), rates.end()) > 0)
       add(std::make_unique<Damping>(set, rates));

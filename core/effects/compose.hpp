@@ -23,13 +23,14 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
 /// The effects of a stage. What is not called for is not here.
 struct Composition {
   std::vector<std::unique_ptr<Effect>> effects;
-  Inertia* inertia = nullptr;       ///< among effects; null where every block is fixed
-  NormalContact* normal = nullptr;  ///< among effects; null where nothing can touch
-  ShearContact* shear = nullptr;    ///< among effects; null where no joint resists shear
+  const BodySet* bodies = nullptr;     ///< whose unknowns they move
+  Inertia* inertia = nullptr;          ///< among effects; null where every block is fixed
+  std::vector<NormalContact*> normal;  ///< among effects; empty where nothing can touch
+  ShearContact* shear = nullptr;       ///< among effects; null where no joint resists shear
 };
 
-/// `set` and `contacts` outlive the composition. Throws InputError for a load or a constraint outside its block.
+/// `set` and `links` outlive the composition. Throws InputError for a load or a constraint outside its block.
 Composition compose(const Project& project, const BlockSystem& system, int stage, BodySet& set,
-                    const ContactSet& contacts);
+                    const ContactLinks& links);
 
 }  // namespace talus

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "bodies/deformation.hpp"
+#include "bodies/finite_rotation.hpp"
 #include "bodies/polar.hpp"
 
 namespace talus {
@@ -18,12 +19,6 @@ constexpr int grain = 64;  ///< elements, some 20 µs of work
 Mat3 piola_stress(const Elastic& elastic, const Mat3& f, const Mat3& r) {
   const double trace = (r.transpose() * f).trace() - 3;
   return 2 * elastic.mu * (f - r) + elastic.lambda * trace * r;
-}
-
-Mat3 cross_matrix(const Vec3& v) {
-  Mat3 m;
-  m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-  return m;
 }
 
 /// What the exact Hessian has beyond that of linear elasticity in the rotated frame, as a form in the axial vector

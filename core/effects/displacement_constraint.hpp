@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "bodies/block_motion.hpp"
+#include "effects/attachments.hpp"
 #include "effects/effect.hpp"
 
 namespace talus {
@@ -20,20 +21,24 @@ struct HeldPoint {
 /// with u_c what is still missing at the start of the step, so that a held point does not drift from step to step.
 class DisplacementConstraints final : public Effect {
  public:
-  DisplacementConstraints(const BodySet& set, std::vector<HeldPoint> points) : set_(set), points_(std::move(points)) {}
+  DisplacementConstraints(const BodySet& set, std::vector<HeldPoint> points)
+      : set_(set), points_(std::move(points)), moves_(set) {}
   std::string_view name() const override { return "displacement constraint"; }
   EnergyAccount account() const override { return EnergyAccount::constraint; }
-  bool constant() const override { return true; }
+  bool quadratic() const override { return !moves_.any_turns(); }
+  bool constant() const override { return !moves_.any_turns(); }
   void begin_step(const StepContext& step) override;
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
 
  private:
   /// u − u_c at the end of the step [m]; zero in free components.
-  Vec3 excess(const HeldPoint& held, const Increment& d) const;
+  Vec3 excess(int point, const Increment& d) const;
   const BodySet& set_;
   std::vector<HeldPoint> points_;
+  Attachments moves_;  ///< a point
 };
 
 }  // namespace talus

@@ -9,16 +9,19 @@ namespace talus {
 ///   a₁ = (D − Δ V₀ − (½ − β) Δ² a₀) / (βΔ²)
 /// whose gradient is M[(1 − α_m) a₁ + α_m a₀]; with β = ½, α_m = 0 it is the paper's (18), M(2/Δ² D − 2/Δ V₀). V₀ and
 /// a₀ are taken times the stage's dynamic factor. `accept` moves velocity and acceleration; in a static stage to zero.
+/// Rigid bodies: effects/rigid_inertia; their turning has no potential, and `energy` is without them.
 class Inertia final : public Effect {
  public:
   explicit Inertia(BodySet& set) : set_(set) {}
   std::string_view name() const override { return "inertia"; }
   EnergyAccount account() const override { return EnergyAccount::kinetic; }
-  bool constant() const override { return true; }
+  bool constant() const override { return set_.turning.empty(); }
   void begin_step(const StepContext& step) override { step_ = step; }
+  void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
   double stored_energy() const override { return kinetic_energy(set_); }
 
@@ -30,9 +33,6 @@ class Inertia final : public Effect {
   static double kinetic_energy(const BodySet& set);
 
  private:
-  /// a₁ of a node [m/s²].
-  Vec3 acceleration(int node, const Increment& d) const;
-  Vec3 start_acceleration(int node) const { return step_.dynamic_factor * set_.nodes.acceleration[node]; }
   BodySet& set_;
   StepContext step_;
 };

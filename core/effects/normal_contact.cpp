@@ -2,14 +2,11 @@
 
 namespace talus {
 
-double NormalContact::gap(const ContactPoint& point, const Increment& d) const {
-  return point.gap + point.normal.dot(relative_displacement(contacts_, point, set_, d));
-}
-
 double NormalContact::energy(const Increment& d) const {
   double sum = 0;
-  for (const ContactPoint& point : contacts_.points) {
-    const double g = gap(point, d), force = normal_force(point, g), k = point.normal_stiffness;
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    const double g = links_.gap(i, d), force = normal_force(point, g), k = point.normal_stiffness;
     sum += resists_elastically(point, g) ? force * force / (2 * k)
                                          : -force * g - force * force / (2 * k) + force * point.multiplier / k;
   }
@@ -17,31 +14,48 @@ double NormalContact::energy(const Increment& d) const {
 }
 
 void NormalContact::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
-  for (const ContactPoint& point : contacts_.points) {
-    const double force = normal_force(point, gap(point, d));
-    if (force != 0) subtract_contact_force(contacts_, point, set_, force * point.normal, sum);
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    const double force = normal_force(point, links_.gap(i, d));
+    if (force != 0) links_.moves().add_force(i, d, -force * point.normal, sum);
   }
 }
 
 void NormalContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  for (const ContactPoint& point : contacts_.points)
-    if (resists_elastically(point, gap(point, d)) || touches(point, gap(point, d), touching_))
-      add_contact_spring(contacts_, point, set_, point.normal_stiffness * point.normal * point.normal.transpose(), sum);
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    const double g = links_.gap(i, d);
+    if (resists_elastically(point, g) || touches(point, g, touching_))
+      links_.moves().add_spring(i, d, point.normal_stiffness * point.normal * point.normal.transpose(), sum);
+  }
+}
+
+void NormalContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
+  if (!links_.moves().any_turns()) return;
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    const double force = normal_force(point, links_.gap(i, d));
+    if (force != 0) links_.moves().add_turning(i, d, -force * point.normal, sum);
+  }
 }
 
 void NormalContact::accept(const Increment& d) {
   stored_ = 0;
-  for (const ContactPoint& point : contacts_.points) {
-    const double compression = (normal_force(point, gap(point, d)) - point.multiplier) / point.normal_stiffness;
-    if (resists_elastically(point, gap(point, d)) || point.bonded)
-      stored_ += 0.5 * point.normal_stiffness * compression * compression;
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    const double force = normal_force(point, links_.gap(i, d));
+    if (force == 0) continue;
+    const double compression = (force - point.multiplier) / point.normal_stiffness;
+    stored_ += 0.5 * point.normal_stiffness * compression * compression;
   }
 }
 
 double NormalContact::work_on_held(const Increment& d) const {
   double sum = 0;
-  for (const ContactPoint& point : contacts_.points)
-    sum += work_on_held_nodes(contacts_, point, set_, normal_force(point, gap(point, d)) * point.normal);
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    sum -= links_.moves().work_on_held(i, normal_force(point, links_.gap(i, d)) * point.normal);
+  }
   return sum;
 }
 

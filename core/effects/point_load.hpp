@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bodies/block_motion.hpp"
+#include "effects/attachments.hpp"
 #include "effects/effect.hpp"
 
 namespace talus {
@@ -17,18 +18,19 @@ struct LoadedPoint {
 /// A force by table is that of the moment at which the time integration takes smooth forces.
 class PointLoads final : public Effect {
  public:
-  PointLoads(const BodySet& set, std::vector<LoadedPoint> loads) : set_(set), loads_(std::move(loads)) {}
+  PointLoads(const BodySet& set, std::vector<LoadedPoint> loads) : loads_(std::move(loads)), moves_(set) {}
   std::string_view name() const override { return "point load"; }
   EnergyAccount account() const override { return EnergyAccount::potential; }
   void begin_step(const StepContext& step) override;
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override { potential_ += energy(d); }
   double stored_energy() const override { return potential_; }  ///< minus the work done since the start
 
  private:
-  const BodySet& set_;
   std::vector<LoadedPoint> loads_;
+  Attachments moves_;  ///< a load
   double potential_ = 0;
 };
 

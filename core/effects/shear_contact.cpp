@@ -2,25 +2,19 @@
 
 namespace talus {
 
-Vec3 ShearContact::spring_force(std::size_t i, const Increment& d) const {
-  const ContactPoint& point = contacts_.points[i];
-  const Vec3 u = relative_displacement(contacts_, point, set_, d);
+Vec3 ShearContact::spring_force(int i, const Increment& d) const {
+  const ContactPoint& point = links_.point(i);
+  const Vec3 u = links_.moves().increment(i, d);
   return point.shear_start - point.shear_stiffness * (u - point.normal * point.normal.dot(u));
 }
 
-double ShearContact::gap(const ContactPoint& point, const Increment& d) const {
-  return point.gap + point.normal.dot(relative_displacement(contacts_, point, set_, d));
-}
-
 void ShearContact::update_strength(const Increment& d) {
-  strength_.resize(contacts_.points.size());
-  for (std::size_t i = 0; i < strength_.size(); ++i) {
-    const ContactPoint& point = contacts_.points[i];
-    strength_[i] = shear_strength(point, normal_force(point, gap(point, d)));
-  }
+  strength_.assign(links_.contacts().points.size(), 0);
+  for (const int i : points_)
+    strength_[i] = shear_strength(links_.point(i), normal_force(links_.point(i), links_.gap(i, d)));
 }
 
-Vec3 ShearContact::force(std::size_t i, const Increment& d) const {
+Vec3 ShearContact::force(int i, const Increment& d) const {
   if (strength_[i] == 0) return Vec3::Zero();
   const Vec3 spring = spring_force(i, d);
   const double length = spring.norm();
@@ -29,70 +23,64 @@ Vec3 ShearContact::force(std::size_t i, const Increment& d) const {
 
 double ShearContact::energy(const Increment& d) const {
   double sum = 0;
-  for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
-    const double length = spring_force(i, d).norm(), strength = strength_[i];
-    const double k = contacts_.points[i].shear_stiffness;
+  for (const int i : points_) {
+    const double length = spring_force(i, d).norm(), strength = strength_[i], k = links_.point(i).shear_stiffness;
     sum += length <= strength ? length * length / (2 * k) : strength * length / k - strength * strength / (2 * k);
   }
   return sum;
 }
 
 void ShearContact::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
-  for (std::size_t i = 0; i < contacts_.points.size(); ++i)
-    if (strength_[i] > 0) subtract_contact_force(contacts_, contacts_.points[i], set_, force(i, d), sum);
+  for (const int i : points_)
+    if (strength_[i] > 0) links_.moves().add_force(i, d, -force(i, d), sum);
 }
 
 void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
-    const ContactPoint& point = contacts_.points[i];
-    const bool set_down = strength_[i] == 0 && touching_ > 0 && touches(point, gap(point, d), touching_);
-    if (strength_[i] == 0 && !(set_down && point.friction > 0)) continue;
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    const bool set_down = strength_[i] == 0 && touching_ > 0 && touches(point, links_.gap(i, d), touching_);
+    if (strength_[i] == 0 && !set_down) continue;
     Mat3 spring = Mat3::Identity() - point.normal * point.normal.transpose();
     const Vec3 trial = spring_force(i, d);
     const double length = trial.norm();
     if (length > strength_[i] && !set_down)
       spring = strength_[i] / length * (spring - trial * trial.transpose() / (length * length));
-    add_contact_spring(contacts_, point, set_, point.shear_stiffness * spring, sum);
+    links_.moves().add_spring(i, d, point.shear_stiffness * spring, sum);
   }
 }
 
 void ShearContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
-  for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
-    const ContactPoint& point = contacts_.points[i];
-    if (strength_[i] == 0 || point.friction == 0) continue;
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    if (strength_[i] == 0) continue;
+    if (links_.moves().any_turns()) links_.moves().add_turning(i, d, -force(i, d), sum);
     const Vec3 trial = spring_force(i, d);
     const double length = trial.norm();
-    if (length <= strength_[i] || !resists_elastically(point, gap(point, d))) continue;
-    const Mat3 growth = point.friction * point.normal_stiffness / length * trial * point.normal.transpose();
-    for (int a = point.stencil_begin; a < point.stencil_end; ++a)
-      for (int b = point.stencil_begin; b < point.stencil_end; ++b) {
-        const int m = set_.nodes.freedom[contacts_.nodes[a]], n = set_.nodes.freedom[contacts_.nodes[b]];
-        if (m >= 0 && n >= 0) sum.add(m, n, contacts_.weights[a] * contacts_.weights[b] * growth);
-      }
+    if (length <= strength_[i] || !resists_elastically(point, links_.gap(i, d))) continue;
+    const double growth = point.friction * point.normal_stiffness;  // N/m, of the strength as the gap closes
+    links_.moves().add_spring(i, d, growth / length * trial * point.normal.transpose(), sum);
   }
 }
 
 void ShearContact::accept(const Increment& d) {
   stored_ = 0;
-  for (std::size_t i = 0; i < contacts_.points.size(); ++i)
-    stored_ += force(i, d).squaredNorm() / (2 * contacts_.points[i].shear_stiffness);
+  for (const int i : points_) stored_ += force(i, d).squaredNorm() / (2 * links_.point(i).shear_stiffness);
 }
 
-double ShearContact::slip(std::size_t i, const Increment& d) const {
+double ShearContact::slip(int i, const Increment& d) const {
   const double spring = spring_force(i, d).norm(), excess = spring - force(i, d).norm();
-  return excess > 1e-12 * spring ? excess / contacts_.points[i].shear_stiffness : 0;
+  return excess > 1e-12 * spring ? excess / links_.point(i).shear_stiffness : 0;
 }
 
 double ShearContact::dissipated(const Increment& d) const {
   double sum = 0;
-  for (std::size_t i = 0; i < contacts_.points.size(); ++i) sum += force(i, d).norm() * slip(i, d);
+  for (const int i : points_) sum += force(i, d).norm() * slip(i, d);
   return sum;
 }
 
 double ShearContact::work_on_held(const Increment& d) const {
   double sum = 0;
-  for (std::size_t i = 0; i < contacts_.points.size(); ++i)
-    sum += work_on_held_nodes(contacts_, contacts_.points[i], set_, force(i, d));
+  for (const int i : points_) sum -= links_.moves().work_on_held(i, force(i, d));
   return sum;
 }
 

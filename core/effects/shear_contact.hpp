@@ -1,6 +1,7 @@
 #pragma once
 
 #include "effects/contact_law.hpp"
+#include "effects/contact_links.hpp"
 #include "effects/effect.hpp"
 
 namespace talus {
@@ -12,10 +13,12 @@ namespace talus {
 /// Both meet with the same force: sliding needs no state of its own to be told from sticking. The gradient in slip is
 /// the paper's friction force F against the direction of sliding; its Hessian keeps that direction from flipping
 /// between iterations where the paper takes it from the previous displacement. That the strength follows the normal
-/// force has no potential: its part of the tangent, tan φ k_n s⊗n, is what add_unsymmetric gives.
+/// force has no potential: its part of the tangent, tan φ k_n s⊗n, is what add_unsymmetric gives, beside the
+/// turning of arms.
 class ShearContact final : public Effect {
  public:
-  ShearContact(const BodySet& set, const ContactSet& contacts) : set_(set), contacts_(contacts) {}
+  /// Looks at the points that resist shear alone.
+  explicit ShearContact(const ContactLinks& links) : links_(links), points_(links.contacts().sheared) {}
   std::string_view name() const override { return "shear contact"; }
   EnergyAccount account() const override { return EnergyAccount::contact; }
   bool quadratic() const override { return false; }
@@ -33,18 +36,17 @@ class ShearContact final : public Effect {
   /// Takes the strength of every point from the normal forces at D, paper (36).
   void update_strength(const Increment& d);
   /// Force on the first body that the spring would bear if the contact could not slide, τ* [N].
-  Vec3 spring_force(std::size_t point, const Increment& d) const;
+  Vec3 spring_force(int point, const Increment& d) const;
   /// Shear force on the first body at D [N].
-  Vec3 force(std::size_t point, const Increment& d) const;
+  Vec3 force(int point, const Increment& d) const;
   /// Path slipped in the step at D, over all the spring's excess [m].
-  double slip(std::size_t point, const Increment& d) const;
-  double strength(std::size_t point) const { return strength_[point]; }
+  double slip(int point, const Increment& d) const;
+  double strength(int point) const { return strength_[point]; }
 
  private:
-  double gap(const ContactPoint& point, const Increment& d) const;
-  const BodySet& set_;
-  const ContactSet& contacts_;
-  std::vector<double> strength_;  ///< N, a point
+  const ContactLinks& links_;
+  const std::vector<int>& points_;
+  std::vector<double> strength_;  ///< N, a point of the contact set; zero where it does not resist shear
   double touching_ = 0;
   double stored_ = 0;  ///< J, in the springs at the end of the last step
 };

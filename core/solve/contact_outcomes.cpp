@@ -9,20 +9,16 @@ namespace {
 /// A bond that has opened by more than this share of the mesh size is broken.
 constexpr double opening_tolerance = 2e-4;
 
-double gap_at(const ContactSet& contacts, const ContactPoint& point, const BodySet& bodies, const Increment& d) {
-  return point.gap + point.normal.dot(relative_displacement(contacts, point, bodies, d));
-}
-
 }  // namespace
 
-void ContactOutcomes::take(ContactSet& contacts, const Composition& composition, const BodySet& bodies,
+void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, const Composition& composition,
                            const Increment& d, bool keep_multipliers) {
   forces_.resize(contacts.points.size());
   outcomes_.resize(contacts.points.size());
-  for (std::size_t i = 0; i < contacts.points.size(); ++i) {
+  for (int i = 0; i < static_cast<int>(contacts.points.size()); ++i) {
     ContactPoint& point = contacts.points[i];
     ContactForces& force = forces_[i];
-    force.gap = gap_at(contacts, point, bodies, d);
+    force.gap = links.gap(i, d);
     force.normal = normal_force(point, force.gap);
     force.shear = composition.shear ? composition.shear->force(i, d) : Vec3(Vec3::Zero());
     const double slip = composition.shear ? composition.shear->slip(i, d) : 0;
@@ -63,16 +59,15 @@ std::vector<ContactSample> ContactOutcomes::samples(const ContactSet& contacts) 
   return samples;
 }
 
-double relative_penetration(const ContactSet& contacts, const BodySet& bodies, const Increment& d) {
+double relative_penetration(const ContactLinks& links, const Increment& d) {
   double deepest = 0;
-  for (const ContactPoint& point : contacts.points)
-    deepest = std::max(deepest, -gap_at(contacts, point, bodies, d) / point.size);
+  for (int i = 0; i < links.moves().size(); ++i) deepest = std::max(deepest, -links.gap(i, d) / links.point(i).size);
   return deepest;
 }
 
-void raise_multipliers(ContactSet& contacts, const BodySet& bodies, const Increment& d) {
-  for (ContactPoint& point : contacts.points)
-    point.multiplier = std::max(0.0, normal_force(point, gap_at(contacts, point, bodies, d)));
+void raise_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d) {
+  for (int i = 0; i < links.moves().size(); ++i)
+    contacts.points[i].multiplier = std::max(0.0, normal_force(contacts.points[i], links.gap(i, d)));
 }
 
 }  // namespace talus

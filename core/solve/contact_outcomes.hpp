@@ -17,8 +17,8 @@ struct ContactForces {
 /// What the contact points come to at the increment of a step that is taken.
 class ContactOutcomes {
  public:
-  /// `keep_multipliers`: the augmented Lagrangian goes on with the normal forces. Sets the modes of the points.
-  void take(ContactSet& contacts, const Composition& composition, const BodySet& bodies, const Increment& d,
+  /// `links` are those of `contacts`. `keep_multipliers`: the augmented Lagrangian goes on with the normal forces. Sets the modes of the points.
+  void take(ContactSet& contacts, const ContactLinks& links, const Composition& composition, const Increment& d,
             bool keep_multipliers);
 
   const std::vector<ContactForces>& forces() const { return forces_; }
@@ -33,10 +33,10 @@ class ContactOutcomes {
 };
 
 /// Deepest penetration of a point that pushes, of its mesh size, at D.
-double relative_penetration(const ContactSet& contacts, const BodySet& bodies, const Increment& d);
+double relative_penetration(const ContactLinks& links, const Increment& d);
 
 /// A round of the augmented Lagrangian (Simo & Laursen 1992): what each point bears at D it bears from now on without
 /// penetration, λ ← max(0, λ − k_n gap).
-void raise_multipliers(ContactSet& contacts, const BodySet& bodies, const Increment& d);
+void raise_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d);
 
 }  // namespace talus

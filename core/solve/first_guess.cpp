@@ -6,6 +6,15 @@
 
 namespace talus {
 
+namespace {
+
+/// In a static stage a step goes on as the last one did only where that leaves less than this share of what standing
+/// still does: where the bodies creep steadily. Anywhere else it may lead past the strength of contacts that would hold,
+/// and a wedge between joints that dilate has a second balance there, sliding.
+constexpr double creeping = 0.01;
+
+}  // namespace
+
 void FirstGuess::forget(int unknowns) {
   last_.setZero(unknowns);
   earlier_.setZero(unknowns);
@@ -22,6 +31,7 @@ void FirstGuess::remember(const Increment& taken, double length) {
 void FirstGuess::choose(OpenClose& open_close, const BodySet& bodies, const StepContext& step, Increment& d) {
   d.setZero();
   double best = open_close.residual_at(d);
+  if (step.dynamic_factor == 0) best *= creeping;
   const auto offer = [&](const Increment& guess) {
     const double residual = open_close.residual_at(guess);
     if (!(residual < best)) return;

@@ -162,7 +162,7 @@ const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
 
 void OpenClose::assemble(const Increment& d, double touching) {
   const Stopwatch watch(times_.assemble);
-  if (composition_->normal) composition_->normal->count_as_closed(touching);
+  for (NormalContact* normal : composition_->normal) normal->count_as_closed(touching);
   if (composition_->shear) composition_->shear->count_as_closed(touching);
   matrix_.assign(of_step_);
   scaled_ = share_ * d;
@@ -185,7 +185,8 @@ void OpenClose::find_direction(const Increment& d, Friction friction) {
 }
 
 double OpenClose::slope_at(double share, Increment& d, Friction friction) {
-  d = start_ - share * direction_;
+  scaled_ = -share * direction_;
+  composition_->bodies->advance(start_, scaled_, d);
   evaluate(d, friction);
   return -gradient_.dot(direction_);
 }

@@ -24,6 +24,8 @@ PrescribedMotion::PrescribedMotion(const Project& project, const BlockSystem& sy
 void PrescribedMotion::begin_step(BodySet& bodies, double end) const {
   NodeSet& nodes = bodies.nodes;
   nodes.any_prescribed = !moved_.empty();
+  bodies.driven.clear();
+  for (const Moved& moved : moved_) bodies.driven.push_back(moved.body);
   for (const auto& [index, constraint] : moved_) {
     const Body& body = bodies.bodies[index];
     const Vec3 place = wanted(constraint, end);

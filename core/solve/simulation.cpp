@@ -44,7 +44,8 @@ std::vector<Surface> surfaces_of(const BlockSystem& system) {
 std::vector<ContactBody> contact_bodies(const BodySet& set, const std::vector<Surface>& surfaces) {
   std::vector<ContactBody> bodies;
   for (std::size_t b = 0; b < set.bodies.size(); ++b)
-    bodies.push_back({&surfaces[b], set.bodies[b].first_node, set.bodies[b].fixed, set.bodies[b].young});
+    bodies.push_back({&surfaces[b], set.bodies[b].first_node, set.bodies[b].fixed, set.bodies[b].young,
+                      set.bodies[b].one_piece()});
   return bodies;
 }
 
@@ -52,6 +53,7 @@ ContactSettings contact_settings(const Project& project) {
   ContactSettings settings;
   settings.model = project.solver.contact;
   settings.stiffness = project.solver.contact_stiffness;
+  settings.motion_told = true;
   return settings;
 }
 
@@ -64,7 +66,7 @@ OpenCloseSettings open_close_settings(const Project& project) {
 double smallest_mesh_size(const BodySet& bodies, const std::vector<Surface>& surfaces) {
   double size = 1e300;
   for (std::size_t b = 0; b < bodies.bodies.size(); ++b)
-    if (!bodies.bodies[b].built_fixed) size = std::min(size, surfaces[b].size);
+    if (!bodies.bodies[b].built_fixed()) size = std::min(size, surfaces[b].size);
   return size;
 }
 
@@ -112,6 +114,7 @@ struct Simulation::State {
   double smallest_size;  ///< m
   ContactDetector detector;
   ContactSet contacts;
+  ContactLinks links{bodies, contacts};
   ContactOutcomes outcomes;
   Composition composition;
   OpenClose open_close;
@@ -153,7 +156,7 @@ void Simulation::hold_blocks(int stage) {
   std::vector<bool> held, fixed;
   for (std::size_t b = 0; b < s.bodies.bodies.size(); ++b) {
     held.push_back(std::find(names.begin(), names.end(), s.system.blocks[b].name) != names.end());
-    fixed.push_back(held.back() || s.bodies.bodies[b].built_fixed);
+    fixed.push_back(held.back() || s.bodies.bodies[b].built_fixed());
   }
   if (held == s.held) return;
   s.held = held;
@@ -170,7 +173,7 @@ void Simulation::begin_stage() {
   hold_blocks(number);
   s.detector.set_laws(joint_laws(now));
   s.open_close.end_stage();
-  s.composition = compose(s.project, s.system, number, s.bodies, s.contacts);
+  s.composition = compose(s.project, s.system, number, s.bodies, s.links);
   s.open_close.begin_stage(s.composition);
   s.energy.begin_stage(s.composition);
   s.motion.emplace(now, s.system);
@@ -281,18 +284,24 @@ void Simulation::end_static_stage_in_equilibrium(StepReport& report) {
 void Simulation::detect(double length) {
   State& s = *state_;
   const Stopwatch watch(s.detect_seconds);
-  double fastest = 0, prescribed = 0;
-  for (const Vec3& v : s.bodies.nodes.velocity) fastest = std::max(fastest, v.norm());
-  if (s.bodies.nodes.any_prescribed)
-    for (const Vec3& d : s.bodies.nodes.prescribed) prescribed = std::max(prescribed, d.norm());
-  const double way = s.context.dynamic_factor * fastest * length + 0.5 * s.project.gravity.norm() * length * length;
+  double prescribed = 0;
+  for (const int b : s.bodies.driven)
+    prescribed = std::max(prescribed, s.bodies.nodes.prescribed[s.bodies.bodies[b].first_node].norm());
+  const double way = s.context.dynamic_factor * s.bodies.top_speed() * length + 0.5 * s.project.gravity.norm() * length * length;
   s.detector.detect(s.bodies.nodes.position, reach_factor * (way + prescribed) + reach_share * s.smallest_size,
                     s.contacts);
+  s.links.connect();
   if (s.pattern_generation == s.detector.coupling_generation()) return;
   s.pattern_generation = s.detector.coupling_generation();
   std::vector<std::pair<int, int>> couplings;
-  for (const auto& [i, j] : s.detector.coupled_nodes())
-    couplings.emplace_back(s.bodies.nodes.freedom[i], s.bodies.nodes.freedom[j]);
+  std::vector<int> freedoms, others;
+  for (const auto& [i, j] : s.detector.coupled_nodes()) {
+    s.bodies.freedoms_of(i, freedoms);
+    s.bodies.freedoms_of(j, others);
+    for (const int a : freedoms)
+      for (const int b : others)
+        if (a != b) couplings.emplace_back(a, b);
+  }
   s.open_close.set_pattern(s.bodies.nodes.movable, std::move(couplings));
 }
 
@@ -310,8 +319,8 @@ bool Simulation::settle(StepReport& report) {
   Settling result = s.open_close.settle(s.increment);
   report.iterations += result.iterations;
   for (int round = 0; result.settled && s.augmented() && round < augmentation_limit; ++round) {
-    if (relative_penetration(s.contacts, s.bodies, s.increment) <= *s.project.solver.penetration_tolerance) break;
-    raise_multipliers(s.contacts, s.bodies, s.increment);
+    if (relative_penetration(s.links, s.increment) <= *s.project.solver.penetration_tolerance) break;
+    raise_multipliers(s.contacts, s.links, s.increment);
     result = s.open_close.settle(s.increment);
     report.iterations += result.iterations;
   }
@@ -329,10 +338,9 @@ bool Simulation::settle(StepReport& report) {
 std::string Simulation::where_it_struggles(int freedom) const {
   const State& s = *state_;
   if (freedom < 0 || s.contacts.points.empty()) return "";
-  const auto& freedoms = s.bodies.nodes.freedom;
-  const auto node = std::find(freedoms.begin(), freedoms.end(), freedom) - freedoms.begin();
+  const Vec3 where_it_is = s.bodies.place_of(freedom);
   const auto distance = [&](const ContactPoint& point) {
-    return (point.position - s.bodies.nodes.position[node]).squaredNorm();
+    return (point.position - where_it_is).squaredNorm();
   };
   const ContactPoint& nearest =
       *std::min_element(s.contacts.points.begin(), s.contacts.points.end(),
@@ -356,10 +364,7 @@ bool Simulation::try_step(double start, double length, StepReport& report) {
   for (const auto& effect : s.composition.effects) effect->begin_step(s.context);
   s.open_close.begin_step(s.context);
   if (s.accelerations_wanted) {
-    const Eigen::VectorXd& start_accelerations = s.open_close.start_accelerations(s.context);
-    for (std::size_t n = 0; n < s.bodies.nodes.acceleration.size(); ++n)
-      if (const int freedom = s.bodies.nodes.freedom[n]; freedom >= 0)
-        s.bodies.nodes.acceleration[n] = start_accelerations.segment<3>(3 * freedom);
+    s.bodies.give_accelerations(s.open_close.start_accelerations(s.context));
     s.accelerations_wanted = false;
   }
   s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
@@ -372,12 +377,15 @@ void Simulation::accept(StepReport& report) {
     const StepMeasure measure = measure_step(0);
     report.max_displacement = std::max(report.max_displacement, measure.displacement);
     report.time_error = std::max(report.time_error, measure.time_error);
-    s.outcomes.take(s.contacts, s.composition, s.bodies, s.increment, s.augmented());
+    s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
     for (const auto& effect : s.composition.effects) effect->accept(s.increment);
     s.detector.accept(s.contacts, s.outcomes.outcomes());
   }
-  for (std::size_t n = 0; n < s.bodies.nodes.position.size(); ++n)
-    s.bodies.nodes.position[n] += s.bodies.node_increment(static_cast<int>(n), s.increment);
+  s.bodies.move(s.increment);
+  for (const auto* moved : {&s.bodies.moving, &s.bodies.driven})
+    for (const int b : *moved)
+      if (const double way = s.bodies.bodies[b].way; way > 0) s.detector.moved(b, way);
+  s.bodies.carry_velocities();
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   report.energy = s.energy.after_step(s.composition, s.open_close.works(), s.increment);
   s.first_guess.remember(s.increment, s.context.length);
@@ -396,20 +404,18 @@ Frame Simulation::frame(int index) const {
   frame.index = index;
   frame.time = time();
   frame.stage = stage();
-  for (std::size_t n = 0; n < s.bodies.nodes.position.size(); ++n)
-    frame.displacement.push_back(s.bodies.nodes.position[n] - s.bodies.nodes.reference[n]);
-  frame.velocity = s.bodies.nodes.velocity;
+  const NodeSet& nodes = s.bodies.nodes;
+  for (int n = 0; n < nodes.of_blocks; ++n) frame.displacement.push_back(nodes.position[n] - nodes.reference[n]);
+  frame.velocity.assign(nodes.velocity.begin(), nodes.velocity.begin() + nodes.of_blocks);
   const std::vector<Voigt> stress = present_stress();
   for (std::size_t b = 0; b < s.bodies.bodies.size(); ++b) {
     const Body& body = s.bodies.bodies[b];
-    if (body.fixed) {
-      std::vector<Voigt> kept = s.bodies.stress_of_held(static_cast<int>(b));
-      kept.resize(s.system.blocks[b].mesh.tetrahedra.size(), Voigt::Zero());
-      frame.stress.insert(frame.stress.end(), kept.begin(), kept.end());
-    } else {
-      const auto first = stress.begin() + body.first_element;
-      frame.stress.insert(frame.stress.end(), first, first + body.element_count);
-    }
+    const std::size_t tetrahedra = s.system.blocks[b].mesh.tetrahedra.size();
+    std::vector<Voigt> own = s.bodies.stress_of_held(static_cast<int>(b));
+    if (!body.fixed)
+      own.assign(stress.begin() + body.first_element, stress.begin() + body.first_element + body.element_count);
+    own.resize(tetrahedra, body.kind == BodyKind::affine && !own.empty() ? own.front() : Voigt(Voigt::Zero()));
+    frame.stress.insert(frame.stress.end(), own.begin(), own.end());
   }
   frame.contacts = contacts();
   return frame;

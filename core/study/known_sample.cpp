@@ -159,7 +159,7 @@ SampleOutcome run_sample(const KnownSample& sample, const CaseOptions& options, 
   scene.project = read_project(sample.project);
   scene.system = build_blocks(scene.project, sample.project.parent_path(), meshing);
   const std::string text = write_project(scene.project);
-  if (options.scale != 1) scene = scaled(std::move(scene), options.scale);
+  scene = as_asked(std::move(scene), options);
   const TemporaryFolder folder;
   Watch watch(solving);
   SampleOutcome outcome;
@@ -177,6 +177,7 @@ KnownCase case_of(const KnownSample& sample) {
   known.title = sample.title;
   known.source = sample.source;
   known.takes_long = sample.takes_long;
+  known.of_any_body = sample.events.empty();
   known.run = [sample](const CaseOptions& options, Progress& progress) {
     return outcome_of(run_sample(sample, options, progress));
   };

@@ -71,7 +71,8 @@ std::vector<KnownCase> all_cases(const std::filesystem::path& samples) {
 }
 
 std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const std::vector<std::string>& names,
-                                    bool all) {
+                                    bool all, BodyKind body) {
+  const auto fits = [body](const KnownCase& known) { return body == BodyKind::tetrahedra || known.of_any_body; };
   std::vector<KnownCase> chosen;
   for (const std::string& name : names) {
     const auto found = find_named(cases, name);
@@ -80,11 +81,15 @@ std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const s
       for (const KnownCase& one : cases) (known += known.empty() ? "" : ", ") += one.name;
       throw InputError("case '" + name + "'", "there is none of that name", "choose among " + known);
     }
+    if (!fits(*found))
+      throw InputError("case '" + found->name + "'", "asks for strain, which " + std::string(to_string(body)) +
+                                                         " blocks do not have or not fine enough",
+                       "run it with tetrahedra");
     chosen.push_back(*found);
   }
   if (names.empty())
     std::copy_if(cases.begin(), cases.end(), std::back_inserter(chosen),
-                 [all](const KnownCase& known) { return all || !known.takes_long; });
+                 [&](const KnownCase& known) { return fits(known) && (all || !known.takes_long); });
   return chosen;
 }
 

@@ -16,9 +16,10 @@ namespace talus {
 std::vector<KnownCase> all_cases(const std::filesystem::path& samples);
 
 /// Those named, in that order; without names all that are quick, or all. A sample is also found by its folder's name
-/// alone where no built-in case has it. Throws InputError for a name there is not.
+/// alone where no built-in case has it. For other bodies than tetrahedra only those that ask for no strain. Throws
+/// InputError for a name there is not, or a case that does not make sense for these bodies.
 std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const std::vector<std::string>& names,
-                                    bool all);
+                                    bool all, BodyKind body = BodyKind::tetrahedra);
 
 /// What came of running a case once more under other circumstances that must not matter.
 struct Repetition {

@@ -32,7 +32,8 @@ TEST(Compose, a_falling_block_gets_no_contact_no_load_and_no_constraint) {
   const BlockSystem system = one_block();
   BodySet set(project, system);
   const ContactSet contacts;
-  const Composition composition = compose(project, system, 0, set, contacts);
+  const ContactLinks links(set, contacts);
+  const Composition composition = compose(project, system, 0, set, links);
   EXPECT_THAT(names(composition), testing::ElementsAre("elasticity", "inertia", "body force"));
   EXPECT_EQ(composition.shear, nullptr);
 }
@@ -48,10 +49,11 @@ TEST(Compose, everything_a_scene_calls_for_is_there_once) {
   system.blocks.push_back(test::box_block("ground", Vec3(0, 0, -1), Vec3(1, 1, 0), BodyKind::fixed));
   BodySet set(project, system);
   const ContactSet contacts;
-  const Composition composition = compose(project, system, 0, set, contacts);
+  const ContactLinks links(set, contacts);
+  const Composition composition = compose(project, system, 0, set, links);
   EXPECT_THAT(names(composition),
               testing::ElementsAre("elasticity", "initial stress", "inertia", "displacement constraint", "point load",
-                                   "body force", "normal contact", "shear contact", "damping"));
+                                   "body force", "normal contact", "shear contact", "cohesion and tension", "damping"));
   const auto list = called_effects(project, system);
   const auto bonds =
       std::find_if(list.begin(), list.end(), [](const EffectStatus& s) { return s.name == "cohesion and tension"; });
@@ -79,7 +81,8 @@ TEST(Compose, the_papers_incremental_strain_carries_its_stress) {
   const BlockSystem system = one_block();
   BodySet set(project, system);
   const ContactSet contacts;
-  EXPECT_THAT(names(compose(project, system, 0, set, contacts)),
+  const ContactLinks links(set, contacts);
+  EXPECT_THAT(names(compose(project, system, 0, set, links)),
               testing::ElementsAre("elasticity", "initial stress", "inertia", "body force"));
 }
 
@@ -91,8 +94,9 @@ TEST(Compose, a_stage_gets_the_loads_that_it_names_and_no_others) {
   const BlockSystem system = one_block();
   BodySet set(project, system);
   const ContactSet contacts;
-  EXPECT_THAT(names(compose(project, system, 0, set, contacts)), testing::Contains("point load"));
-  EXPECT_THAT(names(compose(project, system, 1, set, contacts)), testing::Not(testing::Contains("point load")));
+  const ContactLinks links(set, contacts);
+  EXPECT_THAT(names(compose(project, system, 0, set, links)), testing::Contains("point load"));
+  EXPECT_THAT(names(compose(project, system, 1, set, links)), testing::Not(testing::Contains("point load")));
 }
 
 TEST(Compose, a_load_outside_its_block_is_an_error_that_names_the_load) {
@@ -101,15 +105,16 @@ TEST(Compose, a_load_outside_its_block_is_an_error_that_names_the_load) {
   const BlockSystem system = one_block();
   BodySet set(project, system);
   const ContactSet contacts;
+  const ContactLinks links(set, contacts);
   try {
-    compose(project, system, 0, set, contacts);
+    compose(project, system, 0, set, links);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.place(), "/loads/1");
   }
   project.stages[0].loads = project.loads;
   try {
-    compose(project, system, 0, set, contacts);
+    compose(project, system, 0, set, links);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.place(), "/stages/0/loads/1");

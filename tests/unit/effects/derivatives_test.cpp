@@ -57,6 +57,18 @@ class Derivatives : public testing::Test {
     contacts.weights = {1, -0.5, -0.2, -0.3};
     return contacts;
   }
+  /// Contact effects of a set that is done.
+  struct Touching {
+    Touching(const BodySet& set, ContactSet given) : contacts(std::move(given)), links(set, contacts) {
+      contacts.sort_out();
+      links.connect();
+    }
+    ContactSet contacts;
+    ContactLinks links;
+    NormalContact normal{links, NormalContact::Points::loose};
+    NormalContact bonds{links, NormalContact::Points::bonded};
+    ShearContact shear{links};
+  };
   MaterialPoint inside() const { return material_point(system(), "upper", Vec3(0.6, 0.5, 1.4), 0, "/loads/0"); }
 
   /// Turns the blocks and stretches them by more than the increment can take back (less than one: squeezes them).
@@ -123,39 +135,41 @@ TEST_F(Derivatives, inertia_of_every_integrator) {
 TEST_F(Derivatives, body_force) { test::expect_derivatives(BodyForce(set_, Vec3(1, -2, -9.81)), d_, 1e-4, 1e-8); }
 
 TEST_F(Derivatives, point_load) {
-  test::expect_derivatives(PointLoads(set_, {{inside(), Vec3(1e4, 2e4, -3e4)}}), d_, 1e-4, 1e-8);
+  PointLoads loads(set_, {{inside(), Vec3(1e4, 2e4, -3e4)}});
+  loads.begin_step({});
+  test::expect_derivatives(loads, d_, 1e-4, 1e-8);
 }
 
 TEST_F(Derivatives, displacement_constraint_with_a_free_component) {
-  test::expect_derivatives(DisplacementConstraints(set_, {{inside(), {{0.01, std::nullopt, -0.02}}, 1e9}}), d_, 1e-4,
-                           1e-8);
+  DisplacementConstraints constraints(set_, {{inside(), {{0.01, std::nullopt, -0.02}}, 1e9}});
+  constraints.begin_step({});
+  test::expect_derivatives(constraints, d_, 1e-4, 1e-8);
 }
 
 TEST_F(Derivatives, normal_contact_in_penetration) {
-  const ContactSet contacts = contact(-0.0015);
-  test::expect_derivatives(NormalContact(set_, contacts), d_, 1e-4, 1e-8);
+  test::expect_derivatives(Touching(set_, contact(-0.0015)).normal, d_, 1e-4, 1e-8);
 }
 
 TEST_F(Derivatives, normal_contact_of_a_bond_in_tension_and_at_its_strength) {
   ContactSet contacts = contact(0.01);
   contacts.points[0].bonded = true;
   contacts.points[0].tension = 1e9;
-  test::expect_derivatives(NormalContact(set_, contacts), d_, 1e-4, 1e-8);
+  test::expect_derivatives(Touching(set_, contacts).bonds, d_, 1e-4, 1e-8);
   contacts.points[0].tension = 1e6;
-  test::expect_derivatives(NormalContact(set_, contacts), d_, 1e-4, 1e-8);
+  test::expect_derivatives(Touching(set_, contacts).bonds, d_, 1e-4, 1e-8);
 }
 
 TEST_F(Derivatives, open_contact_exerts_nothing) {
-  const ContactSet contacts = contact(0.02);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d_.size());
-  NormalContact(set_, contacts).add_gradient(d_, gradient);
+  Touching(set_, contact(0.02)).normal.add_gradient(d_, gradient);
   EXPECT_EQ(gradient.norm(), 0);
 }
 
 TEST_F(Derivatives, shear_contact_sticking) {
   ContactSet contacts = contact(-0.05);
   contacts.points[0].shear_start = Vec3(1e5, 0, 0) - contacts.points[0].normal * 1e5 * contacts.points[0].normal.x();
-  ShearContact shear(set_, contacts);
+  Touching touching(set_, contacts);
+  ShearContact& shear = touching.shear;
   shear.update_strength(d_);
   ASSERT_LT(shear.force(0, d_).norm(), shear.strength(0));
   test::expect_derivatives(shear, d_, 1e-5, 1e-7);
@@ -163,7 +177,8 @@ TEST_F(Derivatives, shear_contact_sticking) {
 
 TEST_F(Derivatives, shear_contact_sliding) {
   const ContactSet contacts = contact(-0.001);
-  ShearContact shear(set_, contacts);
+  Touching touching(set_, contacts);
+  ShearContact& shear = touching.shear;
   shear.update_strength(d_);
   ASSERT_GT(shear.strength(0), 0);
   ASSERT_NEAR(shear.force(0, d_).norm(), shear.strength(0), 1e-9 * shear.strength(0));
@@ -173,12 +188,13 @@ TEST_F(Derivatives, shear_contact_sliding) {
 TEST_F(Derivatives, normal_contact_with_a_multiplier) {
   ContactSet contacts = contact(0.004);
   contacts.points[0].multiplier = 5e7;
-  test::expect_derivatives(NormalContact(set_, contacts), d_, 1e-4, 1e-8);
+  test::expect_derivatives(Touching(set_, contacts).normal, d_, 1e-4, 1e-8);
 }
 
 TEST_F(Derivatives, tangent_of_sliding_knows_that_strength_follows_the_normal_force) {
   const ContactSet contacts = contact(-0.0015);
-  ShearContact shear(set_, contacts);
+  Touching touching(set_, contacts);
+  ShearContact& shear = touching.shear;
   const auto gradient = [&](const Increment& d) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(d.size());
     shear.update_strength(d);

@@ -59,6 +59,12 @@ class Load final : public Effect {
   }
 };
 
+/// Bodies without any rotation: unknowns add up.
+const BodySet& no_bodies() {
+  static const BodySet none{Project(), BlockSystem()};
+  return none;
+}
+
 StepContext step_of(double length) {
   StepContext step;
   step.length = length;
@@ -96,6 +102,7 @@ TEST(OpenClose, what_stays_the_same_through_a_stage_is_assembled_when_length_int
 TEST(OpenClose, what_is_linear_is_factored_once_for_all_steps_and_takes_one_iteration_each) {
   int assembled = 0;
   Composition composition;
+  composition.bodies = &no_bodies();
   composition.effects.push_back(std::make_unique<Springs>(true, assembled));
   composition.effects.push_back(std::make_unique<Load>());
   OpenClose open_close({});
@@ -126,7 +133,8 @@ TEST(OpenClose, blocks_that_fall_side_by_side_are_factored_once_each) {
   const BlockSystem system = test::block_system(list);
   BodySet bodies(project, system);
   const ContactSet contacts;
-  Composition composition = compose(project, system, 0, bodies, contacts);
+  const ContactLinks links(bodies, contacts);
+  Composition composition = compose(project, system, 0, bodies, links);
   OpenClose open_close({});
   open_close.begin_stage(composition);
   open_close.set_pattern(bodies.nodes.movable, no_contacts);

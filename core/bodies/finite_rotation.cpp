@@ -1,0 +1,83 @@
+#include "bodies/finite_rotation.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace talus {
+
+namespace {
+
+/// Below this square of the angle the series are exact to round-off.
+constexpr double small_square = 0.01;
+
+double sine_share(double square) {  // sin t / t
+  if (square < small_square)
+    return 1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110))));
+  const double t = std::sqrt(square);
+  return std::sin(t) / t;
+}
+
+double cosine_share(double square) {  // (1 − cos t) / t²
+  if (square < small_square)
+    return 0.5 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56 * (1 - square / 90 * (1 - square / 132)))));
+  return (1 - std::cos(std::sqrt(square))) / square;
+}
+
+double cubic_share(double square) {  // (t − sin t) / t³
+  if (square < small_square)
+    return 1.0 / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110 * (1 - square / 156)))));
+  return (1 - sine_share(square)) / square;
+}
+
+}  // namespace
+
+Mat3 cross_matrix(const Vec3& v) {
+  Mat3 m;
+  m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
+  return m;
+}
+
+Mat3 rotation_by(const Vec3& theta) {
+  const double square = theta.squaredNorm();
+  const Mat3 hat = cross_matrix(theta);
+  return Mat3::Identity() + sine_share(square) * hat + cosine_share(square) * hat * hat;
+}
+
+Vec3 turn_of(const Vec3& theta, const Vec3& p) {
+  const double square = theta.squaredNorm();
+  const Vec3 once = theta.cross(p);
+  return sine_share(square) * once + cosine_share(square) * theta.cross(once);
+}
+
+Vec3 composed(const Vec3& later, const Vec3& earlier) {
+  const auto quaternion = [](const Vec3& theta) {
+    const double quarter = theta.squaredNorm() / 4;  // of half the angle
+    Eigen::Quaterniond q;
+    q.w() = std::cos(std::sqrt(quarter));
+    q.vec() = 0.5 * sine_share(quarter) * theta;
+    return q;
+  };
+  Eigen::Quaterniond both = quaternion(later) * quaternion(earlier);
+  if (both.w() < 0) both.coeffs() *= -1;
+  const double sine = both.vec().norm();
+  if (sine == 0) return Vec3::Zero();
+  return 2 * std::atan2(sine, both.w()) / sine * both.vec();
+}
+
+Mat3 rotation_tangent(const Vec3& theta) {
+  const double square = theta.squaredNorm();
+  const Mat3 hat = cross_matrix(theta);
+  return Mat3::Identity() + cosine_share(square) * hat + cubic_share(square) * hat * hat;
+}
+
+Mat3 inverse_rotation_tangent(const Vec3& theta) {
+  const double square = theta.squaredNorm();
+  const Mat3 hat = cross_matrix(theta);
+  // (1 − t/2 · cot(t/2)) / t², with cot(t/2) = sin t / (1 − cos t)
+  const double share = square < small_square
+                           ? 1.0 / 12 + square / 720 + square * square / 30240 + square * square * square / 1209600
+                           : (1 - 0.5 * sine_share(square) / cosine_share(square)) / square;
+  return Mat3::Identity() - 0.5 * hat + share * hat * hat;
+}
+
+}  // namespace talus

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "base/vector.hpp"
+
+/// Rotations of any size as vectors θ = angle · axis [rad], and how they change (Simo & Vu-Quoc 1986; Iserles et al.
+/// 2000). All are accurate to round-off for small angles too.
+namespace talus {
+
+/// v̂ with v̂ x = v × x.
+Mat3 cross_matrix(const Vec3& v);
+
+/// exp(θ̂), the rotation about θ by |θ|.
+Mat3 rotation_by(const Vec3& theta);
+
+/// exp(θ̂) p − p [as p].
+Vec3 turn_of(const Vec3& theta, const Vec3& p);
+
+/// The rotation vector of exp(later) exp(earlier), at most π long.
+Vec3 composed(const Vec3& later, const Vec3& earlier);
+
+/// δω of exp(θ̂ + δ) = exp(δω̂) exp(θ̂), for a small δ: δω = T(θ) δ.
+Mat3 rotation_tangent(const Vec3& theta);
+
+/// T(θ)⁻¹, for |θ| < 2π.
+Mat3 inverse_rotation_tangent(const Vec3& theta);
+
+}  // namespace talus

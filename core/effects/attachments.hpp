@@ -1,0 +1,66 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bodies/body_set.hpp"
+#include "effects/symmetric_blocks.hpp"
+#include "effects/unsymmetric_blocks.hpp"
+
+namespace talus {
+
+/// Points that are fixed to bodies, or differences of such points, as the unknowns of a step move them (METHOD §2):
+///   u(D) = u₀ + Σ weight·D_freedom + Σ (exp(θ̂) − 1) arm  [m]
+/// with one term of the first kind a node of tetrahedra, four an affine body and one a rigid body, which has one of the
+/// second. u₀ is what nodes do that are moved by prescription. Contacts, loads and constraints know bodies by this alone.
+class Attachments {
+ public:
+  explicit Attachments(const BodySet& set) : set_(set) {}
+
+  /// Forgets all points.
+  void clear();
+  /// A point at Σ weight·node: the bodies stand at the start of the step. Points are numbered from 0.
+  void add(std::span<const int> nodes, std::span<const double> weights);
+  int size() const { return static_cast<int>(points_.size()); }
+
+  /// u(D) [m].
+  Vec3 increment(int point, const Increment& d) const;
+  /// sum += Jᵀ force with J = ∂u/∂D, in which rotations turn the body on from D (BodySet::advance): a force on the
+  /// point, as forces and moments on the bodies [N].
+  void add_force(int point, const Increment& d, const Vec3& force, Eigen::VectorXd& sum) const;
+  /// sum += Jᵀ spring J [N/m]; `spring` is symmetric.
+  void add_spring(int point, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const;
+  /// The same for a matrix that is not symmetric.
+  void add_spring(int point, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const;
+  /// sum += ∂/∂D of what add_force adds, at a constant force: the arms of turning bodies change [N/m].
+  void add_turning(int point, const Increment& d, const Vec3& force, UnsymmetricBlocks& sum) const;
+  /// Whether some point lies on a rigid body: else add_turning adds nothing.
+  bool any_turns() const { return !turns_.empty(); }
+  /// force·u₀ [J].
+  double work_on_held(int point, const Vec3& force) const { return force.dot(points_[point].held); }
+
+ private:
+  struct Share {
+    int freedom;
+    double weight;
+  };
+  struct Turn {
+    int freedom;
+    double radius;  // m
+    Vec3 arm;       // m, at the start of the step, times the weights
+  };
+  struct Point {
+    int share_begin, share_end, turn_begin, turn_end;
+    Vec3 held;
+  };
+  void add_share(int first, int freedom, double weight);
+  void add_turn(int first, const RigidBody& rigid, int node, double weight);
+  static Vec3 arm_at(const Turn& turn, const Increment& d);
+
+  const BodySet& set_;
+  std::vector<Point> points_;
+  std::vector<Share> shares_;
+  std::vector<Turn> turns_;
+};
+
+}  // namespace talus

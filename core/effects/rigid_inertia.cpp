@@ -1,0 +1,80 @@
+#include "effects/rigid_inertia.hpp"
+
+#include "effects/nodal_motion.hpp"
+
+namespace talus {
+
+namespace {
+
+/// What an angular acceleration of one radius weighs in the derivative [1/(m² s²)].
+double turning_scale(const RigidBody& body, const StepContext& step) {
+  const TimeIntegration& integration = step.integration;
+  return (1 - integration.alpha_m) / (integration.beta * step.length * step.length * body.radius * body.radius);
+}
+
+}  // namespace
+
+Vec3 end_moment(const RigidBody& body, const StepContext& step, const Increment& d) {
+  const double beta = step.integration.beta, length = step.length;
+  const Vec3 free = length * step.dynamic_factor * (body.angular_momentum + (0.5 - beta) * length * body.moment);
+  return (body.momentum_of(body.theta(d)) - free) / (beta * length * length);
+}
+
+void add_rigid_inertia(const BodySet& set, const StepContext& step, const Increment& d, Eigen::VectorXd& sum) {
+  const double alpha_m = step.integration.alpha_m;
+  for (const int r : set.turning) {
+    const RigidBody& body = set.rigid[r];
+    const Vec3 a0 = start_acceleration(set, step, body.centre), a1 = end_acceleration(set, step, body.centre, d);
+    sum.segment<3>(3 * set.nodes.freedom[body.centre]) += body.mass * ((1 - alpha_m) * a1 + alpha_m * a0);
+    sum.segment<3>(3 * body.rotation_freedom) +=
+        ((1 - alpha_m) * end_moment(body, step, d) + alpha_m * step.dynamic_factor * body.moment) / body.radius;
+  }
+}
+
+void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks& sum) {
+  const TimeIntegration& integration = step.integration;
+  const double scale = (1 - integration.alpha_m) / (integration.beta * step.length * step.length);
+  for (const int r : set.turning) {
+    const RigidBody& body = set.rigid[r];
+    const int centre = set.nodes.freedom[body.centre];
+    sum.add(centre, centre, scale * body.mass * Mat3::Identity());
+    sum.add(body.rotation_freedom, body.rotation_freedom, turning_scale(body, step) * body.inertia_now());
+  }
+}
+
+void add_rigid_turning(const BodySet& set, const StepContext& step, const Increment& d, UnsymmetricBlocks& sum) {
+  for (const int r : set.turning) {
+    const RigidBody& body = set.rigid[r];
+    const Vec3 theta = body.theta(d);
+    if (theta.isZero(0)) continue;
+    sum.add(body.rotation_freedom, body.rotation_freedom,
+            turning_scale(body, step) * (body.momentum_slope(theta) - body.inertia_now()));
+  }
+}
+
+void accept_rigid(BodySet& set, const StepContext& step, const Increment& d) {
+  for (const int r : set.turning) {
+    RigidBody& body = set.rigid[r];
+    if (step.dynamic_factor == 0) {
+      body.angular_momentum = body.moment = Vec3::Zero();
+      continue;
+    }
+    const double gamma = step.integration.gamma, factor = step.dynamic_factor;
+    const Vec3 moment = end_moment(body, step, d);
+    body.angular_momentum = factor * body.angular_momentum +
+                            step.length * ((1 - gamma) * factor * body.moment + gamma * moment);
+    body.moment = moment;
+  }
+}
+
+double rigid_kinetic_energy(const BodySet& set) {
+  double sum = 0;
+  for (const int r : set.turning) {
+    const RigidBody& body = set.rigid[r];
+    sum += 0.5 * body.mass * set.nodes.velocity[body.centre].squaredNorm() +
+           0.5 * body.spin().dot(body.angular_momentum);
+  }
+  return sum;
+}
+
+}  // namespace talus

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "effects/effect.hpp"
+
+/// Inertia of rigid bodies (beyond the paper), for any integrator of TimeIntegration's family. The centroid moves as a
+/// point of the body's mass. Turning, the integrator is applied to the angular momentum L as a whole,
+///   L₁ = L₀ + Δ[(1 − γ) Ȧ₀ + γ Ȧ₁],   exp(θ̂/2) J θ = Δ L₀ + Δ²[(½ − β) Ȧ₀ + β Ȧ₁],
+/// with Ȧ its rate, the moment of all forces, and the rotation θ of the step by the midpoint rule (Krysl 2005): without a
+/// moment L stays the same to round-off, and a spin about a principal axis is exact.
+namespace talus {
+
+/// The forces and moments that the increment `d` asks for, on the left of the balance [N].
+void add_rigid_inertia(const BodySet& set, const StepContext& step, const Increment& d, Eigen::VectorXd& sum);
+/// Their derivative at d = 0 and what it has beyond that at `d` [N/m].
+void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks& sum);
+void add_rigid_turning(const BodySet& set, const StepContext& step, const Increment& d, UnsymmetricBlocks& sum);
+
+/// Ȧ₁, the rate of angular momentum at the end of the step [N m].
+Vec3 end_moment(const RigidBody& body, const StepContext& step, const Increment& d);
+/// Moves angular momenta and their rates on by `d`; to zero in a static stage.
+void accept_rigid(BodySet& set, const StepContext& step, const Increment& d);
+
+/// ½ m v² + ½ ω·L of all that turn [J].
+double rigid_kinetic_energy(const BodySet& set);
+
+}  // namespace talus
