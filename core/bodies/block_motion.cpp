@@ -38,7 +38,7 @@ double outside_by(const Corners& corners, const std::array<double, 4>& weights) 
 BlockMotion block_motion(const BodySet& set, int index) {
   const Body& body = set.bodies[index];
   BlockMotion motion;
-  if (body.fixed) return motion;
+  if (body.built_fixed()) return motion;
   if (body.kind == BodyKind::rigid) {
     const RigidBody& rigid = set.rigid[body.rigid];
     motion.displacement = set.nodes.position[rigid.centre] - set.nodes.reference[rigid.centre];
@@ -48,8 +48,7 @@ BlockMotion block_motion(const BodySet& set, int index) {
   }
   double volume = 0, mass = 0;
   Mat3 gradient = Mat3::Zero();
-  for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
-    const Element& element = set.elements[e];
+  for (const Element& element : set.elements_of(index)) {
     const Mat3 reference = edge_matrix(set.nodes.reference, element.nodes);
     const Mat3 current = edge_matrix(set.nodes.position, element.nodes);
     volume += element.volume_ratio * current.determinant() / 6;
@@ -84,7 +83,8 @@ MaterialPoint material_point(const BlockSystem& system, const std::string& name,
     }
     MaterialPoint best;
     double best_distance = 1e300;
-    for (const auto& tetrahedron : block.mesh.tetrahedra) {
+    for (std::size_t t = 0; t < block.mesh.tetrahedra.size(); ++t) {
+      const auto& tetrahedron = block.mesh.tetrahedra[t];
       Corners corners;
       for (int i = 0; i < 4; ++i) corners[i] = block.mesh.nodes[tetrahedron[i]];
       const auto weights = barycentric(corners, where);
@@ -92,6 +92,7 @@ MaterialPoint material_point(const BlockSystem& system, const std::string& name,
       if (distance >= best_distance) continue;
       best_distance = distance;
       best.body = static_cast<int>(b);
+      best.tetrahedron = static_cast<int>(t);
       best.weights = weights;
       for (int i = 0; i < 4; ++i) best.nodes[i] = first_node + tetrahedron[i];
     }

@@ -17,6 +17,7 @@ BlockMotion block_motion(const BodySet& set, int body);
 /// A material point of a block: fixed weights of the corners of the tetrahedron that holds it.
 struct MaterialPoint {
   int body = 0;
+  int tetrahedron = 0;         ///< of the block's mesh
   std::array<int, 4> nodes{};  ///< into NodeSet
   std::array<double, 4> weights{};
 

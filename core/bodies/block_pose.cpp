@@ -25,24 +25,27 @@ PoseFit::PoseFit(const BlockSystem& system) {
   for (const Block& block : system.blocks) shapes_.push_back(shape_of(block));
 }
 
-std::vector<BlockPose> PoseFit::poses(const BodySet& set) const {
-  std::vector<BlockPose> poses(shapes_.size());
-  for (std::size_t b = 0; b < shapes_.size(); ++b) {
-    const Body& body = set.bodies[b];
-    const Shape& shape = shapes_[b];
-    BlockPose& pose = poses[b];
-    const Vec3* reference = set.nodes.reference.data() + body.first_node;
-    const Vec3* position = set.nodes.position.data() + body.first_node;
-    if (shape.fixed || shape.weight.empty()) {
-      pose.centroid = shape.moments.centroid + position[0] - reference[0];
-      continue;
-    }
-    for (std::size_t n = 0; n < shape.weight.size(); ++n) pose.centroid += shape.weight[n] * position[n];
-    Mat3 covariance = Mat3::Zero();
-    for (std::size_t n = 0; n < shape.weight.size(); ++n)
-      covariance += shape.weight[n] * (position[n] - pose.centroid) * (reference[n] - shape.moments.centroid).transpose();
-    pose.rotation = rotation_of(covariance);
+BlockPose PoseFit::pose(const BodySet& set, int block) const {
+  const Body& body = set.bodies[block];
+  const Shape& shape = shapes_[block];
+  const Vec3* reference = set.nodes.reference.data() + body.first_node;
+  const Vec3* position = set.nodes.position.data() + body.first_node;
+  BlockPose pose;
+  if (shape.fixed || shape.weight.empty()) {
+    pose.centroid = shape.moments.centroid + position[0] - reference[0];
+    return pose;
   }
+  for (std::size_t n = 0; n < shape.weight.size(); ++n) pose.centroid += shape.weight[n] * position[n];
+  Mat3 covariance = Mat3::Zero();
+  for (std::size_t n = 0; n < shape.weight.size(); ++n)
+    covariance += shape.weight[n] * (position[n] - pose.centroid) * (reference[n] - shape.moments.centroid).transpose();
+  pose.rotation = rotation_of(covariance);
+  return pose;
+}
+
+std::vector<BlockPose> PoseFit::poses(const BodySet& set) const {
+  std::vector<BlockPose> poses;
+  for (std::size_t b = 0; b < shapes_.size(); ++b) poses.push_back(pose(set, static_cast<int>(b)));
   return poses;
 }
 

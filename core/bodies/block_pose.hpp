@@ -16,11 +16,14 @@ class PoseFit {
  public:
   explicit PoseFit(const BlockSystem& system);
 
-  /// One a block. A block that is built fixed is taken as a whole: it does not turn.
-  std::vector<BlockPose> poses(const BodySet& set) const;
+  /// A block that is built fixed is taken as a whole: it does not turn.
+  BlockPose pose(const BodySet& set, int block) const;
+  std::vector<BlockPose> poses(const BodySet& set) const;  ///< one a block
   /// Mean of (x − c)(x − c)ᵀ over the block's volume, undeformed [m²]; zero where the block has no tetrahedra.
   const Mat3& spread(int block) const { return shapes_[static_cast<std::size_t>(block)].moments.spread; }
-  double volume(int block) const { return shapes_[static_cast<std::size_t>(block)].moments.volume; }  ///< m³, of its tetrahedra
+  double volume(int block) const {
+    return shapes_[static_cast<std::size_t>(block)].moments.volume;
+  }  ///< m³, of its tetrahedra
 
  private:
   struct Shape {

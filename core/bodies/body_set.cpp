@@ -55,6 +55,7 @@ BodySet::BodySet(const Project& project, const BlockSystem& system) {
     if (bodies[b].kind == BodyKind::rigid) add_rigid(block, index);
     bodies[b].element_count = static_cast<int>(elements.size()) - bodies[b].first_element;
   }
+  for (Element& element : elements) element.number = element_numbers++;
   nodes.position = nodes.reference;
   for (auto* vectors : {&nodes.velocity, &nodes.acceleration, &nodes.prescribed})
     vectors->assign(nodes.reference.size(), Vec3::Zero());
@@ -183,10 +184,25 @@ void BodySet::hold(const std::vector<bool>& held) {
   number_freedoms();
 }
 
+std::span<const BodySet::HeldElement> BodySet::held_of(int index) const {
+  const auto begin = std::partition_point(held_.begin(), held_.end(),
+                                          [&](const HeldElement& one) { return one.element.body < index; });
+  const auto end =
+      std::partition_point(begin, held_.end(), [&](const HeldElement& one) { return one.element.body == index; });
+  return {begin, end};
+}
+
 std::vector<Voigt> BodySet::stress_of_held(int index) const {
   std::vector<Voigt> kept;
-  for (const HeldElement& one : held_)
-    if (one.element.body == index) kept.push_back(one.stress);
+  for (const HeldElement& one : held_of(index)) kept.push_back(one.stress);
+  return kept;
+}
+
+std::vector<Element> BodySet::elements_of(int index) const {
+  const auto first = elements.begin() + bodies[index].first_element;
+  if (!bodies[index].fixed) return {first, first + bodies[index].element_count};
+  std::vector<Element> kept;
+  for (const HeldElement& one : held_of(index)) kept.push_back(one.element);
   return kept;
 }
 
@@ -302,8 +318,7 @@ void BodySet::carry_velocities() {
       Vec3& v = nodes.velocity[body.first_node + n];
       v.setZero();
       if (one)
-        v = nodes.velocity[one->centre] +
-            spin.cross(nodes.position[body.first_node + n] - nodes.position[one->centre]);
+        v = nodes.velocity[one->centre] + spin.cross(nodes.position[body.first_node + n] - nodes.position[one->centre]);
       else
         for (int c = 0; c < 4; ++c) v += carried[body.first_carried + n][c] * nodes.velocity[body.first_carrier + c];
     }

@@ -23,8 +23,8 @@ struct NodeSet {
   std::vector<int> body;           ///< that it belongs to
   std::vector<int> free;           ///< nodes that have a freedom, in the order of their freedoms
   int of_blocks = 0;               ///< the first so many are nodes of blocks
-  int movable = 0;                 ///< freedoms, each of three unknowns: those of nodes and the rotations of rigid bodies
-  bool any_prescribed = false;     ///< some node of a fixed body moves in this step
+  int movable = 0;              ///< freedoms, each of three unknowns: those of nodes and the rotations of rigid bodies
+  bool any_prescribed = false;  ///< some node of a fixed body moves in this step
 };
 
 /// A four-node tetrahedron of a movable block; or all of an affine block, as the tetrahedron of its carriers, which is
@@ -33,6 +33,7 @@ struct Element {
   std::array<int, 4> nodes;  ///< into NodeSet
   std::array<int, 4> freedoms;
   int body = 0;
+  int number = 0;           ///< among all elements, those of held bodies too
   double mass = 0;          ///< kg, constant whatever the strain does
   double volume_ratio = 1;  ///< volume that it stands for, over its own
 };
@@ -41,13 +42,13 @@ struct Element {
 struct Body {
   BodyKind kind = BodyKind::tetrahedra;  ///< as it was built
   int first_node = 0, node_count = 0;
-  int first_element = 0, element_count = 0;  ///< into BodySet::elements; none while fixed, none if rigid
-  int first_tetrahedron = 0;                 ///< into a frame's stress
-  int first_carrier = -1, first_carried = 0; ///< of an affine body, into NodeSet and BodySet::carried
-  int rigid = -1;                            ///< of a rigid body, into BodySet::rigid
-  bool fixed = false;                        ///< now: built so, or held
-  double density = 0;                        ///< kg/m³
-  double young = 0;                          ///< Pa
+  int first_element = 0, element_count = 0;   ///< into BodySet::elements; none while fixed, none if rigid
+  int first_tetrahedron = 0;                  ///< into a frame's stress
+  int first_carrier = -1, first_carried = 0;  ///< of an affine body, into NodeSet and BodySet::carried
+  int rigid = -1;                             ///< of a rigid body, into BodySet::rigid
+  bool fixed = false;                         ///< now: built so, or held
+  double density = 0;                         ///< kg/m³
+  double young = 0;                           ///< Pa
   Elastic elastic;
   double reference_volume = 0;  ///< m³, of the mesh
   double way = 0;               ///< m, of the node that went furthest when the body moved last
@@ -63,6 +64,7 @@ using Increment = Eigen::VectorXd;
 struct BodySet {
   NodeSet nodes;
   std::vector<Body> bodies;
+  int element_numbers = 0;
   std::vector<int> moving;  ///< bodies that are not fixed now
   std::vector<int> driven;  ///< fixed bodies that are moved by prescription in this stage
   std::vector<Element> elements;
@@ -104,6 +106,8 @@ struct BodySet {
 
   /// Stress of the tetrahedra of a body that is held, in their order [Pa]; none where it was built fixed.
   std::vector<Voigt> stress_of_held(int body) const;
+  /// The elements of a body that was built to deform, also while it is held.
+  std::vector<Element> elements_of(int body) const;
 
  private:
   struct HeldElement {
@@ -111,6 +115,7 @@ struct BodySet {
     ElementShape shape;
     Voigt stress;
   };
+  std::span<const HeldElement> held_of(int body) const;
   void add_tetrahedra(const Block& block, int index);
   void add_affine(const Block& block, int index);
   void add_rigid(const Block& block, int index);

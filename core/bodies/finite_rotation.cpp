@@ -25,7 +25,8 @@ double cosine_share(double square) {  // (1 − cos t) / t²
 
 double cubic_share(double square) {  // (t − sin t) / t³
   if (square < small_square)
-    return 1.0 / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110 * (1 - square / 156)))));
+    return 1.0 / 6 *
+           (1 - square / 20 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110 * (1 - square / 156)))));
   return (1 - sine_share(square)) / square;
 }
 

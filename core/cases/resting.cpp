@@ -14,6 +14,7 @@ constexpr double moved = 1e-3;
 
 CaseOutcome slope(const CaseOptions& options, Progress& progress) {
   CaseScene scene = rock_scene(30);
+  scene.project.solver.sleep_tolerance = 0;  // friction is to hold the blocks, not sleep
   tilt(scene, 26.5);
   add_fixed_box(scene, "slope", Vec3(-1, -1, -1), Vec3(9, 3, 0));
   for (int i = 0; i < 32; ++i) {
@@ -137,7 +138,11 @@ std::vector<KnownCase> resting_cases() {
            .source = "Coulomb: α < φ",
            .of_any_body = true,
            .run = slope},
-          {.name = "overhanging_bricks", .title = "Bricks overhang a table", .source = "(L/2) Σ 1/i", .of_any_body = true, .run = overhang},
+          {.name = "overhanging_bricks",
+           .title = "Bricks overhang a table",
+           .source = "(L/2) Σ 1/i",
+           .of_any_body = true,
+           .run = overhang},
           {.name = "leaning_cards",
            .title = "Two cards lean against each other",
            .source = "moments about the foot; ½ tan θ for thin cards",

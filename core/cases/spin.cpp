@@ -94,11 +94,12 @@ CaseOutcome spinning_block(const CaseOptions& options, Progress& progress) {
   const bool rigid = options.body == BodyKind::rigid;  // its angular momentum stays whatever the integrator
   const Spin steady = run(Strain::corotational, Integrator::newmark, angle, turns);
   const Spin lasting = run(Strain::corotational, Integrator::generalized_alpha, angle, turns);
-  outcome.findings.push_back({.quantity = "angular momentum left" + in_turns + ", newmark",
-                              .unit = "",
-                              .expected = rigid ? 1 : 1 / std::sqrt(1 + static_cast<double>(steady.steps) * angle * angle),
-                              .computed = steady.spin_left,
-                              .tolerance = 1e-3});
+  outcome.findings.push_back(
+      {.quantity = "angular momentum left" + in_turns + ", newmark",
+       .unit = "",
+       .expected = rigid ? 1 : 1 / std::sqrt(1 + static_cast<double>(steady.steps) * angle * angle),
+       .computed = steady.spin_left,
+       .tolerance = 1e-3});
   const Spin grown = run(Strain::incremental, Integrator::constant_acceleration, angle, 1);
   outcome.findings.push_back({.quantity = "change of volume" + in_turns + ", newmark",
                               .unit = "",

@@ -88,8 +88,7 @@ void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, 
     for (int b = point.share_begin; b < point.share_end; ++b)
       sum.add(turns_[a].freedom, shares_[b].freedom, shares_[b].weight * turned);
     for (int b = point.turn_begin; b <= a; ++b)
-      sum.add(turns_[a].freedom, turns_[b].freedom,
-              -turned * cross_matrix(arm_at(turns_[b], d)) / turns_[b].radius);
+      sum.add(turns_[a].freedom, turns_[b].freedom, -turned * cross_matrix(arm_at(turns_[b], d)) / turns_[b].radius);
   }
 }
 

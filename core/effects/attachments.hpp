@@ -12,7 +12,8 @@ namespace talus {
 /// Points that are fixed to bodies, or differences of such points, as the unknowns of a step move them (METHOD §2):
 ///   u(D) = u₀ + Σ weight·D_freedom + Σ (exp(θ̂) − 1) arm  [m]
 /// with one term of the first kind a node of tetrahedra, four an affine body and one a rigid body, which has one of the
-/// second. u₀ is what nodes do that are moved by prescription. Contacts, loads and constraints know bodies by this alone.
+/// second. u₀ is what nodes do that are moved by prescription. Contacts, loads and constraints know bodies by this
+/// alone.
 class Attachments {
  public:
   explicit Attachments(const BodySet& set) : set_(set) {}

@@ -3,7 +3,8 @@
 #include "bodies/body_set.hpp"
 #include "effects/symmetric_blocks.hpp"
 
-/// The consistent mass matrix of a four-node tetrahedron, m/20 (1 + δ_ab): what inertia, paper (12)–(21), and damping share.
+/// The consistent mass matrix of a four-node tetrahedron, m/20 (1 + δ_ab): what inertia, paper (12)–(21), and damping
+/// share.
 namespace talus {
 
 /// uᵀ M u of an element of this mass [kg].

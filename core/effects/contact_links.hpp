@@ -19,9 +19,7 @@ class ContactLinks {
   /// How the first body moves against the second.
   const Attachments& moves() const { return moves_; }
   /// Gap of a point at D [m].
-  double gap(int i, const Increment& d) const {
-    return point(i).gap + point(i).normal.dot(moves_.increment(i, d));
-  }
+  double gap(int i, const Increment& d) const { return point(i).gap + point(i).normal.dot(moves_.increment(i, d)); }
 
  private:
   const ContactSet& contacts_;

@@ -41,8 +41,7 @@ void Damping::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const 
   for (const int r : set_.turning) {
     const RigidBody& body = set_.rigid[r];
     sum.add(body.rotation_freedom, body.rotation_freedom,
-            rate_of(body) / (body.radius * body.radius) *
-                (body.momentum_slope(body.theta(d)) - body.inertia_now()));
+            rate_of(body) / (body.radius * body.radius) * (body.momentum_slope(body.theta(d)) - body.inertia_now()));
   }
 }
 

@@ -6,7 +6,8 @@ namespace talus {
 
 /// Viscous damping of the mass at rate c [1/s], a body force density −c ρ v with the mean velocity of the step:
 ///   Π = c/(2Δ) Dᵀ M D  [J]
-/// and of a rigid body c times its momentum and its angular momentum halfway. It dissipates c/Δ DᵀMD a step. Relative to the ground at rest, in static stages too.
+/// and of a rigid body c times its momentum and its angular momentum halfway. It dissipates c/Δ DᵀMD a step. Relative
+/// to the ground at rest, in static stages too.
 class Damping final : public Effect {
  public:
   /// `rates`: one a body [1/s].
@@ -23,7 +24,7 @@ class Damping final : public Effect {
 
  private:
   double rate_of(const Element& element) const;  ///< N/m, of the twentieth that the consistent mass is made of
-  double rate_of(const RigidBody& body) const;     ///< 1/s², of mass and inertia
+  double rate_of(const RigidBody& body) const;   ///< 1/s², of mass and inertia
   const BodySet& set_;
   std::vector<double> rates_;
   double length_ = 1;

@@ -17,8 +17,7 @@ void DisplacementConstraints::begin_step(const StepContext& step) {
 
 Vec3 DisplacementConstraints::excess(int i, const Increment& d) const {
   const HeldPoint& held = points_[i];
-  const Vec3 now =
-      held.point.at(set_.nodes.position) - held.point.at(set_.nodes.reference) + moves_.increment(i, d);
+  const Vec3 now = held.point.at(set_.nodes.position) - held.point.at(set_.nodes.reference) + moves_.increment(i, d);
   Vec3 excess = Vec3::Zero();
   for (int k = 0; k < 3; ++k)
     if (held.displacement[k]) excess[k] = now[k] - *held.displacement[k];

@@ -34,9 +34,13 @@ std::vector<Voigt> stress_before(const Project& project, const BlockSystem& syst
 }
 
 InSituStresses::InSituStresses(const Project& project, const BlockSystem& system, const BodySet& set) : set_(set) {
-  for (const Voigt& stress : stress_before(project, system, set)) {
-    stress_.push_back(tensor(stress));
-    pulling_.push_back(positive_part(stress_.back()));
+  const std::vector<Voigt> before = stress_before(project, system, set);
+  stress_.resize(set.element_numbers);
+  pulling_.resize(set.element_numbers);
+  for (std::size_t e = 0; e < before.size(); ++e) {
+    const int number = set.elements[e].number;
+    stress_[number] = tensor(before[e]);
+    pulling_[number] = positive_part(stress_[number]);
   }
 }
 
@@ -46,7 +50,9 @@ double InSituStresses::energy(const Increment& d) const {
   double sum = 0;
   for (std::size_t e = 0; e < set_.elements.size(); ++e) {
     const Mat3 f = deformation_gradient(set_, set_.elements[e], set_.shapes[e], d);
-    sum += 0.5 * set_.shapes[e].volume * (stress_[e].cwiseProduct(f.transpose() * f).sum() - stress_[e].trace());
+    sum += 0.5 * set_.shapes[e].volume *
+           (stress_[set_.elements[e].number].cwiseProduct(f.transpose() * f).sum() -
+            stress_[set_.elements[e].number].trace());
   }
   return sum;
 }
@@ -56,7 +62,8 @@ double InSituStresses::stored_energy() const { return energy(Increment::Zero(set
 void InSituStresses::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
   for (std::size_t e = 0; e < set_.elements.size(); ++e) {
     const ElementShape& shape = set_.shapes[e];
-    const Mat3 p = shape.volume * deformation_gradient(set_, set_.elements[e], shape, d) * stress_[e];
+    const Mat3 p =
+        shape.volume * deformation_gradient(set_, set_.elements[e], shape, d) * stress_[set_.elements[e].number];
     for (int a = 0; a < 4; ++a) sum.segment<3>(3 * set_.elements[e].freedoms[a]) += p * shape.gradient[a];
   }
 }
@@ -67,14 +74,15 @@ void InSituStresses::add_hessian(const Increment&, SymmetricBlocks& sum) const {
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b <= a; ++b)
         sum.add(set_.elements[e].freedoms[a], set_.elements[e].freedoms[b],
-                shape.volume * shape.gradient[a].dot(pulling_[e] * shape.gradient[b]) * Mat3::Identity());
+                shape.volume * shape.gradient[a].dot(pulling_[set_.elements[e].number] * shape.gradient[b]) *
+                    Mat3::Identity());
   }
 }
 
 void InSituStresses::add_stress(std::vector<Voigt>& stress) const {
   for (std::size_t e = 0; e < set_.elements.size(); ++e) {
     const Mat3 f = deformation_gradient(set_, set_.elements[e], set_.shapes[e]);
-    stress[e] += voigt(f * stress_[e] * f.transpose() / f.determinant());
+    stress[e] += voigt(f * stress_[set_.elements[e].number] * f.transpose() / f.determinant());
   }
 }
 

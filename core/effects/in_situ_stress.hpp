@@ -23,7 +23,7 @@ class InSituStresses final : public Effect {
 
  private:
   const BodySet& set_;
-  std::vector<Mat3> stress_, pulling_;  ///< Pa, an element of the set: σ₀ and its positive part
+  std::vector<Mat3> stress_, pulling_;  ///< Pa, by Element::number: σ₀ and its positive part
 };
 
 /// Stress before the run at the middle of every element of the set [Pa].

@@ -71,8 +71,7 @@ void Inertia::accept(const Increment& d) {
 double Inertia::time_error(const Increment& d) const {
   double largest = 0;
   for (const int n : set_.nodes.free)
-    largest =
-        std::max(largest, (end_acceleration(set_, step_, n, d) - start_acceleration(set_, step_, n)).norm());
+    largest = std::max(largest, (end_acceleration(set_, step_, n, d) - start_acceleration(set_, step_, n)).norm());
   for (const int r : set_.turning) {
     const RigidBody& body = set_.rigid[r];
     const Vec3 change = end_moment(body, step_, d) - step_.dynamic_factor * body.moment;

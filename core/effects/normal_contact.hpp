@@ -8,8 +8,8 @@ namespace talus {
 
 /// Springs against penetration, paper (29)–(31): with d_n = −(gap + n·u)
 ///   Π = Σ ½ k_n d_n²  where d_n > 0  [J]
-/// and of points that a bond holds also in tension up to its strength, linear beyond. Points with and without a bond are
-/// two effects: where no joint bonds, the other one is not there.
+/// and of points that a bond holds also in tension up to its strength, linear beyond. Points with and without a bond
+/// are two effects: where no joint bonds, the other one is not there.
 class NormalContact final : public Effect {
  public:
   enum class Points { loose, bonded };

@@ -61,8 +61,8 @@ void accept_rigid(BodySet& set, const StepContext& step, const Increment& d) {
     }
     const double gamma = step.integration.gamma, factor = step.dynamic_factor;
     const Vec3 moment = end_moment(body, step, d);
-    body.angular_momentum = factor * body.angular_momentum +
-                            step.length * ((1 - gamma) * factor * body.moment + gamma * moment);
+    body.angular_momentum =
+        factor * body.angular_momentum + step.length * ((1 - gamma) * factor * body.moment + gamma * moment);
     body.moment = moment;
   }
 }
@@ -71,8 +71,8 @@ double rigid_kinetic_energy(const BodySet& set) {
   double sum = 0;
   for (const int r : set.turning) {
     const RigidBody& body = set.rigid[r];
-    sum += 0.5 * body.mass * set.nodes.velocity[body.centre].squaredNorm() +
-           0.5 * body.spin().dot(body.angular_momentum);
+    sum +=
+        0.5 * body.mass * set.nodes.velocity[body.centre].squaredNorm() + 0.5 * body.spin().dot(body.angular_momentum);
   }
   return sum;
 }

@@ -33,6 +33,12 @@ class ShearContact final : public Effect {
   double dissipated(const Increment& d) const override;
   double work_on_held(const Increment& d) const override;
 
+  /// The points are others now, and D is zero: what the springs hold is theirs.
+  void resume(const Increment& zero) {
+    update_strength(zero);
+    accept(zero);
+  }
+
   /// Takes the strength of every point from the normal forces at D, paper (36).
   void update_strength(const Increment& d);
   /// Force on the first body that the spring would bear if the contact could not slide, τ* [N].

@@ -276,6 +276,7 @@ SolverSettings solver_from(const OrderedJson& value) {
   read(value, "contact_stiffness", solver.contact_stiffness);
   read(value, "penetration_tolerance", solver.penetration_tolerance);
   read(value, "open_close_limit", solver.open_close_limit);
+  read(value, "sleep_tolerance", solver.sleep_tolerance);
   read_word(value, "time_step_control", solver.time_step_control, {TimeStepControl::fixed, TimeStepControl::adaptive});
   if (value.contains("adaptive")) solver.adaptive = adaptive_from(value.at("adaptive"));
   return solver;

@@ -215,6 +215,7 @@ OrderedJson json_from(const SolverSettings& solver) {
   json["contact_stiffness"] = solver.contact_stiffness;
   write(json, "penetration_tolerance", solver.penetration_tolerance);
   json["open_close_limit"] = solver.open_close_limit;
+  json["sleep_tolerance"] = solver.sleep_tolerance;
   write_word_unless_usual(json, "time_step_control", solver.time_step_control, usual.time_step_control);
   if (solver.adaptive != usual.adaptive) json["adaptive"] = json_from(solver.adaptive);
   return json;

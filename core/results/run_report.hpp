@@ -29,16 +29,17 @@ struct EnergyLedger {
 struct StepReport {
   int step = 0;
   int stage = 0;
-  double time = 0, time_step = 0;  ///< s, at the end of the step and its length
-  int iterations = 0;              ///< open–close iterations, of all attempts
-  int cuts = 0;                    ///< how often the step was cut before it settled
-  int contacts = 0, open = 0, stick = 0, slip = 0;
-  double max_penetration = 0;           ///< m
-  double max_relative_penetration = 0;  ///< of the local mesh size
-  double max_displacement = 0;          ///< m, of a node in this step
-  double unbalanced_force = 0;          ///< N, norm of the residual at the end of the step
-  double time_error = 0;                ///< m, estimated error of time integration in this step
-  bool equilibrium = false;             ///< a static stage ended because nothing moves any more
+  double time = 0, time_step = 0;                   ///< s, at the end of the step and its length
+  int iterations = 0;                               ///< open–close iterations, of all attempts
+  int cuts = 0;                                     ///< how often the step was cut before it settled
+  int contacts = 0, open = 0, stick = 0, slip = 0;  ///< of blocks that are awake
+  int asleep = 0;                                   ///< blocks that sleep at the end of the step
+  double max_penetration = 0;                       ///< m
+  double max_relative_penetration = 0;              ///< of the local mesh size
+  double max_displacement = 0;                      ///< m, of a node in this step
+  double unbalanced_force = 0;                      ///< N, norm of the residual at the end of the step
+  double time_error = 0;                            ///< m, estimated error of time integration in this step
+  bool equilibrium = false;                         ///< a static stage ended because nothing moves any more
   Phases phases;
   EnergyLedger energy;
 };
@@ -88,11 +89,32 @@ struct BlockOutcome {
   MotionClass motion;
 };
 
+/// An effect of the run; what is off was built and evaluated zero times.
 struct EffectOutcome {
   std::string name;
   bool active = false;
   std::string reason;
-  double seconds = 0;
+  double seconds = 0;    ///< wall time
+  long built = 0;        ///< how often it was constructed: once a stage that calls for it
+  long evaluations = 0;  ///< of its forces
+  long assemblies = 0;   ///< of its stiffness
+};
+
+/// What a run has done, in counts: the same on every machine.
+struct RunWork {
+  long body_pairs = 0;            ///< distances of two blocks that were measured
+  long facet_searches = 0;        ///< pairs of blocks whose facets were searched
+  long facet_pairs = 0;           ///< pairs of facets looked at, step by step
+  long contact_points = 0;        ///< handed to the effects, step by step
+  long factorisations = 0;        ///< sparse ones …
+  long dense_factorisations = 0;  ///< … and those of small systems
+  long linear_solves = 0;         ///< of one independent system each
+  long gmres_iterations = 0;
+  int systems = 0,
+      largest_system = 0;  ///< independent ones at the end, and the freedoms of the largest, each of three unknowns
+  long block_steps_asleep = 0;  ///< steps that blocks slept through, in all
+  long wakings = 0;             ///< blocks that something woke by touching it
+  long stress_recoveries = 0;   ///< blocks' stresses that were computed, for frames and monitors
 };
 
 struct ExpectationOutcome {
@@ -115,6 +137,7 @@ struct RunReport {
   long iterations = 0, cuts = 0;
   Phases phases;
   std::vector<EffectOutcome> effects;
+  RunWork work;
   std::vector<Event> events;
   std::vector<ExpectationOutcome> expect;
 };

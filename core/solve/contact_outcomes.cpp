@@ -13,50 +13,53 @@ constexpr double opening_tolerance = 2e-4;
 
 void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, const Composition& composition,
                            const Increment& d, bool keep_multipliers) {
-  forces_.resize(contacts.points.size());
-  outcomes_.resize(contacts.points.size());
+  samples_.clear();
+  outcomes_.clear();
+  max_penetration_ = max_relative_penetration_ = 0;
   for (int i = 0; i < static_cast<int>(contacts.points.size()); ++i) {
     ContactPoint& point = contacts.points[i];
-    ContactForces& force = forces_[i];
-    force.gap = links.gap(i, d);
-    force.normal = normal_force(point, force.gap);
-    force.shear = composition.shear ? composition.shear->force(i, d) : Vec3(Vec3::Zero());
+    const double gap = links.gap(i, d), normal = normal_force(point, gap);
+    const Vec3 shear = composition.shear ? composition.shear->force(i, d) : Vec3(Vec3::Zero());
     const double slip = composition.shear ? composition.shear->slip(i, d) : 0;
-    const bool pulled_off = point.bonded && force.gap > opening_tolerance * point.size;
-    const bool yields = point.bonded && point.tension > 0 && force.normal <= -point.tension;
-    const bool touches = force.normal > 0 || (point.bonded && !pulled_off);
-    point.mode = force.mode = !touches ? ContactMode::open : slip > 0 ? ContactMode::slip : ContactMode::stick;
-    outcomes_[i] = {force.normal, force.shear, force.gap, slip, point.bonded && (slip > 0 || pulled_off || yields)};
-    outcomes_[i].multiplier = keep_multipliers ? std::max(0.0, force.normal) : 0;
+    const bool pulled_off = point.bonded && gap > opening_tolerance * point.size;
+    const bool yields = point.bonded && point.tension > 0 && normal <= -point.tension;
+    const bool touches = normal > 0 || (point.bonded && !pulled_off);
+    point.mode = !touches ? ContactMode::open : slip > 0 ? ContactMode::slip : ContactMode::stick;
+    outcomes_.push_back({normal, shear, gap, slip, point.bonded && (slip > 0 || pulled_off || yields)});
+    outcomes_.back().multiplier = keep_multipliers ? std::max(0.0, normal) : 0;
+    samples_.push_back({point.position,
+                        point.normal,
+                        {point.bodies[0], point.bodies[1]},
+                        point.joint,
+                        static_cast<ContactState>(point.mode),
+                        normal,
+                        shear,
+                        point.area});
+    if (!touches) continue;
+    max_penetration_ = std::max(max_penetration_, point.overlap - gap);
+    max_relative_penetration_ = std::max(max_relative_penetration_, (point.overlap - gap) / point.size);
   }
 }
 
-void ContactOutcomes::add_to(StepReport& report, const ContactSet& contacts) const {
-  report.contacts = static_cast<int>(forces_.size());
-  for (std::size_t i = 0; i < forces_.size(); ++i) {
-    const ContactForces& force = forces_[i];
-    ++(force.mode == ContactMode::open ? report.open : force.mode == ContactMode::stick ? report.stick : report.slip);
-    if (force.mode == ContactMode::open) continue;
-    const double penetration = contacts.points[i].overlap - force.gap;
-    report.max_penetration = std::max(report.max_penetration, penetration);
-    report.max_relative_penetration = std::max(report.max_relative_penetration, penetration / contacts.points[i].size);
-  }
+void ContactOutcomes::add_to(StepReport& report) const {
+  report.contacts = static_cast<int>(samples_.size());
+  for (const ContactSample& sample : samples_)
+    ++(sample.state == ContactState::open    ? report.open
+       : sample.state == ContactState::stick ? report.stick
+                                             : report.slip);
+  report.max_penetration = std::max(report.max_penetration, max_penetration_);
+  report.max_relative_penetration = std::max(report.max_relative_penetration, max_relative_penetration_);
 }
 
-std::vector<ContactSample> ContactOutcomes::samples(const ContactSet& contacts) const {
-  std::vector<ContactSample> samples;
-  for (std::size_t i = 0; i < forces_.size(); ++i) {
-    const ContactPoint& point = contacts.points[i];
-    samples.push_back({point.position,
-                       point.normal,
-                       {point.bodies[0], point.bodies[1]},
-                       point.joint,
-                       static_cast<ContactState>(forces_[i].mode),
-                       forces_[i].normal,
-                       forces_[i].shear,
-                       point.area});
-  }
-  return samples;
+ContactSample sample_of(const RestingContact& contact) {
+  return {contact.position,
+          contact.normal,
+          {contact.bodies[0], contact.bodies[1]},
+          contact.joint,
+          static_cast<ContactState>(contact.mode),
+          contact.normal_force,
+          contact.shear_force,
+          contact.area};
 }
 
 double relative_penetration(const ContactLinks& links, const Increment& d) {

@@ -6,31 +6,27 @@
 
 namespace talus {
 
-/// What a contact point came to when a step was taken, for frames and events.
-struct ContactForces {
-  double normal = 0;          ///< N, compression positive
-  Vec3 shear = Vec3::Zero();  ///< N, on the first body
-  double gap = 0;             ///< m, at the end of the step
-  ContactMode mode = ContactMode::open;
-};
-
 /// What the contact points come to at the increment of a step that is taken.
 class ContactOutcomes {
  public:
-  /// `links` are those of `contacts`. `keep_multipliers`: the augmented Lagrangian goes on with the normal forces. Sets the modes of the points.
+  /// `links` are those of `contacts`. `keep_multipliers`: the augmented Lagrangian goes on with the normal forces. Sets
+  /// the modes of the points.
   void take(ContactSet& contacts, const ContactLinks& links, const Composition& composition, const Increment& d,
             bool keep_multipliers);
 
-  const std::vector<ContactForces>& forces() const { return forces_; }
   const std::vector<ContactOutcome>& outcomes() const { return outcomes_; }
+  const std::vector<ContactSample>& samples() const { return samples_; }
   /// Counts and penetrations of the step.
-  void add_to(StepReport& report, const ContactSet& contacts) const;
-  std::vector<ContactSample> samples(const ContactSet& contacts) const;
+  void add_to(StepReport& report) const;
 
  private:
-  std::vector<ContactForces> forces_;
   std::vector<ContactOutcome> outcomes_;
+  std::vector<ContactSample> samples_;
+  double max_penetration_ = 0, max_relative_penetration_ = 0;  ///< m; of the local mesh size
 };
+
+/// A contact of blocks that sleep, as it was when they fell asleep.
+ContactSample sample_of(const RestingContact& contact);
 
 /// Deepest penetration of a point that pushes, of its mesh size, at D.
 double relative_penetration(const ContactLinks& links, const Increment& d);

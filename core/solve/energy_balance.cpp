@@ -47,6 +47,17 @@ void EnergyBalance::energy_was_given(const Composition& composition) {
   }
 }
 
+void EnergyBalance::awake_changed(const Composition& composition) {
+  for (std::size_t i = 0; i < composition.effects.size(); ++i) {
+    const Effect& effect = *composition.effects[i];
+    const double change = effect.stored_energy() - entries_[i].stored;
+    entries_[i].stored += change;
+    if (effect.account() != EnergyAccount::kinetic) continue;
+    ledger_.kinetic += change;
+    ledger_.integration_loss -= change;
+  }
+}
+
 const EnergyLedger& EnergyBalance::after_step(const Composition& composition, const std::vector<double>& works,
                                               const Increment& d) {
   for (std::size_t i = 0; i < composition.effects.size(); ++i) {

@@ -14,8 +14,12 @@ class EnergyBalance {
   void begin_stage(const Composition& composition);
   /// Velocities were given from outside: their energy is new.
   void energy_was_given(const Composition& composition);
+  /// Bodies fell asleep or woke: what effects hold from now on is of those that are awake, and `ledger` keeps the rest.
+  /// What was left of the motion of those that fell asleep is lost.
+  void awake_changed(const Composition& composition);
   /// After effects have accepted D and bodies have moved. `works`: ∇Π_e·D over free nodes, an effect [J].
   const EnergyLedger& after_step(const Composition& composition, const std::vector<double>& works, const Increment& d);
+  const EnergyLedger& ledger() const { return ledger_; }  ///< as of the last step
 
  private:
   struct Entry {

@@ -23,6 +23,7 @@ double size_of(const Block& block) { return std::cbrt(block.volume); }
 
 EventWatch::EventWatch(const BlockSystem& system)
     : system_(system),
+      joints_of_(system.blocks.size()),
       flights_(system.blocks.size()),
       motions_(system.blocks.size()),
       toppled_(system.blocks.size(), false) {}
@@ -30,54 +31,58 @@ EventWatch::EventWatch(const BlockSystem& system)
 void EventWatch::mark_closed(const ContactSample& contact) {
   const auto [first, second] = std::minmax(contact.blocks[0], contact.blocks[1]);
   flights_[first].touches = flights_[second].touches = true;
-  for (Joint& joint : joints_)
-    if (joint.blocks[0] == first && joint.blocks[1] == second && joint.joint == contact.joint) {
-      joint.closed = true;
-      return;
-    }
+  const bool first_has_fewer = joints_of_[first].size() < joints_of_[second].size();
+  for (const int number : joints_of_[first_has_fewer ? first : second]) {
+    Joint& joint = joints_[number];
+    if (joint.blocks[0] != first || joint.blocks[1] != second || joint.joint != contact.joint) continue;
+    joint.closed = true;
+    return;
+  }
+  for (const int block : {first, second}) joints_of_[block].push_back(static_cast<int>(joints_.size()));
   joints_.push_back({{first, second}, contact.joint});
 }
 
-void EventWatch::look(const Simulation& simulation, const std::vector<ContactSample>& contacts) {
-  for (std::size_t b = 0; b < motions_.size(); ++b)
-    motions_[b] = block_motion(simulation.bodies(), static_cast<int>(b));
-  for (const ContactSample& contact : contacts)
-    if (contact.state != ContactState::open) mark_closed(contact);
-  look_at_joints(simulation.time());
-  look_at_blocks(simulation);
-}
-
-void EventWatch::look_at_joints(double time) {
-  for (Joint& joint : joints_) {
-    const auto [first, second] = joint.blocks;
-    const Vec3 apart = motions_[first].displacement - motions_[second].displacement;
-    const double visible = visible_opening * std::min(size_of(system_.blocks[first]), size_of(system_.blocks[second]));
-    if (joint.closed) joint.apart_at_opening = apart;
-    joint.closed = false;
-    if (joint.told || (apart - joint.apart_at_opening).norm() < visible) continue;
-    joint.told = true;
-    const std::string name = system_.joint_names.empty() ? "contact" : system_.joint_names[joint.joint];
-    events_.push_back(
-        {time, name + " opens (" + system_.blocks[first].name + " - " + system_.blocks[second].name + ")"});
-  }
-}
-
-void EventWatch::look_at_blocks(const Simulation& simulation) {
+void EventWatch::look(const Simulation& simulation) {
+  const BodySet& bodies = simulation.bodies();
   const double time = simulation.time();
-  for (std::size_t b = 0; b < flights_.size(); ++b) {
-    if (simulation.bodies().bodies[b].fixed) continue;
-    Flight& flight = flights_[b];
-    if (flight.touches) flight.since = time;
-    flight.touched |= flight.touches;
-    flight.touches = false;
-    if (flight.touched && !flight.told && time - flight.since > lasting_flight) {
-      flight.told = true;
-      events_.push_back({flight.since, system_.blocks[b].name + " falls free"});
-    }
-    if (toppled_[b] || degrees(motions_[b].rotation) < toppling_angle) continue;
-    toppled_[b] = true;
-    events_.push_back({time, system_.blocks[b].name + " topples (turned by 10°)"});
+  for (const auto* moved : {&bodies.moving, &bodies.driven})
+    for (const int b : *moved) motions_[b] = block_motion(bodies, b);
+  for (const ContactSample& contact : simulation.awake_contacts())
+    if (contact.state != ContactState::open) mark_closed(contact);
+  for (const auto* moved : {&bodies.moving, &bodies.driven})
+    for (const int b : *moved)
+      for (const int number : joints_of_[b]) look_at(joints_[number], time);
+  for (const int b : bodies.moving) look_at_block(b, time);
+  last_look_ = time;
+}
+
+/// May be called for both of its blocks.
+void EventWatch::look_at(Joint& joint, double time) {
+  const auto [first, second] = joint.blocks;
+  const Vec3 apart = motions_[first].displacement - motions_[second].displacement;
+  const double visible = visible_opening * std::min(size_of(system_.blocks[first]), size_of(system_.blocks[second]));
+  if (joint.closed) joint.apart_at_opening = apart;
+  joint.closed = false;
+  if (joint.told || (apart - joint.apart_at_opening).norm() < visible) return;
+  joint.told = true;
+  const std::string name = system_.joint_names.empty() ? "contact" : system_.joint_names[joint.joint];
+  events_.push_back({time, name + " opens (" + system_.blocks[first].name + " - " + system_.blocks[second].name + ")"});
+}
+
+void EventWatch::look_at_block(int b, double time) {
+  Flight& flight = flights_[b];
+  if (flight.looked_at < last_look_) flight.since = last_look_;  // it was held or slept until then
+  flight.looked_at = time;
+  if (flight.touches) flight.since = time;
+  flight.touched |= flight.touches;
+  flight.touches = false;
+  if (flight.touched && !flight.told && time - flight.since > lasting_flight) {
+    flight.told = true;
+    events_.push_back({flight.since, system_.blocks[b].name + " falls free"});
   }
+  if (toppled_[b] || degrees(motions_[b].rotation) < toppling_angle) return;
+  toppled_[b] = true;
+  events_.push_back({time, system_.blocks[b].name + " topples (turned by 10°)"});
 }
 
 std::vector<Event> EventWatch::events() const {

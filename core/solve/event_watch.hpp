@@ -13,13 +13,14 @@ namespace talus {
 class Simulation;
 
 /// Watches a run for what deserves a mark on its timeline, each told once: a joint between two blocks that has opened
-/// so far that one sees it, a block that has flown free for a while, a block that has begun to topple.
+/// so far that one sees it, a block that has flown free for a while, a block that has begun to topple. Looks at the
+/// blocks that move alone.
 class EventWatch {
  public:
   explicit EventWatch(const BlockSystem& system);
 
-  /// After a step, with the contacts of that step.
-  void look(const Simulation& simulation, const std::vector<ContactSample>& contacts);
+  /// After a step.
+  void look(const Simulation& simulation);
   /// In order of time.
   std::vector<Event> events() const;
 
@@ -32,17 +33,20 @@ class EventWatch {
   };
   struct Flight {
     bool touched = false, touches = false, told = false;
-    double since = 0;  ///< s
+    double since = 0;      ///< s
+    double looked_at = 0;  ///< s
   };
   void mark_closed(const ContactSample& contact);
-  void look_at_joints(double time);
-  void look_at_blocks(const Simulation& simulation);
+  void look_at(Joint& joint, double time);
+  void look_at_block(int block, double time);
 
   const BlockSystem& system_;
   std::vector<Joint> joints_;
+  std::vector<std::vector<int>> joints_of_;  ///< a block
   std::vector<Flight> flights_;
   std::vector<BlockMotion> motions_;
   std::vector<bool> toppled_;
+  double last_look_ = 0;  ///< s
   std::vector<Event> events_;
 };
 

@@ -9,8 +9,8 @@ namespace talus {
 namespace {
 
 /// In a static stage a step goes on as the last one did only where that leaves less than this share of what standing
-/// still does: where the bodies creep steadily. Anywhere else it may lead past the strength of contacts that would hold,
-/// and a wedge between joints that dilate has a second balance there, sliding.
+/// still does: where the bodies creep steadily. Anywhere else it may lead past the strength of contacts that would
+/// hold, and a wedge between joints that dilate has a second balance there, sliding.
 constexpr double creeping = 0.01;
 
 }  // namespace

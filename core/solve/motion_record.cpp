@@ -32,7 +32,7 @@ void CarriedLoad::add(const Face& face) {
 
 void CarriedLoad::add(const CarriedLoad& later) {
   for (const Face& face : later.faces) add(face);
-  loaded_time += later.loaded_time;
+  free_time += later.free_time;
 }
 
 SmallMotion motion_between(const BlockPose& from, const BlockPose& to) {
@@ -41,7 +41,7 @@ SmallMotion motion_between(const BlockPose& from, const BlockPose& to) {
 }
 
 MotionRecord::MotionRecord(const Project& project, const BlockSystem& system, const BodySet& bodies)
-    : fit_(system), start_(fit_.poses(bodies)), last_(start_), force_(system.blocks.size()) {
+    : fit_(system), start_(fit_.poses(bodies)), tracks_(system.blocks.size()), force_(system.blocks.size()) {
   if (!project.gravity.isZero()) up_ = -project.gravity.normalized();
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
     weight_.push_back(bodies.bodies[b].density * fit_.volume(static_cast<int>(b)) * project.gravity.norm());
@@ -50,15 +50,34 @@ MotionRecord::MotionRecord(const Project& project, const BlockSystem& system, co
 }
 
 void MotionRecord::begin_stage(double time) {
-  start_ = last_;
-  done_.clear();
+  for (std::size_t b = 0; b < tracks_.size(); ++b) {
+    if (!tracks_[b].empty()) start_[b] = tracks_[b].back().pose;
+    tracks_[b].clear();
+  }
+  ends_.clear();
+  begin_ = time_;
   length_ = time - time_;
-  growing_ = {time_, time_, {}, std::vector<CarriedLoad>(weight_.size())};
   stage_begins_ = false;
 }
 
+void MotionRecord::begin_span() {
+  ends_.push_back(time_);
+  passing_.clear();
+  grows_ = true;
+}
+
+MotionRecord::Passage& MotionRecord::growing(int block) {
+  Track& track = tracks_[block];
+  if (track.empty() || track.back().span != spans() - 1) {
+    track.push_back({spans() - 1, {}, {}});
+    passing_.push_back(block);
+  }
+  return track.back();
+}
+
 void MotionRecord::add_contacts(double length, const std::vector<ContactSample>& contacts, const BodySet& bodies) {
-  std::fill(force_.begin(), force_.end(), 0);
+  for (const int b : bodies.driven) growing(b);
+  for (const int b : bodies.moving) force_[b] = 0;
   for (const ContactSample& contact : contacts) {
     if (contact.normal_force <= 0) continue;
     const double impulse = contact.normal_force * length;
@@ -67,77 +86,84 @@ void MotionRecord::add_contacts(double length, const std::vector<ContactSample>&
       if (bodies.bodies[block].fixed) continue;
       force_[block] += contact.normal_force;
       const double sign = side == 0 ? 1 : -1;
-      growing_.loads[block].add({contact.blocks[1 - side], contact.joint, sign * impulse * contact.normal,
-                                 impulse * contact.position, impulse});
+      growing(block).load.add({contact.blocks[1 - side], contact.joint, sign * impulse * contact.normal,
+                               impulse * contact.position, impulse});
     }
   }
-  for (std::size_t b = 0; b < force_.size(); ++b)
-    if (force_[b] > bearing_share * weight_[b]) growing_.loads[b].loaded_time += length;
+  for (const int b : bodies.moving)
+    if (Passage& passage = growing(b); !(force_[b] > bearing_share * weight_[b])) passage.load.free_time += length;
 }
 
 bool MotionRecord::take(double time, bool stage_ended, const BodySet& bodies,
                         const std::vector<ContactSample>& contacts) {
   if (time <= time_) return false;  // the step failed
   if (stage_begins_) begin_stage(time);
+  if (!grows_) begin_span();
   add_contacts(time - time_, contacts, bodies);
-  growing_.end = time_ = time;
+  ends_.back() = time_ = time;
   stage_begins_ = stage_ended;
-  if (!stage_ended && growing_.end - growing_.begin < (1 - 1e-9) * length_) return false;
-  complete(bodies);
-  if (done_.size() > most_spans) thin();
+  const double span_began = spans() > 1 ? end(spans() - 2) : begin_;
+  if (!stage_ended && time - span_began < (1 - 1e-9) * length_) return false;
+  catch_up(bodies);
+  grows_ = false;
+  if (ends_.size() > most_spans) thin();
   return true;
 }
 
-void MotionRecord::complete(const BodySet& bodies) {
-  growing_.poses = last_ = fit_.poses(bodies);
-  done_.push_back(std::move(growing_));
-  growing_ = {time_, time_, {}, std::vector<CarriedLoad>(weight_.size())};
+void MotionRecord::catch_up(const BodySet& bodies) {
+  if (!grows_) return;
+  for (const int b : passing_) tracks_[b].back().pose = fit_.pose(bodies, b);
 }
 
 void MotionRecord::thin() {
   length_ *= 2;
-  std::vector<MotionSpan> thinner;
-  for (MotionSpan& span : done_) {
-    if (thinner.empty() || span.end - thinner.back().begin > (1 + 1e-9) * length_) {
-      thinner.push_back(std::move(span));
-      continue;
+  std::vector<double> thinner;
+  std::vector<int> becomes;
+  double began = begin_;
+  for (const double end : ends_) {
+    if (thinner.empty() || end - began > (1 + 1e-9) * length_) {
+      if (!thinner.empty()) began = thinner.back();
+      thinner.push_back(end);
     }
-    MotionSpan& before = thinner.back();
-    before.end = span.end;
-    before.poses = std::move(span.poses);
-    for (std::size_t b = 0; b < before.loads.size(); ++b) before.loads[b].add(span.loads[b]);
+    thinner.back() = end;
+    becomes.push_back(static_cast<int>(thinner.size()) - 1);
   }
-  done_ = std::move(thinner);
+  ends_ = std::move(thinner);
+  for (Track& track : tracks_) {
+    std::size_t kept = 0;
+    for (Passage& passage : track) {
+      passage.span = becomes[passage.span];
+      if (kept > 0 && track[kept - 1].span == passage.span) {
+        track[kept - 1].pose = passage.pose;
+        track[kept - 1].load.add(passage.load);
+      } else if (&track[kept++] != &passage) {
+        track[kept - 1] = std::move(passage);
+      }
+    }
+    track.erase(track.begin() + static_cast<long>(kept), track.end());
+  }
 }
 
-std::vector<const MotionSpan*> MotionRecord::spans(const BodySet& bodies) {
-  std::vector<const MotionSpan*> all;
-  for (const MotionSpan& span : done_) all.push_back(&span);
-  if (growing_.end > growing_.begin) {
-    growing_.poses = fit_.poses(bodies);
-    all.push_back(&growing_);
-  }
-  return all;
+const BlockPose& MotionRecord::pose(int block, int span) const {
+  const Track& track = tracks_[block];
+  const auto later = std::partition_point(track.begin(), track.end(), [&](const Passage& p) { return p.span <= span; });
+  return later == track.begin() ? start_[block] : std::prev(later)->pose;
 }
 
-MotionWindow MotionRecord::window(const std::vector<const MotionSpan*>& spans, int b, int from, int to) const {
-  const auto block = static_cast<std::size_t>(b);
-  const std::vector<BlockPose>& before = from < 0 ? start_ : spans[static_cast<std::size_t>(from)]->poses;
-  const std::vector<BlockPose>& after = spans[static_cast<std::size_t>(to)]->poses;
+MotionWindow MotionRecord::window(int block, int from, int to) const {
+  const BlockPose &before = pose(block, from), &after = pose(block, to);
   CarriedLoad load;
-  for (int i = from + 1; i <= to; ++i) load.add(spans[static_cast<std::size_t>(i)]->loads[block]);
+  for (const Passage& passage : tracks_[block])
+    if (passage.span > from && passage.span <= to) load.add(passage.load);
 
   MotionWindow window;
-  window.motion = motion_between(before[block], after[block]);
-  window.spread = after[block].rotation * fit_.spread(b) * after[block].rotation.transpose();
+  window.motion = motion_between(before, after);
+  window.spread = after.rotation * fit_.spread(block) * after.rotation.transpose();
   window.up = up_;
-  const double time = spans[static_cast<std::size_t>(to)]->end - spans[static_cast<std::size_t>(from + 1)]->begin;
-  window.loaded_share = load.loaded_time / time;
-  for (const CarriedLoad::Face& face : load.faces) {
-    const auto other = static_cast<std::size_t>(face.block);
+  window.loaded_share = 1 - load.free_time / (end(to) - (from < 0 ? begin_ : end(from)));
+  for (const CarriedLoad::Face& face : load.faces)
     window.faces.push_back({face.block, face.joint, face.normal.normalized(), face.moment / face.impulse, face.impulse,
-                            motion_between(before[other], after[other]), yields_[other]});
-  }
+                            motion_between(pose(face.block, from), pose(face.block, to)), yields_[face.block]});
   return window;
 }
 

@@ -29,7 +29,10 @@ constexpr double rounding = 1e-9;
 }  // namespace
 
 MotionWatch::MotionWatch(const Project& project, const BlockSystem& system, const BodySet& bodies)
-    : names_(motion_names(system)), record_(project, system, bodies), news_(system.blocks.size()) {}
+    : names_(motion_names(system)),
+      record_(project, system, bodies),
+      classes_(system.blocks.size()),
+      news_(system.blocks.size()) {}
 
 double MotionWatch::travel(int block, const BlockPose& from, const BlockPose& to) const {
   const SmallMotion motion = motion_between(from, to);
@@ -38,17 +41,22 @@ double MotionWatch::travel(int block, const BlockPose& from, const BlockPose& to
          std::cbrt(record_.fit().volume(block));
 }
 
-bool MotionWatch::gathers_way(int block, const Spans& spans) const {
-  const auto b = static_cast<std::size_t>(block);
-  const double begin = spans.front()->begin, length = spans.back()->end - begin;
-  const BlockPose* poses[5] = {&record_.start()[b], nullptr, nullptr, nullptr, &spans.back()->poses[b]};
-  for (int quarter = 1; quarter < 4; ++quarter) {
-    const double until = begin + length * quarter / 4;
-    const auto nearest = std::min_element(spans.begin(), spans.end(), [&](const auto* x, const auto* y) {
-      return std::abs(x->end - until) < std::abs(y->end - until);
-    });
-    poses[quarter] = &(*nearest)->poses[b];
-  }
+double MotionWatch::travel_since(int block, int span) const {
+  return travel(block, record_.pose(block, span), record_.last_pose(block));
+}
+
+int MotionWatch::span_nearest_to(double time) const {
+  int nearest = 0;
+  for (int span = 1; span < record_.spans(); ++span)
+    if (std::abs(record_.end(span) - time) < std::abs(record_.end(nearest) - time)) nearest = span;
+  return nearest;
+}
+
+bool MotionWatch::gathers_way(int block) const {
+  const double begin = record_.begin(), length = record_.end() - begin;
+  const BlockPose* poses[5] = {&record_.pose(block, -1), nullptr, nullptr, nullptr, &record_.last_pose(block)};
+  for (int quarter = 1; quarter < 4; ++quarter)
+    poses[quarter] = &record_.pose(block, span_nearest_to(begin + length * quarter / 4));
   const auto part = [&](int quarter) { return travel(block, *poses[quarter], *poses[quarter + 1]); };
   const auto onwards = [&](int quarter) {
     const SmallMotion now = motion_between(*poses[quarter], *poses[quarter + 1]);
@@ -60,73 +68,77 @@ bool MotionWatch::gathers_way(int block, const Spans& spans) const {
          onwards(2) && onwards(3);
 }
 
-int MotionWatch::last_moving(int block, const Spans& spans) const {
-  const auto b = static_cast<std::size_t>(block);
-  int last = static_cast<int>(spans.size()) - 1;
-  while (last > 0 && travel(block, spans[static_cast<std::size_t>(last) - 1]->poses[b], spans.back()->poses[b]) < still)
-    --last;
+int MotionWatch::last_moving(int block) const {
+  int last = record_.spans() - 1;
+  while (last > 0 && travel_since(block, last - 1) < still) --last;
   return last;
 }
 
-MotionClass MotionWatch::class_of(int block, const Spans& spans) const {
-  const auto b = static_cast<std::size_t>(block);
-  const BlockPose &start = record_.start()[b], &now = spans.back()->poses[b];
-  const double last_quarter = spans.back()->end - (spans.back()->end - spans.front()->begin) / 4;
-  double lately = travel(block, start, now), ever = lately;
-  for (const MotionSpan* span : spans) {
-    const double to_now = travel(block, span->poses[b], now);
-    ever = std::max(ever, travel(block, start, span->poses[b]));
-    lately = span->end <= last_quarter ? to_now : std::max(lately, to_now);
+MotionClass MotionWatch::class_of(int block) const {
+  const double end = record_.end(), last_quarter = end - (end - record_.begin()) / 4;
+  double lately = travel_since(block, -1), ever = lately;
+  for (int span = 0; span < record_.spans(); ++span) {
+    const double to_now = travel_since(block, span);
+    ever = std::max(ever, travel(block, record_.pose(block, -1), record_.pose(block, span)));
+    lately = record_.end(span) <= last_quarter ? to_now : std::max(lately, to_now);
   }
-  const bool rests = lately < still && !gathers_way(block, spans);
+  const bool rests = lately < still && !gathers_way(block);
   if (rests && ever < settled) return {};
 
-  const int last = rests ? last_moving(block, spans) : static_cast<int>(spans.size()) - 1;
-  const BlockPose& end = spans[static_cast<std::size_t>(last)]->poses[b];
+  const int last = rests ? last_moving(block) : record_.spans() - 1;
+  const BlockPose& there = record_.pose(block, last);
   int from = last - 1;
-  while (from >= 0 && travel(block, spans[static_cast<std::size_t>(from)]->poses[b], end) < read_over) {
+  while (from >= 0 && travel(block, record_.pose(block, from), there) < read_over) {
     // What a block has hardly begun is read from the later half of the time: settling lies in the first.
-    if (!rests && 2 * spans[static_cast<std::size_t>(from)]->end < spans.front()->begin + spans.back()->end) break;
+    if (!rests && 2 * record_.end(from) < record_.begin() + end) break;
     --from;
   }
-  MotionClass motion = classify(record_.window(spans, block, from, last));
+  MotionClass motion = classify(record_.window(block, from, last));
   motion.came_to_rest = rests;
   return motion;
 }
 
 void MotionWatch::look(double time, bool stage_ended, const BodySet& bodies,
                        const std::vector<ContactSample>& contacts) {
-  if (record_.take(time, stage_ended, bodies, contacts)) tell(record_.spans(bodies), classes(bodies));
-}
-
-std::vector<MotionClass> MotionWatch::classes(const BodySet& bodies) {
-  std::vector<MotionClass> classes(names_.blocks.size());
-  const Spans spans = record_.spans(bodies);
-  if (spans.empty()) return classes;
-  for (std::size_t b = 0; b < classes.size(); ++b)
-    if (!bodies.bodies[b].fixed) classes[b] = class_of(static_cast<int>(b), spans);
-  return classes;
-}
-
-void MotionWatch::tell(const Spans& spans, const std::vector<MotionClass>& classes) {
-  for (std::size_t b = 0; b < classes.size(); ++b) {
-    const MotionClass& now = classes[b];
-    News& news = news_[b];
-    if (now.mode == MotionMode::stable || same_kind(now, news.known)) {
-      news.next = news.known;
-      continue;
-    }
-    const BlockPose& pose = spans.back()->poses[b];
-    if (!same_kind(now, news.next)) news = {news.known, news.told, now, spans.back()->end, pose};
-    // A block at rest goes no farther, and was looked at for a quarter of the stage.
-    if (!now.came_to_rest && travel(static_cast<int>(b), news.from, pose) < lasting) continue;
-    news.known = now;
-    if (now.mode == MotionMode::falling || same_kind(now, news.told)) continue;  // a bounce is no news
-    news.told = now;
-    const double since =
-        now.came_to_rest ? spans[static_cast<std::size_t>(last_moving(static_cast<int>(b), spans))]->end : news.since;
-    events_.push_back({since, names_.blocks[b] + ": " + motion_text(now, names_)});
+  if (stage_begins_) {
+    std::fill(classes_.begin(), classes_.end(), MotionClass{});
+    followed_.clear();
   }
+  stage_begins_ = stage_ended;
+  if (!record_.take(time, stage_ended, bodies, contacts)) return;
+  classes(bodies);
+  for (const int b : followed_) tell(b);
+  std::erase_if(followed_, [&](int b) {  // what sleeps, and rests by its class too, goes on doing so
+    return bodies.bodies[b].fixed && (classes_[b].came_to_rest || classes_[b].mode == MotionMode::stable);
+  });
+}
+
+const std::vector<MotionClass>& MotionWatch::classes(const BodySet& bodies) {
+  if (record_.spans() == 0) return classes_;
+  record_.catch_up(bodies);
+  followed_.insert(followed_.end(), bodies.moving.begin(), bodies.moving.end());
+  std::sort(followed_.begin(), followed_.end());
+  followed_.erase(std::unique(followed_.begin(), followed_.end()), followed_.end());
+  for (const int b : followed_) classes_[b] = class_of(b);
+  return classes_;
+}
+
+void MotionWatch::tell(int block) {
+  const MotionClass& now = classes_[block];
+  News& news = news_[block];
+  if (now.mode == MotionMode::stable || same_kind(now, news.known)) {
+    news.next = news.known;
+    return;
+  }
+  const BlockPose& pose = record_.last_pose(block);
+  if (!same_kind(now, news.next)) news = {news.known, news.told, now, record_.end(), pose};
+  // A block at rest goes no farther, and was looked at for a quarter of the stage.
+  if (!now.came_to_rest && travel(block, news.from, pose) < lasting) return;
+  news.known = now;
+  if (now.mode == MotionMode::falling || same_kind(now, news.told)) return;  // a bounce is no news
+  news.told = now;
+  events_.push_back({now.came_to_rest ? record_.end(last_moving(block)) : news.since,
+                     names_.blocks[block] + ": " + motion_text(now, names_)});
 }
 
 }  // namespace talus

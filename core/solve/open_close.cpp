@@ -29,21 +29,26 @@ constexpr double negligible_share = 0.1;
 
 }  // namespace
 
-std::map<std::string, double> OpenClose::effect_seconds() const {
-  std::map<std::string, double> seconds = earlier_seconds_;
-  for (std::size_t i = 0; i < seconds_.size(); ++i)
-    seconds[std::string(composition_->effects[i]->name())] += seconds_[i];
-  return seconds;
+std::map<std::string, OpenClose::EffectWork> OpenClose::effect_work() const {
+  std::map<std::string, EffectWork> all = earlier_work_;
+  for (std::size_t i = 0; i < effect_work_.size(); ++i) {
+    EffectWork& sum = all[std::string(composition_->effects[i]->name())];
+    sum.seconds += effect_work_[i].seconds;
+    sum.built += effect_work_[i].built;
+    sum.evaluations += effect_work_[i].evaluations;
+    sum.assemblies += effect_work_[i].assemblies;
+  }
+  return all;
 }
 
 void OpenClose::end_stage() {
-  earlier_seconds_ = effect_seconds();
-  seconds_.clear();
+  earlier_work_ = effect_work();
+  effect_work_.clear();
 }
 
 void OpenClose::begin_stage(Composition& composition) {
   composition_ = &composition;
-  seconds_.assign(composition.effects.size(), 0);
+  effect_work_.assign(composition.effects.size(), {.built = 1});
   works_.assign(composition.effects.size(), 0);
   norms_.assign(composition.effects.size(), 0);
   constant_length_ = 0;
@@ -81,9 +86,10 @@ void OpenClose::assemble_constant(const StepContext& step) {
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
     if (!effect.constant()) continue;
-    const Stopwatch share(seconds_[i]);
+    const Stopwatch share(effect_work_[i].seconds);
     constant_.set_weight(effect.smooth() ? share_ : 1);
     effect.add_hessian(zero_, constant_);
+    ++effect_work_[i].assemblies;
   }
 }
 
@@ -99,9 +105,12 @@ void OpenClose::begin_step(const StepContext& step) {
   momentum_scale_ = 0;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
-    const Stopwatch share(seconds_[i]);
+    const Stopwatch share(effect_work_[i].seconds);
     of_step_.set_weight(effect.smooth() ? share_ : 1);
-    if (effect.quadratic() && !effect.constant()) effect.add_hessian(zero_, of_step_);
+    if (effect.quadratic() && !effect.constant()) {
+      effect.add_hessian(zero_, of_step_);
+      ++effect_work_[i].assemblies;
+    }
     if (effect.account() != EnergyAccount::kinetic) continue;
     part_.setZero();
     effect.add_gradient(zero_, part_);
@@ -118,9 +127,10 @@ void OpenClose::evaluate(const Increment& d, Friction friction) {
   force_scale_ = momentum_scale_;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
-    const Stopwatch share(seconds_[i]);
+    const Stopwatch share(effect_work_[i].seconds);
     part_.setZero();
     effect.add_gradient(effect.smooth() ? scaled_ : d, part_);
+    ++effect_work_[i].evaluations;
     gradient_ += part_;
     works_[i] = part_.dot(d);
     norms_[i] = part_.norm();
@@ -169,9 +179,10 @@ void OpenClose::assemble(const Increment& d, double touching) {
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
     if (effect.quadratic()) continue;
-    const Stopwatch share(seconds_[i]);
+    const Stopwatch share(effect_work_[i].seconds);
     matrix_.set_weight(effect.smooth() ? share_ : 1);
     effect.add_hessian(effect.smooth() ? scaled_ : d, matrix_);
+    ++effect_work_[i].assemblies;
   }
 }
 

@@ -63,7 +63,12 @@ class OpenClose {
   double imbalance() const;
   SolveTimes times() const;
   const LinearWork& linear_work() const { return linear_.work(); }
-  std::map<std::string, double> effect_seconds() const;  ///< wall seconds by name, of all stages
+  /// What an effect has cost in all stages.
+  struct EffectWork {
+    double seconds = 0;  ///< wall time
+    long built = 0, evaluations = 0, assemblies = 0;
+  };
+  std::map<std::string, EffectWork> effect_work() const;  ///< by name
 
  private:
   /// Strengths in shear: those of the D that is looked at, or those of the iterate that the search started from.
@@ -96,8 +101,8 @@ class OpenClose {
   double rounding_of_positions_ = 0;   ///< N, that the rounding of where a step begins may leave
   double force_scale_ = 0, momentum_scale_ = 0;
   SolveTimes times_;
-  std::vector<double> seconds_;  ///< of each effect of the stage
-  std::map<std::string, double> earlier_seconds_;
+  std::vector<EffectWork> effect_work_;  ///< of each effect of the stage
+  std::map<std::string, EffectWork> earlier_work_;
 };
 
 }  // namespace talus

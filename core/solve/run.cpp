@@ -88,9 +88,8 @@ class Recording {
       const HistoryRow row = simulation_.history();
       writer_.add_history(row);
       expectations_.look(simulation_, row);
-      const std::vector<ContactSample> contacts = simulation_.contacts();
-      events_.look(simulation_, contacts);
-      motions_.look(simulation_.time(), simulation_.stage_ended(), simulation_.bodies(), contacts);
+      events_.look(simulation_);
+      motions_.look(simulation_.time(), simulation_.stage_ended(), simulation_.bodies(), simulation_.awake_contacts());
       const bool due = simulation_.time() >= next_frame_ - 1e-9 * step.time_step;
       if (due || simulation_.stage_ended() || simulation_.finished()) {
         write_frame();
@@ -119,6 +118,7 @@ class Recording {
     report_.blocks = block_outcomes(system_, simulation_.bodies(), motions_.classes(simulation_.bodies()));
     report_.names = motion_names(system_);
     report_.effects = simulation_.effects();
+    report_.work = simulation_.work();
     report_.events = merged(merged(events_.events(), motions_.events()), stage_events_);
     report_.expect = expectations_.outcomes();
     writer_.finish(report_);

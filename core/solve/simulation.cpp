@@ -1,20 +1,9 @@
 #include "solve/simulation.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "contact/contact_detector.hpp"
-#include "effects/in_situ_stress.hpp"
-#include "model/stage_changes.hpp"
-#include "solve/contact_outcomes.hpp"
-#include "solve/energy_balance.hpp"
-#include "solve/first_guess.hpp"
-#include "solve/initial_motion.hpp"
-#include "solve/joint_laws.hpp"
-#include "solve/prescribed_motion.hpp"
-#include "solve/stage_clock.hpp"
-#include "solve/step_control.hpp"
+#include "solve/simulation_state.hpp"
 #include "solve/stopwatch.hpp"
 
 namespace talus {
@@ -35,103 +24,7 @@ constexpr int augmentation_limit = 10;
 /// A static stage is in equilibrium no sooner than after this many steps.
 constexpr int fewest_static_steps = 2;
 
-std::vector<Surface> surfaces_of(const BlockSystem& system) {
-  std::vector<Surface> surfaces;
-  for (const Block& block : system.blocks) surfaces.push_back(make_surface(block.mesh.nodes, block.surface));
-  return surfaces;
-}
-
-std::vector<ContactBody> contact_bodies(const BodySet& set, const std::vector<Surface>& surfaces) {
-  std::vector<ContactBody> bodies;
-  for (std::size_t b = 0; b < set.bodies.size(); ++b)
-    bodies.push_back({&surfaces[b], set.bodies[b].first_node, set.bodies[b].fixed, set.bodies[b].young,
-                      set.bodies[b].one_piece()});
-  return bodies;
-}
-
-ContactSettings contact_settings(const Project& project) {
-  ContactSettings settings;
-  settings.model = project.solver.contact;
-  settings.stiffness = project.solver.contact_stiffness;
-  settings.motion_told = true;
-  return settings;
-}
-
-OpenCloseSettings open_close_settings(const Project& project) {
-  OpenCloseSettings settings;
-  settings.iteration_limit = project.solver.open_close_limit;
-  return settings;
-}
-
-double smallest_mesh_size(const BodySet& bodies, const std::vector<Surface>& surfaces) {
-  double size = 1e300;
-  for (std::size_t b = 0; b < bodies.bodies.size(); ++b)
-    if (!bodies.bodies[b].built_fixed()) size = std::min(size, surfaces[b].size);
-  return size;
-}
-
-/// Half the height of all blocks [m]; of a flat model half its longest side.
-double half_height(const BodySet& bodies) {
-  Vec3 low = Vec3::Constant(1e300), high = -low;
-  for (const Vec3& x : bodies.nodes.reference) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  const Vec3 sides = high - low;
-  return 0.5 * (sides.z() > 0 ? sides.z() : sides.maxCoeff());
-}
-
 }  // namespace
-
-struct Simulation::State {
-  State(const Project& p, const BlockSystem& s)
-      : project(p),
-        system(s),
-        bodies(p, s),
-        clock(p.stages),
-        surfaces(surfaces_of(s)),
-        smallest_size(smallest_mesh_size(bodies, surfaces)),
-        detector(contact_bodies(bodies, surfaces), joint_laws(p), pair_joints(p, s), contact_settings(p)),
-        open_close(open_close_settings(p)),
-        control(p.solver.adaptive, half_height(bodies), smallest_size) {
-    for (const Monitor& monitor : p.monitors) {
-      const double tolerance = 1e-6 * std::cbrt(s.solids_volume);
-      monitors.push_back(material_point(s, monitor.block, monitor.at, tolerance, "monitor '" + monitor.name + "'"));
-    }
-    bodies.stress = stress_before(p, s, bodies);
-    for (const Vec3& x : bodies.nodes.reference) context.extent = std::max(context.extent, x.cwiseAbs().maxCoeff());
-    for (const Surface& surface : surfaces) context.mesh_size = std::max(context.mesh_size, surface.size);
-  }
-
-  bool adaptive() const { return project.solver.time_step_control == TimeStepControl::adaptive; }
-  bool augmented() const { return project.solver.penetration_tolerance.has_value(); }
-
-  const Project& project;
-  const BlockSystem& system;
-  BodySet bodies;
-  StageClock clock;
-  std::vector<Surface> surfaces;
-  double smallest_size;  ///< m
-  ContactDetector detector;
-  ContactSet contacts;
-  ContactLinks links{bodies, contacts};
-  ContactOutcomes outcomes;
-  Composition composition;
-  OpenClose open_close;
-  FirstGuess first_guess;
-  StepControl control;
-  EnergyBalance energy;
-  std::optional<PrescribedMotion> motion;
-  std::vector<MaterialPoint> monitors;
-  std::vector<bool> held;
-  StepContext context;  ///< of the step that is tried
-  Increment increment;
-  double trial_length = 1e300;  ///< s, what the next step is tried with
-  std::uint64_t pattern_generation = ~0ull;
-  bool velocities_given = false, accelerations_wanted = false;
-  double detect_seconds = 0;
-  int step = 0, stage_steps = 0;
-};
 
 Simulation::Simulation(const Project& project, const BlockSystem& system)
     : state_(std::make_unique<State>(project, system)) {
@@ -149,51 +42,6 @@ double Simulation::time() const { return state_->clock.time(); }
 double Simulation::end_time() const { return state_->clock.end(); }
 long Simulation::total_steps() const { return state_->clock.total_steps(); }
 const BodySet& Simulation::bodies() const { return state_->bodies; }
-
-void Simulation::hold_blocks(int stage) {
-  State& s = *state_;
-  const std::vector<std::string> names = blocks_held_in_stage(s.project, stage);
-  std::vector<bool> held, fixed;
-  for (std::size_t b = 0; b < s.bodies.bodies.size(); ++b) {
-    held.push_back(std::find(names.begin(), names.end(), s.system.blocks[b].name) != names.end());
-    fixed.push_back(held.back() || s.bodies.bodies[b].built_fixed());
-  }
-  if (held == s.held) return;
-  s.held = held;
-  if (!s.composition.effects.empty()) s.bodies.stress = present_stress();
-  s.bodies.hold(held);
-  s.detector.set_fixed(fixed);
-}
-
-void Simulation::begin_stage() {
-  State& s = *state_;
-  const int number = s.clock.stage();
-  const Stage& stage = s.project.stages[number];
-  const Project now = project_in_stage(s.project, number);
-  hold_blocks(number);
-  s.detector.set_laws(joint_laws(now));
-  s.open_close.end_stage();
-  s.composition = compose(s.project, s.system, number, s.bodies, s.links);
-  s.open_close.begin_stage(s.composition);
-  s.energy.begin_stage(s.composition);
-  s.motion.emplace(now, s.system);
-  std::fill(s.bodies.nodes.prescribed.begin(), s.bodies.nodes.prescribed.end(), Vec3::Zero());
-  s.control.begin_stage(stage.time_step);
-  s.pattern_generation = ~0ull;
-  s.increment.setZero(s.bodies.unknowns());
-  s.first_guess.forget(s.bodies.unknowns());
-  s.stage_steps = 0;
-  s.context.dynamic_factor = stage.kind == StageKind::dynamic ? 1 : 0;
-  s.context.integration = TimeIntegration::of(s.project.solver);
-  if (stage.kind == StageKind::static_ && s.context.integration.alpha_f > 0)
-    s.context.integration = TimeIntegration::newmark();
-  s.accelerations_wanted = stage.kind == StageKind::dynamic;
-  if (stage.kind == StageKind::dynamic && !s.velocities_given) {
-    give_initial_velocities(s.project, s.system, s.bodies);
-    s.energy.energy_was_given(s.composition);
-    s.velocities_given = true;
-  }
-}
 
 StepReport Simulation::step() {
   State& s = *state_;
@@ -215,7 +63,9 @@ StepReport Simulation::step() {
   const SolveTimes& now = s.open_close.times();
   report.phases = {s.detect_seconds - detect_before, now.assemble - before.assemble, now.factor - before.factor,
                    now.solve - before.solve,         now.update - before.update,     0};
-  s.outcomes.add_to(report, s.contacts);
+  s.outcomes.add_to(report);
+  report.asleep = s.sleep.count();
+  s.block_steps_asleep += report.asleep;
   return report;
 }
 
@@ -281,16 +131,31 @@ void Simulation::end_static_stage_in_equilibrium(StepReport& report) {
   s.clock.end_stage();
 }
 
-void Simulation::detect(double length) {
+void Simulation::seek_contacts(double length) {
   State& s = *state_;
-  const Stopwatch watch(s.detect_seconds);
   double prescribed = 0;
   for (const int b : s.bodies.driven)
     prescribed = std::max(prescribed, s.bodies.nodes.prescribed[s.bodies.bodies[b].first_node].norm());
-  const double way = s.context.dynamic_factor * s.bodies.top_speed() * length + 0.5 * s.project.gravity.norm() * length * length;
+  const double way =
+      s.context.dynamic_factor * s.bodies.top_speed() * length + 0.5 * s.project.gravity.norm() * length * length;
   s.detector.detect(s.bodies.nodes.position, reach_factor * (way + prescribed) + reach_share * s.smallest_size,
                     s.contacts);
   s.links.connect();
+}
+
+void Simulation::detect(double length) {
+  State& s = *state_;
+  const Stopwatch watch(s.detect_seconds);
+  const bool fell_asleep = s.falls_asleep;
+  if (fell_asleep) let_sleep_and_wake();
+  seek_contacts(length);
+  bool changed = fell_asleep;
+  while (s.sleep.wake_touched(s.bodies, s.contacts)) {  // what wakes may touch what sleeps
+    let_sleep_and_wake();
+    seek_contacts(length);
+    changed = true;
+  }
+  if (changed) account_for_the_awake();
   if (s.pattern_generation == s.detector.coupling_generation()) return;
   s.pattern_generation = s.detector.coupling_generation();
   std::vector<std::pair<int, int>> couplings;
@@ -339,9 +204,7 @@ std::string Simulation::where_it_struggles(int freedom) const {
   const State& s = *state_;
   if (freedom < 0 || s.contacts.points.empty()) return "";
   const Vec3 where_it_is = s.bodies.place_of(freedom);
-  const auto distance = [&](const ContactPoint& point) {
-    return (point.position - where_it_is).squaredNorm();
-  };
+  const auto distance = [&](const ContactPoint& point) { return (point.position - where_it_is).squaredNorm(); };
   const ContactPoint& nearest =
       *std::min_element(s.contacts.points.begin(), s.contacts.points.end(),
                         [&](const ContactPoint& a, const ContactPoint& b) { return distance(a) < distance(b); });
@@ -361,6 +224,7 @@ bool Simulation::try_step(double start, double length, StepReport& report) {
   s.motion->begin_step(s.bodies, start + length);
   if (s.bodies.nodes.movable == 0) return true;
   detect(length);
+  if (s.bodies.nodes.movable == 0) return true;
   for (const auto& effect : s.composition.effects) effect->begin_step(s.context);
   s.open_close.begin_step(s.context);
   if (s.accelerations_wanted) {
@@ -373,11 +237,11 @@ bool Simulation::try_step(double start, double length, StepReport& report) {
 
 void Simulation::accept(StepReport& report) {
   State& s = *state_;
+  s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
   if (s.bodies.nodes.movable > 0) {
     const StepMeasure measure = measure_step(0);
     report.max_displacement = std::max(report.max_displacement, measure.displacement);
     report.time_error = std::max(report.time_error, measure.time_error);
-    s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
     for (const auto& effect : s.composition.effects) effect->accept(s.increment);
     s.detector.accept(s.contacts, s.outcomes.outcomes());
   }
@@ -387,62 +251,10 @@ void Simulation::accept(StepReport& report) {
       if (const double way = s.bodies.bodies[b].way; way > 0) s.detector.moved(b, way);
   s.bodies.carry_velocities();
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
-  report.energy = s.energy.after_step(s.composition, s.open_close.works(), s.increment);
+  if (s.context.dynamic_factor > 0) s.falls_asleep = s.sleep.settle(s.bodies, s.contacts, s.context.length);
+  report.energy = s.bodies.nodes.movable > 0 ? s.energy.after_step(s.composition, s.open_close.works(), s.increment)
+                                             : s.energy.ledger();
   s.first_guess.remember(s.increment, s.context.length);
-}
-
-std::vector<Voigt> Simulation::present_stress() const {
-  const State& s = *state_;
-  std::vector<Voigt> stress(s.bodies.elements.size(), Voigt::Zero());
-  for (const auto& effect : s.composition.effects) effect->add_stress(stress);
-  return stress;
-}
-
-Frame Simulation::frame(int index) const {
-  const State& s = *state_;
-  Frame frame;
-  frame.index = index;
-  frame.time = time();
-  frame.stage = stage();
-  const NodeSet& nodes = s.bodies.nodes;
-  for (int n = 0; n < nodes.of_blocks; ++n) frame.displacement.push_back(nodes.position[n] - nodes.reference[n]);
-  frame.velocity.assign(nodes.velocity.begin(), nodes.velocity.begin() + nodes.of_blocks);
-  const std::vector<Voigt> stress = present_stress();
-  for (std::size_t b = 0; b < s.bodies.bodies.size(); ++b) {
-    const Body& body = s.bodies.bodies[b];
-    const std::size_t tetrahedra = s.system.blocks[b].mesh.tetrahedra.size();
-    std::vector<Voigt> own = s.bodies.stress_of_held(static_cast<int>(b));
-    if (!body.fixed)
-      own.assign(stress.begin() + body.first_element, stress.begin() + body.first_element + body.element_count);
-    own.resize(tetrahedra, body.kind == BodyKind::affine && !own.empty() ? own.front() : Voigt(Voigt::Zero()));
-    frame.stress.insert(frame.stress.end(), own.begin(), own.end());
-  }
-  frame.contacts = contacts();
-  return frame;
-}
-
-std::vector<ContactSample> Simulation::contacts() const { return state_->outcomes.samples(state_->contacts); }
-
-HistoryRow Simulation::history() const {
-  const State& s = *state_;
-  HistoryRow row;
-  row.time = time();
-  row.stage = stage();
-  for (const MaterialPoint& point : s.monitors)
-    row.monitors.push_back(
-        {point.at(s.bodies.nodes.position) - point.at(s.bodies.nodes.reference), point.at(s.bodies.nodes.velocity)});
-  return row;
-}
-
-std::vector<EffectOutcome> Simulation::effects() const {
-  const State& s = *state_;
-  const std::map<std::string, double> seconds = s.open_close.effect_seconds();
-  std::vector<EffectOutcome> outcomes;
-  for (const EffectStatus& status : called_effects(s.project, s.system)) {
-    const auto spent = seconds.find(status.name);
-    outcomes.push_back({status.name, status.active, status.reason, spent == seconds.end() ? 0 : spent->second});
-  }
-  return outcomes;
 }
 
 }  // namespace talus

@@ -33,9 +33,11 @@ class Simulation {
 
   Frame frame(int index) const;
   HistoryRow history() const;
-  std::vector<ContactSample> contacts() const;  ///< of the last step
+  std::vector<ContactSample> contacts() const;               ///< of the last step, those of sleeping blocks too
+  const std::vector<ContactSample>& awake_contacts() const;  ///< of the last step, of blocks that are awake
   const BodySet& bodies() const;
   std::vector<EffectOutcome> effects() const;
+  RunWork work() const;
 
  private:
   struct State;
@@ -50,10 +52,19 @@ class Simulation {
   bool settle(StepReport& report);
   /// The contact nearest to a movable node, in words.
   std::string where_it_struggles(int freedom) const;
+  void seek_contacts(double length);
   void detect(double length);
+  /// Holds the bodies that the stage holds or that sleep.
+  void keep_still();
+  void let_sleep_and_wake();
+  /// Contacts have been sought for those that are awake now: what they hold is what the energy ledger goes on with.
+  void account_for_the_awake();
   bool inverts_an_element() const;
   void accept(StepReport& report);
   std::vector<Voigt> present_stress() const;
+  /// Of a body's own elements, from those of all that move.
+  std::vector<Voigt> stress_of(int body, const std::vector<Voigt>& stress) const;
+  Voigt stress_at(const MaterialPoint& point, const std::vector<Voigt>& stress) const;
   std::unique_ptr<State> state_;
   std::string failure_;
 };

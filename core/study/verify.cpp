@@ -82,9 +82,10 @@ std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const s
       throw InputError("case '" + name + "'", "there is none of that name", "choose among " + known);
     }
     if (!fits(*found))
-      throw InputError("case '" + found->name + "'", "asks for strain, which " + std::string(to_string(body)) +
-                                                         " blocks do not have or not fine enough",
-                       "run it with tetrahedra");
+      throw InputError(
+          "case '" + found->name + "'",
+          "asks for strain, which " + std::string(to_string(body)) + " blocks do not have or not fine enough",
+          "run it with tetrahedra");
     chosen.push_back(*found);
   }
   if (names.empty())

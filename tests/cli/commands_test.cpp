@@ -263,6 +263,16 @@ TEST_F(Commands, VerifyRunsTheNamedCases) {
   EXPECT_GT(result["cases"][0]["seconds"], 0);
 }
 
+TEST_F(Commands, VerifyRunsWithBlocksInOnePieceWhereNoStrainIsAskedFor) {
+  const Ending rigid = talus_cli({"verify", "block_slides", "--body", "rigid", "--json"});
+  EXPECT_EQ(rigid.exit_code, 0) << rigid.err;
+  EXPECT_EQ(Json::parse(rigid.out)["cases"].size(), 1U);
+  const Ending strain = talus_cli({"verify", "patch_test", "--body", "rigid"});
+  EXPECT_EQ(strain.exit_code, 2);
+  EXPECT_THAT(strain.err, HasSubstr("case 'patch_test': asks for strain"));
+  EXPECT_EQ(talus_cli({"verify", "--body", "stone"}).exit_code, 2);
+}
+
 TEST_F(Commands, VerifyEndsWithOneWhenACaseFails) {
   std::filesystem::create_directories(*folder / "samples/wrong");
   Json project = Json::parse(text_of(sample("free_fall")));

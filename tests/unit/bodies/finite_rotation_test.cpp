@@ -36,8 +36,9 @@ TEST(FiniteRotation, the_tangent_is_how_the_rotation_changes) {
     constexpr double step = 1e-5;
     Mat3 differences;
     for (int k = 0; k < 3; ++k)
-      differences.col(k) = (composed(theta + step * Vec3::Unit(k), -theta) -
-                            composed(theta - step * Vec3::Unit(k), -theta)) / (2 * step);
+      differences.col(k) =
+          (composed(theta + step * Vec3::Unit(k), -theta) - composed(theta - step * Vec3::Unit(k), -theta)) /
+          (2 * step);
     EXPECT_LT((rotation_tangent(theta) - differences).norm(), 1e-9) << angle;
     EXPECT_LT((inverse_rotation_tangent(theta) * rotation_tangent(theta) - Mat3::Identity()).norm(), 1e-14) << angle;
   }

@@ -1,4 +1,5 @@
-// Effects on rigid and affine bodies: the tangent against differences of the gradient, along the way that unknowns move.
+// Effects on rigid and affine bodies: the tangent against differences of the gradient, along the way that unknowns
+// move.
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
@@ -73,7 +74,8 @@ class OnePieceDerivatives : public testing::Test {
         << effect.name();
   }
   void expect_tangent(const Effect& effect, double tolerance) const {
-    expect_tangent(effect, [&](const Increment& d) { return gradient(effect, d); }, tolerance);
+    expect_tangent(
+        effect, [&](const Increment& d) { return gradient(effect, d); }, tolerance);
   }
   static Eigen::VectorXd gradient(const Effect& effect, const Increment& d) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(d.size());

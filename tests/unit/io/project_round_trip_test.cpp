@@ -107,6 +107,7 @@ TEST(ProjectRoundTrip, SolverSettingsAreRead) {
   solver.spectral_radius = 0.6;
   solver.contact = ContactModel::facet_wise;
   solver.contact_stiffness = 12.5;
+  solver.sleep_tolerance = 1e-7;
   solver.penetration_tolerance = 1e-6;
   solver.open_close_limit = 8;
   solver.time_step_control = TimeStepControl::adaptive;

@@ -30,6 +30,8 @@ const std::vector<BadProject> bad_settings{
      "longer than the stage's time_step", "at most 1"},
     {"adaptive without", [](Project& p) { p.solver.adaptive.shortest = 0.5; }, "/solver/adaptive", "steps are fixed",
      "time_step_control"},
+    {"sleep tolerance", [](Project& p) { p.solver.sleep_tolerance = -1e-9; }, "/solver/sleep_tolerance",
+     "must not be negative", "0 keeps all awake"},
     {"contact stiffness", [](Project& p) { p.solver.contact_stiffness = 0; }, "/solver/contact_stiffness",
      "greater than 0", "10 is usual"},
     {"open-close limit", [](Project& p) { p.solver.open_close_limit = 0; }, "/solver/open_close_limit", "at least one",

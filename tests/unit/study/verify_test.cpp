@@ -91,6 +91,10 @@ TEST(Verify, RunsWhatIsNamedOrAllThatIsQuick) {
   EXPECT_THAT(names(chosen_cases(cases, {}, true)), ElementsAre("a", "b", "c"));
   EXPECT_THAT(names(chosen_cases(cases, {"c", "b"}, false)), ElementsAre("c", "b"));
   EXPECT_THROW(chosen_cases(cases, {"d"}, true), InputError);
+  cases[2].of_any_body = true;
+  EXPECT_THAT(names(chosen_cases(cases, {}, true, BodyKind::rigid)), ElementsAre("c"));
+  EXPECT_THAT(names(chosen_cases(cases, {"c"}, false, BodyKind::affine)), ElementsAre("c"));
+  EXPECT_THROW(chosen_cases(cases, {"a"}, true, BodyKind::affine), InputError);
 }
 
 TEST(Verify, ACaseThatThrowsFailsWithItsReasonAndTheNextOneRuns) {

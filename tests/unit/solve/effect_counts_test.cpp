@@ -1,0 +1,145 @@
+// What a scene does not call for is built zero times and evaluated zero times: counts, not times.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "mesh/structured_mesh.hpp"
+#include "support/solver_scenes.hpp"
+
+namespace talus {
+namespace {
+
+struct Scene {
+  Project project;
+  BlockSystem system = test::cube_on_slab();
+};
+
+/// A scene that calls for every effect there is.
+Scene with_everything() {
+  Scene scene;
+  scene.project =
+      test::rock_project(30, {{"stand", StageKind::static_, 0.01, 3, {}}, {"move", StageKind::dynamic, 0.01, 5, {}}});
+  scene.project.joints[0].cohesion = 1e4;
+  scene.project.materials[0].damping = 0.5;
+  scene.project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(10, 0, 0)}};
+  scene.project.constraints = {{"B", Vec3(0.2, 0.2, 0.2), {{0.0, {}, {}}}}};
+  scene.project.in_situ.emplace_back();
+  scene.project.in_situ[0].stress << 0, 0, -1e4, 0, 0, 0;
+  return scene;
+}
+
+std::vector<EffectOutcome> effects_after_run(const Scene& scene) {
+  Simulation simulation(scene.project, scene.system);
+  while (!simulation.finished()) simulation.step();
+  EXPECT_TRUE(simulation.converged()) << simulation.failure();
+  return simulation.effects();
+}
+
+const EffectOutcome& of_name(const std::vector<EffectOutcome>& effects, const std::string& name) {
+  const auto found = std::find_if(effects.begin(), effects.end(), [&](const auto& e) { return e.name == name; });
+  EXPECT_NE(found, effects.end()) << name;
+  return *found;
+}
+
+TEST(EffectCounts, every_effect_that_is_called_for_is_built_once_a_stage_and_evaluated) {
+  const auto effects = effects_after_run(with_everything());
+  EXPECT_EQ(effects.size(), 10u);
+  for (const EffectOutcome& effect : effects) {
+    EXPECT_TRUE(effect.active) << effect.name;
+    EXPECT_EQ(effect.built, 2) << effect.name;
+    EXPECT_GT(effect.evaluations, 0) << effect.name;
+  }
+  EXPECT_GT(of_name(effects, "elasticity").assemblies, 0);
+  EXPECT_EQ(of_name(effects, "inertia").assemblies, 2) << "its matrix stays the same through a stage";
+}
+
+TEST(EffectCounts, what_is_not_called_for_is_never_built_and_never_evaluated) {
+  struct Without {
+    std::string effect;
+    std::function<void(Scene&)> take_away;
+    std::vector<std::string> with_it{};  ///< what goes along
+  };
+  const std::vector<Without> scenes{
+      {"elasticity", [](Scene& s) { s.system.blocks[1].body = BodyKind::rigid; }, {"initial stress"}},
+      {"initial stress", [](Scene& s) { s.project.in_situ.clear(); }},
+      {"displacement constraint", [](Scene& s) { s.project.constraints.clear(); }},
+      {"point load", [](Scene& s) { s.project.loads.clear(); }},
+      {"body force", [](Scene& s) { s.project.gravity.setZero(); }},
+      {"normal contact",
+       [](Scene& s) { s.system.blocks.erase(s.system.blocks.begin()); },
+       {"shear contact", "cohesion and tension"}},
+      {"shear contact", [](Scene& s) { s.project.joints[0] = {"J", 0, 0, 1e4, {}, {}, {}}; }},
+      {"cohesion and tension", [](Scene& s) { s.project.joints[0].cohesion = 0; }},
+      {"damping", [](Scene& s) { s.project.materials[0].damping = 0; }},
+      {"inertia",
+       [](Scene& s) {
+         s.system.blocks[1].body = BodyKind::fixed;
+         s.project.loads.clear();
+         s.project.constraints.clear();
+       },
+       {"elasticity", "initial stress", "displacement constraint", "point load", "body force", "normal contact",
+        "shear contact", "cohesion and tension", "damping"}}};
+  for (const Without& without : scenes) {
+    Scene scene = with_everything();
+    without.take_away(scene);
+    for (const EffectOutcome& effect : effects_after_run(scene)) {
+      const bool off = effect.name == without.effect ||
+                       std::find(without.with_it.begin(), without.with_it.end(), effect.name) != without.with_it.end();
+      const std::string place = effect.name + " in a scene without " + without.effect + ": " + effect.reason;
+      EXPECT_EQ(effect.active, !off) << place;
+      EXPECT_FALSE(effect.reason.empty()) << place;
+      EXPECT_EQ(effect.built, off ? 0 : 2) << place;
+      EXPECT_EQ(effect.evaluations > 0, !off) << place;
+      if (!off) continue;
+      EXPECT_EQ(effect.assemblies, 0) << place;
+      EXPECT_EQ(effect.seconds, 0) << place;
+    }
+  }
+}
+
+TEST(EffectCounts, an_effect_of_one_stage_is_built_for_that_stage_alone) {
+  Scene scene = with_everything();
+  scene.project.stages[1].loads.emplace();
+  EXPECT_EQ(of_name(effects_after_run(scene), "point load").built, 1);
+}
+
+TEST(EffectCounts, a_scene_without_contact_factors_once_in_a_whole_run) {
+  for (const BodyKind body : {BodyKind::tetrahedra, BodyKind::rigid}) {
+    Scene scene;
+    scene.project = test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 40, {}}});
+    Block& block = scene.system.blocks[1];
+    block.body = body;
+    block.mesh = box_mesh(Vec3(0, 0, 0), Vec3(1, 1, 1), 2, 2, 2);
+    block.surface = boundary(block.mesh);
+    scene.system.blocks.erase(scene.system.blocks.begin());
+    Simulation simulation(scene.project, scene.system);
+    while (!simulation.finished()) simulation.step();
+    EXPECT_EQ(simulation.work().factorisations + simulation.work().dense_factorisations, 1) << to_string(body);
+    EXPECT_EQ(simulation.work().contact_points, 0);
+    EXPECT_EQ(simulation.work().largest_system, body == BodyKind::rigid ? 2 : 27);
+  }
+}
+
+TEST(EffectCounts, stress_is_recovered_only_for_frames_and_for_those_who_watch_it) {
+  Scene scene = with_everything();
+  scene.project.monitors = {{"P", "B", Vec3(0.5, 0.5, 0.5)}};
+  Simulation simulation(scene.project, scene.system);
+  for (int i = 0; i < 3; ++i) {
+    simulation.step();
+    simulation.history();
+  }
+  EXPECT_EQ(simulation.work().stress_recoveries, 0);
+  simulation.frame(0);
+  EXPECT_EQ(simulation.work().stress_recoveries, 1);
+  scene.project.monitors[0].stress = true;
+  Simulation watched(scene.project, scene.system);
+  watched.step();
+  const HistoryRow row = watched.history();
+  EXPECT_EQ(watched.work().stress_recoveries, 1);
+  ASSERT_TRUE(row.monitors[0].stress);
+  EXPECT_LT((*row.monitors[0].stress)[2], 0) << "it is pressed";
+}
+
+}  // namespace
+}  // namespace talus
