@@ -4,6 +4,13 @@
 
 namespace talus {
 
+namespace {
+
+/// So often a plan is kept before it is seen whether bodies have parted: one that bounces parts for a moment.
+constexpr int patience = 32;
+
+}  // namespace
+
 bool Coupling::holds(int i, int j) const {
   if (i == j) return true;
   const auto pair = std::minmax(i, j);
@@ -51,6 +58,7 @@ void Coupling::index_rows() {
 void Coupling::clear() {
   forget_rows();
   pairs_.clear();
+  planned_.clear();
   ++generation_;
 }
 
@@ -65,11 +73,37 @@ void Coupling::drop_immovable() {
   ++generation_;
 }
 
+bool Coupling::couples(const FoundPoints& found, const FoundPoint& p) const {
+  return !p.dropped && features_.movable[found.nodes[p.stencil_begin]] &&
+         features_.movable[found.nodes[p.stencil_end - 1]];
+}
+
+bool Coupling::some_parted(const FoundPoints& found) {
+  touch_.assign(planned_.size(), 0);
+  for (const FoundPoint& p : found.points) {
+    const std::pair<int, int> bodies = std::minmax(p.bodies[0], p.bodies[1]);
+    const auto place = std::lower_bound(planned_.begin(), planned_.end(), bodies);
+    if (couples(found, p) && place != planned_.end() && *place == bodies) touch_[place - planned_.begin()] = 1;
+  }
+  return std::find(touch_.begin(), touch_.end(), 0) != touch_.end();
+}
+
+void Coupling::plan_bodies(const FoundPoints& found) {
+  planned_.clear();
+  for (const FoundPoint& p : found.points)
+    if (couples(found, p)) planned_.push_back(std::minmax(p.bodies[0], p.bodies[1]));
+  std::sort(planned_.begin(), planned_.end());
+  planned_.erase(std::unique(planned_.begin(), planned_.end()), planned_.end());
+}
+
 void Coupling::cover(const FoundPoints& found) {
-  if (holds(found)) return;
+  const bool compare = ++kept_ == patience;
+  if (compare) kept_ = 0;
+  if (holds(found) && !(compare && some_parted(found))) return;
+  plan_bodies(found);
   forget_rows();
   pairs_.clear();
-  std::vector<int> nodes;
+  std::vector<int>& nodes = around_;
   for (const FoundPoint& p : found.points) {
     if (p.dropped) continue;
     nodes.clear();

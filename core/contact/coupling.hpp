@@ -11,7 +11,7 @@ namespace talus {
 
 /// Plans which nodes contacts may couple: those of their stencils, and the nodes around them on the same patches, where
 /// the contacts may slide to. A body that moves in one piece has one handle for all its nodes. The plan stays until a
-/// contact needs a pair that it lacks.
+/// contact needs a pair that it lacks, or two bodies have parted.
 class Coupling {
  public:
   explicit Coupling(const ContactFeatures& features) : features_(features), rows_(features.node_count()) {}
@@ -30,6 +30,9 @@ class Coupling {
  private:
   bool holds(int i, int j) const;
   bool holds(const FoundPoints& found) const;
+  bool couples(const FoundPoints& found, const FoundPoint& point) const;
+  bool some_parted(const FoundPoints& found);
+  void plan_bodies(const FoundPoints& found);
   void widen(std::span<const int> nodes, int patch, std::vector<int>& widened) const;
   void forget_rows();
   void index_rows();
@@ -38,8 +41,12 @@ class Coupling {
     int begin = 0, end = 0;
   };
   const ContactFeatures& features_;
-  std::vector<std::pair<int, int>> pairs_;  // sorted
-  std::vector<Row> rows_;                   // a node: the pairs that it is the first of
+  std::vector<std::pair<int, int>> pairs_;    // sorted
+  std::vector<Row> rows_;                     // a node: the pairs that it is the first of
+  std::vector<std::pair<int, int>> planned_;  // pairs of movable bodies of the plan, sorted
+  std::vector<char> touch_;                   // such a pair
+  std::vector<int> around_;                   // nodes of a point's stencil and beside it
+  int kept_ = 0;                              // times that the plan has been kept since bodies were compared
   std::uint64_t generation_ = 0;
 };
 

@@ -49,6 +49,16 @@ void check(const Monitor& monitor, const Place& place, const BodyOfBlock& body_o
           "give it the body 'tetrahedra' (or 'affine' for one stress throughout), or take \"stress\" away");
 }
 
+/// A fixed block may be named: the rock around it bears the stress too.
+void check(const InSituStress& given, const Place& place, const BodyOfBlock& body_of) {
+  for (std::size_t i = 0; i < given.blocks.size(); ++i) {
+    const auto known = body_of(given.blocks[i]);
+    require(!known || known->body != BodyKind::rigid, place / "blocks" / i,
+            "block '" + given.blocks[i] + "' is 'rigid' and bears no stress",
+            "give it the body 'tetrahedra' (or 'affine' for one stress throughout), or take it out of the list");
+  }
+}
+
 }  // namespace
 
 void check_bodies(const Project& project, const BodyOfBlock& body_of) {
@@ -61,6 +71,9 @@ void check_bodies(const Project& project, const BodyOfBlock& body_of) {
   }
   for (std::size_t i = 0; i < project.monitors.size(); ++i) {
     check(project.monitors[i], Place() / "monitors" / i, body_of);
+  }
+  for (std::size_t i = 0; i < project.in_situ.size(); ++i) {
+    check(project.in_situ[i], Place() / "in_situ" / i, body_of);
   }
 }
 

@@ -239,13 +239,13 @@ void Simulation::accept(StepReport& report) {
   State& s = *state_;
   s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
   if (s.bodies.nodes.movable > 0) {
-    const StepMeasure measure = measure_step(0);
-    report.max_displacement = std::max(report.max_displacement, measure.displacement);
-    report.time_error = std::max(report.time_error, measure.time_error);
+    report.time_error = std::max(report.time_error, measure_step(0).time_error);
     for (const auto& effect : s.composition.effects) effect->accept(s.increment);
     s.detector.accept(s.contacts, s.outcomes.outcomes());
   }
   s.bodies.move(s.increment);
+  for (const int b : s.bodies.moving)
+    report.max_displacement = std::max(report.max_displacement, s.bodies.bodies[b].way);
   for (const auto* moved : {&s.bodies.moving, &s.bodies.driven})
     for (const int b : *moved)
       if (const double way = s.bodies.bodies[b].way; way > 0) s.detector.moved(b, way);

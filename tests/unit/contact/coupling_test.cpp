@@ -48,6 +48,24 @@ TEST(Coupling, HandlesAreCoupledWithTheNodesOfDeformableBodies) {
   EXPECT_EQ(with_handle, 9);  // the nodes of the upper one's lower face
 }
 
+TEST(Coupling, BodiesThatHavePartedAreNoLongerPlannedTogether) {
+  Scene scene = tower(true, true);
+  scene.detect(reach);
+  ASSERT_EQ(scene.detector().coupled_nodes().size(), 1u);
+  const std::uint64_t generation = scene.detector().coupling_generation();
+  scene.move(2, {0, 0, 0.5});
+  int steps = 0;
+  while (scene.detector().coupling_generation() == generation && steps < 100) {
+    scene.detect(reach);
+    ++steps;
+  }
+  EXPECT_TRUE(scene.detector().coupled_nodes().empty());
+  EXPECT_GT(steps, 10) << "a bounce would change the plan twice";
+  scene.move(2, {0, 0, -0.5});
+  scene.detect(reach);
+  EXPECT_EQ(scene.detector().coupled_nodes().size(), 1u);
+}
+
 TEST(Coupling, ABodyInOnePieceThatSlidesChangesNothing) {
   Scene scene = tower(true, true);
   scene.detect(reach);

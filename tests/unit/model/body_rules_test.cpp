@@ -54,6 +54,12 @@ const std::vector<BadProject> bad_bodies{
        p.monitors[0].stress = true;
      },
      "/monitors/0/stress", "block 'top' is 'rigid' and has no stress", "'tetrahedra'"},
+    {"stress in situ of a rigid block",
+     [](Project& p) {
+       p.solids[0].body = BodyKind::rigid;
+       p.in_situ = {{.blocks = {"top"}}};
+     },
+     "/in_situ/0/blocks/0", "block 'top' is 'rigid' and bears no stress", "'tetrahedra'"},
     {"held twice",
      [](Project& p) {
        p.stages[0].blocks = {{"top", BodyKind::fixed}, {"top", BodyKind::tetrahedra}};
