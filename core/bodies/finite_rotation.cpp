@@ -10,23 +10,30 @@ namespace {
 /// Below this square of the angle the series are exact to round-off.
 constexpr double small_square = 0.01;
 
+/// Of a series Σ (−1)ⁿ a₀ a₁ … aₙ squareⁿ with these ratios of its terms.
+template <std::size_t count>
+double alternating(double square, const double (&ratios)[count]) {
+  double sum = 1;
+  for (std::size_t i = count - 1; i > 0; --i) sum = 1 - square * ratios[i] * sum;
+  return ratios[0] * sum;
+}
+
 double sine_share(double square) {  // sin t / t
-  if (square < small_square)
-    return 1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110))));
+  constexpr double ratios[] = {1, 1.0 / 6, 1.0 / 20, 1.0 / 42, 1.0 / 72, 1.0 / 110};
+  if (square < small_square) return alternating(square, ratios);
   const double t = std::sqrt(square);
   return std::sin(t) / t;
 }
 
 double cosine_share(double square) {  // (1 − cos t) / t²
-  if (square < small_square)
-    return 0.5 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56 * (1 - square / 90 * (1 - square / 132)))));
+  constexpr double ratios[] = {1.0 / 2, 1.0 / 12, 1.0 / 30, 1.0 / 56, 1.0 / 90, 1.0 / 132};
+  if (square < small_square) return alternating(square, ratios);
   return (1 - std::cos(std::sqrt(square))) / square;
 }
 
 double cubic_share(double square) {  // (t − sin t) / t³
-  if (square < small_square)
-    return 1.0 / 6 *
-           (1 - square / 20 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110 * (1 - square / 156)))));
+  constexpr double ratios[] = {1.0 / 6, 1.0 / 20, 1.0 / 42, 1.0 / 72, 1.0 / 110, 1.0 / 156};
+  if (square < small_square) return alternating(square, ratios);
   return (1 - sine_share(square)) / square;
 }
 

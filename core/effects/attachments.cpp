@@ -28,7 +28,7 @@ void Attachments::add_turn(int first, const RigidBody& rigid, int node, double w
       turns_[i].arm += arm;
       return;
     }
-  turns_.push_back({rigid.rotation_freedom, rigid.radius, arm});
+  turns_.push_back({.freedom = rigid.rotation_freedom, .radius = rigid.radius, .arm = arm});
 }
 
 void Attachments::add(std::span<const int> nodes, std::span<const double> weights) {
@@ -56,8 +56,12 @@ void Attachments::add(std::span<const int> nodes, std::span<const double> weight
   points_.push_back(point);
 }
 
-Vec3 Attachments::arm_at(const Turn& turn, const Increment& d) {
-  return turn.arm + turn_of(d.segment<3>(3 * turn.freedom) / turn.radius, turn.arm);
+const Vec3& Attachments::way_of(const Turn& turn, const Increment& d) {
+  const auto unknowns = d.segment<3>(3 * turn.freedom);
+  if (unknowns == turn.unknowns) return turn.way;
+  turn.unknowns = unknowns;
+  turn.way = turn_of(turn.unknowns / turn.radius, turn.arm);
+  return turn.way;
 }
 
 Vec3 Attachments::increment(int index, const Increment& d) const {
@@ -65,8 +69,7 @@ Vec3 Attachments::increment(int index, const Increment& d) const {
   Vec3 u = point.held;
   for (int i = point.share_begin; i < point.share_end; ++i)
     u += shares_[i].weight * d.segment<3>(3 * shares_[i].freedom);
-  for (int i = point.turn_begin; i < point.turn_end; ++i)
-    u += turn_of(d.segment<3>(3 * turns_[i].freedom) / turns_[i].radius, turns_[i].arm);
+  for (int i = point.turn_begin; i < point.turn_end; ++i) u += way_of(turns_[i], d);
   return u;
 }
 

@@ -49,6 +49,9 @@ class Attachments {
     int freedom;
     double radius;  // m
     Vec3 arm;       // m, at the start of the step, times the weights
+    // Every contact effect asks for the same few D one after the other: the last one's answer is kept.
+    mutable Vec3 unknowns = Vec3::Zero();  // radius·θ
+    mutable Vec3 way = Vec3::Zero();       // (exp(θ̂) − 1) arm
   };
   struct Point {
     int share_begin, share_end, turn_begin, turn_end;
@@ -56,7 +59,8 @@ class Attachments {
   };
   void add_share(int first, int freedom, double weight);
   void add_turn(int first, const RigidBody& rigid, int node, double weight);
-  static Vec3 arm_at(const Turn& turn, const Increment& d);
+  static const Vec3& way_of(const Turn& turn, const Increment& d);
+  static Vec3 arm_at(const Turn& turn, const Increment& d) { return turn.arm + way_of(turn, d); }
 
   const BodySet& set_;
   std::vector<Point> points_;
