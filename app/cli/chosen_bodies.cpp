@@ -28,30 +28,10 @@ std::vector<Choice> choices_of(const BlockSystem& system) {
   return choices;
 }
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words(1);
-  for (const char c : text) {
-    if (c == ' ')
-      words.emplace_back();
-    else
-      words.back() += c;
-  }
-  return words;
-}
-
-/// Pieces with a space between, broken where a line would become too long.
 std::string lines_of(const std::vector<std::string>& pieces, std::size_t indent) {
-  constexpr std::size_t longest = 100;
-  const std::string margin(indent, ' ');
-  std::string text, line = margin;
-  for (const std::string& piece : pieces) {
-    if (line.size() > indent && width_of(line) + 1 + width_of(piece) > longest) {
-      text += line + '\n';
-      line = margin;
-    }
-    line += (line.size() > indent ? " " : "") + piece;
-  }
-  return text + line + '\n';
+  std::string text;
+  for (const std::string& line : wrapped(pieces, line_width - indent)) text += std::string(indent, ' ') + line + '\n';
+  return text;
 }
 
 std::vector<std::string> with_commas(std::vector<std::string> names) {

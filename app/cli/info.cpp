@@ -1,14 +1,14 @@
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "chosen_bodies.hpp"
 #include "command.hpp"
-#include "effects/compose.hpp"
+#include "effect_text.hpp"
 #include "project_choice.hpp"
-#include "report_text.hpp"
 #include "results/result_folder.hpp"
+#include "results/summary.hpp"
+#include "solve/effect_costs.hpp"
 #include "table.hpp"
 #include "terminal.hpp"
 
@@ -37,8 +37,12 @@ Json json_of(const Stage& stage) {
   return {{"name", stage.name}, {"type", to_string(stage.kind)}, {"time_step", stage.time_step}, {"duration", seconds}};
 }
 
-Json json_of(const EffectStatus& effect) {
-  return {{"name", effect.name}, {"active", effect.active}, {"reason", effect.reason}};
+Json json_of(const EffectCost& effect) {
+  return {{"name", effect.name},
+          {"active", effect.active},
+          {"reason", effect.reason},
+          {"items", effect.items},
+          {"estimated_seconds_an_iteration", effect.seconds}};
 }
 
 template <typename Things>
@@ -91,7 +95,7 @@ void print_blocks(const Json& blocks, const BlockSystem& system) {
   std::cout << table.text() << chosen_bodies_text(system);
 }
 
-Json json_of_project(const Project& project, const BlockSystem& system) {
+Json json_of_project(const Project& project, const BlockSystem& system, const std::vector<EffectCost>& costs) {
   Json monitors = Json::array();
   for (const Monitor& monitor : project.monitors) monitors.push_back(monitor.name);
   return {{"project", project.name},
@@ -102,10 +106,10 @@ Json json_of_project(const Project& project, const BlockSystem& system) {
           {"stages", list_of(project.stages)},
           {"monitors", monitors},
           {"expectations", project.expect.size()},
-          {"effects", list_of(called_effects(project, system))}};
+          {"effects", list_of(costs)}};
 }
 
-void print_project(const Json& info, const BlockSystem& system, const std::vector<EffectStatus>& effects) {
+void print_project(const Json& info, const BlockSystem& system, const std::vector<EffectCost>& costs) {
   std::cout << info["project"].get<std::string>() << "\n\n";
   print_blocks(info["blocks"], system);
   Table materials({"Material", "Density [kg/m³]", "Young's modulus [Pa]", "Poisson's ratio"}, "lrrr");
@@ -121,7 +125,7 @@ void print_project(const Json& info, const BlockSystem& system, const std::vecto
             << materials.text() << '\n'
             << joints.text() << '\n'
             << stages.text() << '\n'
-            << effects_text(effects) << '\n'
+            << costs_text(costs) << '\n'
             << info["monitors"].size() << " monitors, " << info["expectations"] << " expectations\n";
 }
 
@@ -129,27 +133,24 @@ ExitCode inform_of_project(const ProjectChoice& choice, bool json) {
   catch_interrupts();
   const Project project = read(choice);
   const BlockSystem system = build(project, choice);
-  const Json info = json_of_project(project, system);
+  const SceneSize size = about(choice.file, [&] { return scene_size(project, system); });
+  const std::vector<EffectCost> costs = effect_costs(project, system, size);
+  const Json info = json_of_project(project, system, costs);
   if (json)
     std::cout << info.dump(2) << '\n';
   else
-    print_project(info, system, called_effects(project, system));
+    print_project(info, system, costs);
   return done;
 }
 
-/// summary.json's words, or that there is none: the run goes on, or was killed.
-std::string status_of(const std::filesystem::path& folder) {
-  const auto summary = Json::parse(std::ifstream(folder / "summary.json"), nullptr, false);
-  return summary.is_object() ? summary.value("status", "unknown") : "unfinished";
-}
-
-Json json_of_results(const std::filesystem::path& folder, const ResultReader& results) {
+/// `report`: none where the run goes on, or was killed.
+Json json_of_results(const ResultReader& results, const std::optional<RunReport>& report) {
   const auto& times = results.frame_times();
   const auto steps = results.steps();
-  Json events = Json::array();
-  for (const Event& event : results.events()) events.push_back({{"time", event.time}, {"what", event.what}});
+  const Json summary = report ? Json::parse(summary_json(*report)) : Json();
+  const auto of_report = [&](const char* part) { return report ? summary[part] : Json::array(); };
   return {{"project", results.project_name()},
-          {"status", status_of(folder)},
+          {"status", report ? to_string(report->status) : "unfinished"},
           {"frames", times.size()},
           {"first_time", times.empty() ? Json() : Json(times.front())},
           {"last_time", times.empty() ? Json() : Json(times.back())},
@@ -158,10 +159,12 @@ Json json_of_results(const std::filesystem::path& folder, const ResultReader& re
           {"monitors", results.monitor_names()},
           {"blocks", blocks_of(results.system())},
           {"motions", motions_of(results)},
-          {"events", events}};
+          {"effects", of_report("effects")},
+          {"work", report ? summary["work"] : Json()},
+          {"events", of_report("events")}};
 }
 
-void print_results(const Json& info, const BlockSystem& system) {
+void print_results(const Json& info, const BlockSystem& system, const std::optional<RunReport>& report) {
   std::cout << info["project"].get<std::string>() << "\n"
             << info["status"].get<std::string>() << ", " << info["steps"] << " steps, " << info["frames"] << " frames";
   if (info["frames"] != 0) std::cout << " from " << info["first_time"] << " to " << info["last_time"] << " s";
@@ -174,17 +177,19 @@ void print_results(const Json& info, const BlockSystem& system) {
     std::cout << '\n';
   }
   print_motions(info["motions"]);
+  if (report) std::cout << '\n' << profile_text(*report) << '\n';
   for (const Json& event : info["events"])
     std::cout << event["time"] << " s  " << event["what"].get<std::string>() << '\n';
 }
 
 ExitCode inform_of_results(const std::filesystem::path& folder, bool json) {
   const ResultReader results(folder);
-  const Json info = json_of_results(folder, results);
+  const std::optional<RunReport> report = results.report();
+  const Json info = json_of_results(results, report);
   if (json)
     std::cout << info.dump(2) << '\n';
   else
-    print_results(info, results.system());
+    print_results(info, results.system(), report);
   return done;
 }
 

@@ -144,8 +144,8 @@ ExitCode plot(const PlotOptions& options, bool json) {
   std::vector<EventComparison> comparisons;
   if (!options.events.empty())
     comparisons = compare_events(read_reference_events(options.events), results.monitor_names(), history);
-  const auto files =
-      write_all(options, draw_all(options, results, monitors, history, marks_of(comparisons, results.events())));
+  const auto files = write_all(options, draw_all(options, results, monitors, history,
+                                                 marks_of(comparisons, results.report().value_or(RunReport{}).events)));
 
   if (json) {
     const Json result = {{"pictures", files},

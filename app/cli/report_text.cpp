@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "effect_text.hpp"
 #include "table.hpp"
 #include "terminal.hpp"
 
@@ -34,23 +35,14 @@ std::string blocks_text(const RunReport& report) {
   return table.text();
 }
 
-std::string effects_that_acted(const RunReport& report) {
-  std::string on, off;
-  for (const EffectOutcome& effect : report.effects) {
-    std::string& list = effect.active ? on : off;
-    list += (list.empty() ? "" : ", ") + effect.name;
-  }
-  return "Effects on: " + on + "\nEffects off: " + off + "\n";
-}
-
 }  // namespace
 
 std::string report_text(const RunReport& report) {
   std::string text = std::string(to_string(report.status));
   if (!report.reason.empty()) text += ": " + report.reason;
-  text += "\n" + cost_text(report) + effects_that_acted(report) + "Largest penetration " +
-          number(report.max_penetration, 3) + " m, " + number(report.max_relative_penetration, 3) +
-          " of the mesh size\n" + blocks_text(report);
+  text += "\n" + cost_text(report) + "Largest penetration " + number(report.max_penetration, 3) + " m, " +
+          number(report.max_relative_penetration, 3) + " of the mesh size\n" + blocks_text(report) + '\n' +
+          profile_text(report) + '\n';
   for (const Event& event : report.events) text += number(event.time) + " s  " + event.what + "\n";
   if (!report.expect.empty()) text += expectations_text(report.expect);
   return text;
@@ -77,12 +69,6 @@ std::string events_text(const std::vector<EventComparison>& comparisons) {
                comparison.computed ? number(*comparison.computed - event.time, 3) : "",
                comparison.value_then ? number(*comparison.value_then, 4) : "", event.criterion});
   }
-  return table.text();
-}
-
-std::string effects_text(const std::vector<EffectStatus>& effects) {
-  Table table({"Effect", "", "Why"}, "lll");
-  for (const EffectStatus& effect : effects) table.add({effect.name, effect.active ? "on" : "off", effect.reason});
   return table.text();
 }
 

@@ -48,6 +48,26 @@ std::string Table::text() const {
   return text;
 }
 
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    if (c == ' ')
+      words.emplace_back();
+    else
+      words.back() += c;
+  }
+  return words;
+}
+
+std::vector<std::string> wrapped(const std::vector<std::string>& pieces, std::size_t width) {
+  std::vector<std::string> lines(1);
+  for (const std::string& piece : pieces) {
+    if (!lines.back().empty() && width_of(lines.back()) + 1 + width_of(piece) > width) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + piece;
+  }
+  return lines;
+}
+
 std::string number(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*g", digits, value);

@@ -24,6 +24,13 @@ std::size_t width_of(const std::string& text);
 std::string padded(const std::string& text, std::size_t width);
 std::string padded_left(const std::string& text, std::size_t width);
 
+/// The widest that text for a reader becomes.
+inline constexpr std::size_t line_width = 100;
+/// Words of `text`.
+std::vector<std::string> words_of(const std::string& text);
+/// Pieces with a space between, in lines of at most `width` characters where no piece is longer.
+std::vector<std::string> wrapped(const std::vector<std::string>& pieces, std::size_t width);
+
 /// `value` with `digits` significant digits.
 std::string number(double value, int digits = 6);
 

@@ -9,4 +9,7 @@ namespace talus {
 /// others come out as "nan", "inf" and "-inf", for messages.
 std::string number_text(double value);
 
+/// A count for people: 1240 as "1 240".
+std::string count_text(long count);
+
 }  // namespace talus

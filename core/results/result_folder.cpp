@@ -146,6 +146,6 @@ std::vector<StepReport> ResultReader::steps() const {
   return steps;
 }
 
-std::vector<Event> ResultReader::events() const { return read_events(state_->folder / "summary.json"); }
+std::optional<RunReport> ResultReader::report() const { return read_summary(state_->folder / "summary.json"); }
 
 }  // namespace talus

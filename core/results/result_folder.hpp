@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,7 @@ class ResultReader {
   Frame frame(int index) const;
   std::vector<HistoryRow> history() const;
   std::vector<StepReport> steps() const;
-  std::vector<Event> events() const;  ///< from summary.json; empty while the run goes on
+  std::optional<RunReport> report() const;  ///< as far as read_summary reads it; none while the run goes on
 
  private:
   struct State;

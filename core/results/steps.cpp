@@ -16,6 +16,7 @@ void for_each_column(auto& step, auto column) {
   column("open", step.open);
   column("stick", step.stick);
   column("slip", step.slip);
+  column("asleep", step.asleep);
   column("max penetration [m]", step.max_penetration);
   column("max relative penetration", step.max_relative_penetration);
   column("max displacement [m]", step.max_displacement);

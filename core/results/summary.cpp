@@ -1,7 +1,9 @@
 #include "results/summary.hpp"
 
+#include <concepts>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 namespace talus {
 
@@ -24,28 +26,74 @@ Json json(const BlockOutcome& block, const MotionNames& names) {
   return json_block;
 }
 
-Json json(const EnergyLedger& energy) {
-  return {{"kinetic", energy.kinetic},
-          {"elastic", energy.elastic},
-          {"potential", energy.potential},
-          {"contact", energy.contact},
-          {"friction_dissipated", energy.friction_dissipated},
-          {"damping_dissipated", energy.damping_dissipated},
-          {"constraint_work", energy.constraint_work},
-          {"integration_loss", energy.integration_loss},
-          {"remainder", energy.remainder}};
+template <class Thing, class Named>
+concept Either = std::same_as<std::remove_const_t<Thing>, Named>;
+
+// Calls `field(name, value)` for every field: the one list that writing and reading go by.
+
+void for_each_field(Either<EnergyLedger> auto& energy, auto field) {
+  field("kinetic", energy.kinetic);
+  field("elastic", energy.elastic);
+  field("potential", energy.potential);
+  field("contact", energy.contact);
+  field("friction_dissipated", energy.friction_dissipated);
+  field("damping_dissipated", energy.damping_dissipated);
+  field("constraint_work", energy.constraint_work);
+  field("integration_loss", energy.integration_loss);
+  field("remainder", energy.remainder);
 }
 
-Json json(const Phases& phases) {
-  return {{"detect", phases.detect}, {"assemble", phases.assemble}, {"factor", phases.factor},
-          {"solve", phases.solve},   {"update", phases.update},     {"write", phases.write}};
+void for_each_field(Either<Phases> auto& phases, auto field) {
+  field("detect", phases.detect);
+  field("assemble", phases.assemble);
+  field("factor", phases.factor);
+  field("solve", phases.solve);
+  field("update", phases.update);
+  field("write", phases.write);
 }
 
-Json json(const EffectOutcome& effect) {
-  return {{"name", effect.name}, {"active", effect.active}, {"reason", effect.reason}, {"seconds", effect.seconds}};
+void for_each_field(Either<EffectOutcome> auto& effect, auto field) {
+  field("name", effect.name);
+  field("active", effect.active);
+  field("reason", effect.reason);
+  field("seconds", effect.seconds);
+  field("built", effect.built);
+  field("evaluations", effect.evaluations);
+  field("assemblies", effect.assemblies);
 }
 
-Json json(const Event& event) { return {{"time", event.time}, {"what", event.what}}; }
+void for_each_field(Either<RunWork> auto& work, auto field) {
+  field("body_pairs", work.body_pairs);
+  field("facet_searches", work.facet_searches);
+  field("facet_pairs", work.facet_pairs);
+  field("contact_points", work.contact_points);
+  field("factorisations", work.factorisations);
+  field("dense_factorisations", work.dense_factorisations);
+  field("linear_solves", work.linear_solves);
+  field("gmres_iterations", work.gmres_iterations);
+  field("systems", work.systems);
+  field("largest_system", work.largest_system);
+  field("block_steps_asleep", work.block_steps_asleep);
+  field("wakings", work.wakings);
+  field("stress_recoveries", work.stress_recoveries);
+}
+
+void for_each_field(Either<Event> auto& event, auto field) {
+  field("time", event.time);
+  field("what", event.what);
+}
+
+template <class Thing>
+concept Listed = requires(Thing& thing) {
+  for_each_field(thing, [](const char*, auto&) {});
+};
+
+template <Listed Thing>
+Json json(const Thing& thing) {
+  Json object = Json::object();
+  for_each_field(thing, [&](const char* name, const auto& value) { object[name] = value; });
+  return object;
+}
 
 Json json(const ExpectationOutcome& outcome) {
   const Expectation& expectation = outcome.expectation;
@@ -80,6 +128,43 @@ Json json_of_contacts(const RunReport& report) {
           {"slip", report.last_step.slip}};
 }
 
+/// Reads what is there and of the right kind; the rest stays as it is.
+template <class Value>
+void take(const Json& object, const char* name, Value& value) {
+  const auto found = object.find(name);
+  if (found == object.end()) return;
+  const bool right = std::same_as<Value, std::string> ? found->is_string()
+                     : std::same_as<Value, bool>      ? found->is_boolean()
+                                                      : found->is_number();
+  if (right) value = found->get<Value>();
+}
+
+template <Listed Thing>
+void take(const Json& object, const char* name, Thing& thing) {
+  const auto found = object.find(name);
+  if (found == object.end() || !found->is_object()) return;
+  for_each_field(thing, [&](const char* field, auto& value) { take(*found, field, value); });
+}
+
+template <Listed Thing>
+void take(const Json& object, const char* name, std::vector<Thing>& things) {
+  const auto found = object.find(name);
+  if (found == object.end() || !found->is_array()) return;
+  for (const Json& entry : *found) {
+    if (!entry.is_object()) continue;
+    Thing& thing = things.emplace_back();
+    for_each_field(thing, [&](const char* field, auto& value) { take(entry, field, value); });
+  }
+}
+
+std::optional<RunStatus> status_named(const Json& summary) {
+  std::string word;
+  take(summary, "status", word);
+  for (const RunStatus status : {RunStatus::completed, RunStatus::stopped, RunStatus::not_converged})
+    if (word == to_string(status)) return status;
+  return {};
+}
+
 }  // namespace
 
 std::string summary_json(const RunReport& report) {
@@ -96,21 +181,33 @@ std::string summary_json(const RunReport& report) {
                         {"contacts", json_of_contacts(report)},
                         {"energy", json(report.last_step.energy)},
                         {"effects", json(report.effects)},
+                        {"work", json(report.work)},
                         {"phases", json(report.phases)},
                         {"events", json(report.events)},
                         {"expect", json(report.expect)}};
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::vector<Event> read_events(const std::filesystem::path& file) {
+std::optional<RunReport> read_summary(const std::filesystem::path& file) {
   std::ifstream stream(file);
   const Json summary = Json::parse(stream, nullptr, false);
-  std::vector<Event> events;
-  if (!summary.is_object() || !summary.contains("events") || !summary["events"].is_array()) return events;
-  for (const Json& event : summary["events"])
-    if (event.is_object() && event.contains("what") && event["what"].is_string())
-      events.push_back({event.value("time", 0.0), event["what"].get<std::string>()});
-  return events;
+  const auto status = summary.is_object() ? status_named(summary) : std::nullopt;
+  if (!status) return {};
+  RunReport report;
+  report.status = *status;
+  take(summary, "reason", report.reason);
+  take(summary, "time", report.time);
+  take(summary, "steps", report.steps);
+  take(summary, "frames", report.frames);
+  take(summary, "iterations", report.iterations);
+  take(summary, "cuts", report.cuts);
+  take(summary, "wall_seconds", report.wall_seconds);
+  take(summary, "threads", report.threads);
+  take(summary, "effects", report.effects);
+  take(summary, "work", report.work);
+  take(summary, "phases", report.phases);
+  take(summary, "events", report.events);
+  return report;
 }
 
 }  // namespace talus

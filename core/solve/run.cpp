@@ -131,6 +131,7 @@ class Recording {
     frame->motions = motions_.classes(simulation_.bodies());
     writer_.add_frame(*frame);
     observer_.on_frame(frame);
+    observer_.on_effects(simulation_.effects());
   }
 
   const Project& project_;

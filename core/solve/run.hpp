@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mesh/block.hpp"
 #include "results/frame.hpp"
@@ -19,6 +20,8 @@ class RunObserver {
   virtual void on_step(const StepReport& step, const HistoryRow& history, double fraction) = 0;
   /// After every frame that was written.
   virtual void on_frame(std::shared_ptr<const Frame> frame) = 0;
+  /// With every frame: what each effect has cost so far.
+  virtual void on_effects(const std::vector<EffectOutcome>&) {}
   /// Asked between steps; may block (a pause). False ends the run cleanly as `stopped`.
   virtual bool go_on() = 0;
 };

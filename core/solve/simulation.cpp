@@ -170,6 +170,12 @@ void Simulation::detect(double length) {
   s.open_close.set_pattern(s.bodies.nodes.movable, std::move(couplings));
 }
 
+const ContactSet& Simulation::look_for_contacts() {
+  State& s = *state_;
+  if (s.bodies.nodes.movable > 0) seek_contacts(s.adaptive() ? s.control.length() : s.clock.next_length());
+  return s.contacts;
+}
+
 bool Simulation::inverts_an_element() const {
   const State& s = *state_;
   return std::any_of(s.bodies.elements.begin(), s.bodies.elements.end(), [&](const Element& element) {

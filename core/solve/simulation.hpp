@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bodies/block_motion.hpp"
+#include "contact/contact_point.hpp"
 #include "mesh/block.hpp"
 #include "results/frame.hpp"
 #include "results/run_report.hpp"
@@ -30,6 +31,10 @@ class Simulation {
   /// One step: of the stage's length, cut into shorter ones where the open–close iteration does not settle; or as long
   /// as adaptive control chooses.
   StepReport step();
+
+  /// Contact points within reach of the next step, as that step would find them; takes none. They hold until the next
+  /// call. With every block fixed there are none.
+  const ContactSet& look_for_contacts();
 
   Frame frame(int index) const;
   HistoryRow history() const;

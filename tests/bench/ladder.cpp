@@ -36,12 +36,21 @@ CaseScene slope(double dip, const Rung& rung) {
   return scene;
 }
 
-/// 16 columns side by side on a plane, four times as high as wide.
-CaseScene columns(double dip, const Rung& rung) {
+/// 32 cubes with room between them.
+CaseScene scattered(double dip, const Rung& rung) {
+  CaseScene scene = rock_scene(30);
+  tilt(scene, dip);
+  add_fixed_box(scene, "slope", Vec3(-1, -1, -1), Vec3(40, 7, 0));
+  for (int i = 0; i < 32; ++i) add(scene, Vec3(1.5 * (i % 8), 1.5 * (i / 8), 0), Vec3::Ones(), rung);
+  return scene;
+}
+
+/// 16 columns on a plane, four times as high as wide, with `room` between them [m].
+CaseScene columns(double dip, double room, const Rung& rung) {
   CaseScene scene = rock_scene(35);
   tilt(scene, dip);
   add_fixed_box(scene, "slope", Vec3(-1, -1, -1), Vec3(40, 2, 0));
-  for (int i = 0; i < 16; ++i) add(scene, Vec3(i, 0, 0), Vec3(1, 1, 4), rung);
+  for (int i = 0; i < 16; ++i) add(scene, Vec3((1 + room) * i, 0, 0), Vec3(1, 1, 4), rung);
   return scene;
 }
 
@@ -86,7 +95,7 @@ void climb(const char* title, double duration, const std::function<CaseScene(con
     results.push_back(measure(scene(rung), duration));
     results.back().costs.print(rung.name);
   }
-  std::printf("\n| bodies | µs a step, by effect |\n|---|---|\n");
+  std::printf("\n| bodies | of the step by effect, %% |\n|---|---|\n");
   for (std::size_t r = 0; r < rungs.size(); ++r)
     std::printf("| %s | %s |\n", rungs[r].name, results[r].costs.by_effect().c_str());
   std::printf(
@@ -102,7 +111,10 @@ void climb(const char* title, double duration, const std::function<CaseScene(con
 int main() {
   using namespace talus;
   climb("32 cubes on a slope of 26.5°, φ 30°: they stand, 1 s", 1, [](const Rung& rung) { return slope(26.5, rung); });
-  climb("The same at 35°: they slide, 1 s", 1, [](const Rung& rung) { return slope(35, rung); });
-  climb("16 columns of 1 × 1 × 4 m on a slope of 20°, φ 35°: they topple, 1 s", 1,
-        [](const Rung& rung) { return columns(20, rung); });
+  climb("32 cubes side by side on a slope of 35°, φ 30°, with room between them: they slide, 1 s", 1,
+        [](const Rung& rung) { return scattered(35, rung); });
+  climb("16 columns of 1 × 1 × 4 m on a slope of 20°, φ 35°, with room between them: they topple, 1 s", 1,
+        [](const Rung& rung) { return columns(20, 1, rung); });
+  climb("The same in a row that touches: each column leans on the next, 1 s", 1,
+        [](const Rung& rung) { return columns(20, 0, rung); });
 }

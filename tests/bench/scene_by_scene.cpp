@@ -33,7 +33,8 @@ CaseScene scene_of(const Calls& calls) {
   scene.project.output.every = 1e9;
   tilt(scene, 30);
   const double height = calls.ground ? 0 : 10;
-  scene.add_block("block", box_mesh(Vec3(0, -3, height), Vec3(1, -2, 1 + height), calls.cells, calls.cells, calls.cells),
+  scene.add_block("block",
+                  box_mesh(Vec3(0, -3, height), Vec3(1, -2, 1 + height), calls.cells, calls.cells, calls.cells),
                   calls.body);
   if (calls.ground) scene.add_block("plane", box_mesh(Vec3(-2, -5, -1), Vec3(100, 100, 0), 2, 2, 1), BodyKind::fixed);
   if (calls.bystanders > 0) scene.add_joint({"rough", 40, 0, 0, {}, {}, {}});
@@ -121,7 +122,7 @@ void measure_all() {
     costs.print(scene.name);
     by_effect.push_back("| " + scene.name + " | " + costs.by_effect() + " |");
   }
-  std::printf("\n| scene | µs a step, by effect |\n|---|---|\n");
+  std::printf("\n| scene | of the step by effect, %% |\n|---|---|\n");
   for (const std::string& row : by_effect) std::printf("%s\n", row.c_str());
   std::printf(
       "\n| beside 1 000 sleepers | µs a step without | with | ratio | of a whole run without | with | ratio |\n"

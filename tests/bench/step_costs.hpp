@@ -50,29 +50,34 @@ class StepCosts {
 
   static void print_head() {
     std::printf(
-        "| scene | µs a step | detect | assemble | factor | solve | update | iterations | evaluations | contact points | "
-        "factorisations, sparse and dense | GMRES | asleep |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+        "| scene | µs a step | detect, assemble, factor, solve, update, %% | iterations | evaluations | contact points "
+        "| "
+        "factorisations, sparse and dense | GMRES | asleep |\n|---|---|---|---|---|---|---|---|---|\n");
   }
   void print(const std::string& name) const {
     std::printf("| %s | %.1f |", name.c_str(), microseconds());
-    for (const double phase : phases_) std::printf(" %.1f |", a_step(1e6 * phase));
-    std::printf(" %.2f | %.2f | %.1f | %.2f, %.2f | %.1f | %d |\n", a_step(iterations_), a_step(evaluations_), a_step(points_),
-                a_step(factorisations_), a_step(dense_), a_step(gmres_), asleep_);
+    for (int k = 0; k < 5; ++k) std::printf("%s %.0f", k > 0 ? "," : "", share(phases_[k]));
+    std::printf(" | %.2f | %.2f | %.1f | %.2f, %.2f | %.1f | %d |\n", a_step(iterations_), a_step(evaluations_),
+                a_step(points_), a_step(factorisations_), a_step(dense_), a_step(gmres_), asleep_);
     std::fflush(stdout);
   }
-  /// "inertia 1.2, normal contact 3.4": µs a step of each effect that is there.
+  /// "inertia 10, normal contact 30": of each effect that is there, % of the step.
   std::string by_effect() const {
     std::string text;
     char part[80];
     for (const auto& [name, seconds] : effects_) {
-      if (seconds == 0) continue;
-      std::snprintf(part, sizeof part, "%s%s %.1f", text.empty() ? "" : ", ", name.c_str(), a_step(1e6 * seconds));
+      if (share(seconds) < 0.5) continue;
+      std::snprintf(part, sizeof part, "%s%s %.0f", text.empty() ? "" : ", ", name.c_str(), share(seconds));
       text += part;
     }
     return text;
   }
 
  private:
+  /// Wall time, of that of all phases [%].
+  double share(double seconds) const {
+    return 100 * seconds / (phases_[0] + phases_[1] + phases_[2] + phases_[3] + phases_[4]);
+  }
   static std::map<std::string, double> seconds_of(const Simulation& simulation) {
     std::map<std::string, double> seconds;
     for (const EffectOutcome& effect : simulation.effects()) seconds[effect.name] = effect.seconds;

@@ -27,6 +27,11 @@ std::pair<int, int> png_size(const std::filesystem::path& file) {
   return {number(16), number(20)};
 }
 
+/// Characters of UTF-8 text.
+auto columns_of(const std::string& line) {
+  return std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+}
+
 /// The results of free_fall, solved once for all tests.
 class Commands : public testing::Test {
  protected:
@@ -54,6 +59,12 @@ TEST_F(Commands, SolvePrintsTheSummaryAsOneJsonObject) {
   EXPECT_NEAR(summary["time"].get<double>(), 1, 1e-12);
   EXPECT_EQ(summary["results"], results());
   EXPECT_EQ(summary["expect"].size(), 5U);
+  for (const Json& effect : summary["effects"]) {
+    EXPECT_EQ(effect["built"], effect["active"] ? 1 : 0) << effect;
+    EXPECT_EQ(effect["evaluations"] > 0, effect["active"]) << effect;
+  }
+  EXPECT_GE(summary["work"]["linear_solves"], 100);
+  EXPECT_EQ(summary["work"]["contact_points"], 0);
   for (const char* file : {"results.h5", "results.xdmf", "history.csv", "steps.csv", "summary.json", "project.talus"})
     EXPECT_TRUE(std::filesystem::exists(*folder / "fall.results" / file)) << file;
 }
@@ -63,7 +74,10 @@ TEST_F(Commands, SolveWithoutJsonIsForReaders) {
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_EQ(ending.out.substr(0, 10), "completed\n");
   EXPECT_THAT(ending.out, HasSubstr("P1.displacement.z"));
-  EXPECT_THAT(ending.out, HasSubstr("Effects off: "));
+  EXPECT_THAT(ending.out, HasSubstr("\nOff: initial stress, displacement constraint, point load, normal contact, "));
+  EXPECT_THAT(ending.out, HasSubstr("\nelasticity "));
+  EXPECT_THAT(ending.out, HasSubstr("\nContacts: 0 points (0 a step)"));
+  EXPECT_THAT(ending.out, HasSubstr("\nSleep: no block slept"));
 }
 
 TEST_F(Commands, SolveEndsWithOneWhenAnExpectationIsMissed) {
@@ -127,9 +141,7 @@ TEST_F(Commands, ReasonsAndNamesAreBrokenAtAHundredCharacters) {
   std::istringstream lines(ending.out.substr(ending.out.find("Body auto became")));
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
-    const auto characters =
-        std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-    EXPECT_LE(characters, 100) << line;
+    EXPECT_LE(columns_of(line), 100) << line;
   }
   EXPECT_EQ(count, 6) << ending.out;
 }
@@ -142,9 +154,21 @@ TEST_F(Commands, InfoOnAProjectSaysWhichEffectsAndWhy) {
   for (const Json& effect : info["effects"]) {
     EXPECT_FALSE(effect["reason"].get<std::string>().empty());
     if (effect["active"]) on.push_back(effect["name"]);
+    EXPECT_EQ(effect["estimated_seconds_an_iteration"] > 0, effect["active"]) << effect;
+    EXPECT_EQ(!effect["items"].get<std::string>().empty(), effect["active"]) << effect;
   }
   EXPECT_THAT(on, ElementsAre("elasticity", "inertia", "body force"));
   EXPECT_THAT(talus_cli({"info", sample("free_fall")}).out, HasSubstr("nothing can touch"));
+}
+
+TEST_F(Commands, InfoOnAProjectHasATableOfEffectsThatFitsATerminal) {
+  const Ending ending = talus_cli({"info", sample("step_slope")});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  std::istringstream lines(ending.out.substr(ending.out.find("\nEffect ")));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 100) << line;
+  EXPECT_THAT(ending.out, HasSubstr(" tetrahedra\n"));
+  EXPECT_THAT(ending.out, HasSubstr(" contact points at the start\n"));
+  EXPECT_THAT(ending.out, HasSubstr("An open-close iteration is estimated to spend"));
 }
 
 TEST_F(Commands, InfoOnResultsSaysWhatIsInThem) {
@@ -155,7 +179,13 @@ TEST_F(Commands, InfoOnResultsSaysWhatIsInThem) {
   EXPECT_EQ(info["steps"], 100);
   EXPECT_EQ(info["frames"], 21) << "the start and every 0.05 s of 1 s";
   EXPECT_EQ(info["monitors"], Json({"P1"}));
-  EXPECT_THAT(talus_cli({"info", results()}).out, HasSubstr("completed, 100 steps, 21 frames"));
+  const Json summary = Json::parse(text_of(*folder / "fall.results" / "summary.json"));
+  EXPECT_EQ(info["effects"], summary["effects"]);
+  EXPECT_EQ(info["work"], summary["work"]);
+  const std::string text = talus_cli({"info", results()}).out;
+  EXPECT_THAT(text, HasSubstr("completed, 100 steps, 21 frames"));
+  EXPECT_THAT(text, HasSubstr("\nOff: initial stress, "));
+  EXPECT_THAT(text, HasSubstr("\nEquations: "));
 }
 
 TEST_F(Commands, RenderDrawsAPictureOfTheSizeAskedFor) {

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "driven_window.hpp"
+#include "widgets/effect_list.hpp"
 #include "widgets/timeline.hpp"
 
 namespace talus {
@@ -68,10 +69,24 @@ TEST_F(DrivenWindow, OpensASampleRunsPausesResumesStopsScrubsAndSaves) {
   EXPECT_TRUE(workspace->problems().empty());
 }
 
+/// All that the list of effects says.
+QStringList saidOfEffects(MainWindow& window) {
+  QStringList said;
+  for (const auto* label : window.findChild<EffectList*>()->findChildren<QLabel*>()) said << label->text();
+  return said;
+}
+
 TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   openAndMesh(slidingCube(200));
+  ASSERT_TRUE(wait([&] { return !workspace->effectCosts().empty(); }));
+  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 10 on"));
+  EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("no stage or material asks for it")));
+  EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" contact points at the start")).size(), 2);
+  EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" tetrahedra")).size(), 3);
   workspace->solve();
+  ASSERT_TRUE(wait([&] { return workspace->effects().size() == 10 && workspace->isLive(); })) << "as the run goes on";
   ASSERT_TRUE(wait([&] { return workspace->step() == Step::results && workspace->frame(); }));
+  EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
   const auto results = workspace->resultsFolder();
 
   window = std::make_unique<MainWindow>();
@@ -83,6 +98,10 @@ TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   EXPECT_EQ(workspace->step(), Step::results);
   EXPECT_EQ(workspace->frameTimes().size(), 21u);  // 0.4 s, one every 0.02 s, and the start
   EXPECT_EQ(workspace->monitorNames(), std::vector<std::string>{"P1"});
+  ASSERT_TRUE(workspace->report());
+  EXPECT_EQ(workspace->report()->status, RunStatus::completed);
+  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 10 on"));
+  EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
   window->timeline().togglePlay();
   EXPECT_TRUE(window->timeline().isPlaying());
   ASSERT_TRUE(wait([&] { return workspace->frameNumber() == 20 && !window->timeline().isPlaying(); }, 10000));

@@ -16,7 +16,7 @@ ResultsIndex index_of(const ResultReader& reader, const std::filesystem::path& f
   index.frame_times = reader.frame_times();
   index.history = reader.history();
   index.steps = reader.steps();
-  index.events = reader.events();
+  index.report = reader.report();
   return index;
 }
 

@@ -22,7 +22,7 @@ struct ResultsIndex {
   std::vector<double> frame_times;  ///< s
   std::vector<HistoryRow> history;
   std::vector<StepReport> steps;
-  std::vector<Event> events;
+  std::optional<RunReport> report;  ///< as ResultReader::report
 };
 
 /// Throws InputError.

@@ -26,6 +26,11 @@ void RunExchange::on_frame(std::shared_ptr<const Frame> frame) {
   news_.frames.push_back(std::move(frame));
 }
 
+void RunExchange::on_effects(const std::vector<EffectOutcome>& effects) {
+  const std::lock_guard lock(mutex_);
+  news_.effects = effects;
+}
+
 bool RunExchange::go_on() {
   std::unique_lock lock(mutex_);
   woken_.wait(lock, [this] { return stopped_ || !allowed_ || *allowed_ > 0; });
@@ -38,6 +43,11 @@ void RunExchange::meshed(std::shared_ptr<const BlockSystem> system) {
   news_.system = std::move(system);
   news_.fraction = 0;
   news_.what.clear();
+}
+
+void RunExchange::sized(const SceneSize& size) {
+  const std::lock_guard lock(mutex_);
+  news_.size = size;
 }
 
 void RunExchange::pause() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "solve/effect_costs.hpp"
 #include "solve/run.hpp"
 
 namespace talus {
@@ -21,6 +22,8 @@ struct JobNews {
   std::vector<StepReport> steps;
   std::vector<HistoryRow> history;  ///< one for each of `steps`
   std::vector<std::shared_ptr<const Frame>> frames;
+  std::optional<SceneSize> size;       ///< once, after `system`: what the effects will be paid for
+  std::vector<EffectOutcome> effects;  ///< what they have cost so far; empty where nothing new is known
 };
 
 /// Where the solving thread and the window's thread meet. The worker never waits for the window; the window takes what
@@ -32,8 +35,10 @@ class RunExchange final : public Progress, public RunObserver {
   bool cancelled() const override;
   void on_step(const StepReport& step, const HistoryRow& history, double fraction) override;
   void on_frame(std::shared_ptr<const Frame> frame) override;
+  void on_effects(const std::vector<EffectOutcome>& effects) override;
   bool go_on() override;
   void meshed(std::shared_ptr<const BlockSystem> system);
+  void sized(const SceneSize& size);
 
   // On the window's thread.
   void pause();

@@ -56,6 +56,7 @@ void SolverJob::work(const JobTask& task) {
     if (!system) {
       system = std::make_shared<BlockSystem>(steps_.mesh(task.project, task.folder, *exchange_));
       exchange_->meshed(system);
+      exchange_->sized(steps_.size(task.project, *system));
     }
     if (!task.solve) {
       end_.kind = JobEnd::Kind::meshed;

@@ -2,6 +2,6 @@
 
 namespace talus {
 
-SolverSteps solverSteps() { return {build_blocks, run}; }
+SolverSteps solverSteps() { return {build_blocks, scene_size, run}; }
 
 }  // namespace talus

@@ -1,22 +1,11 @@
 #include "widgets/run_panel.hpp"
 
-#include <QPainter>
-#include <cmath>
-
+#include "widgets/effect_list.hpp"
 #include "widgets/numbers.hpp"
 
 namespace talus {
 
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
-
-void clearLayout(QLayout& layout) {
-  while (auto* item = layout.takeAt(0)) {
-    delete item->widget();
-    delete item;
-  }
-}
 
 QString stateWords(JobState state, const std::optional<RunReport>& report) {
   switch (state) {
@@ -41,12 +30,6 @@ QString stateWords(JobState state, const std::optional<RunReport>& report) {
       return QObject::tr("did not converge");
   }
   return {};
-}
-
-double totalSeconds(const std::vector<EffectOutcome>& effects) {
-  double sum = 0;
-  for (const auto& effect : effects) sum += effect.seconds;
-  return sum;
 }
 
 }  // namespace
@@ -86,22 +69,20 @@ RunPanel::RunPanel(Workspace& workspace) : workspace_(workspace), header_(new Pa
   time_ = addFact(*facts, tr("t"));
   step_ = addFact(*facts, tr("Step"));
   iterations_ = addFact(*facts, tr("Iterations"));
+  asleep_ = addFact(*facts, tr("Asleep"));
   contacts_ = addFact(*facts, tr("Contacts"));
   penetration_ = addFact(*facts, tr("Penetration"));
   inner->addLayout(facts);
   inner->addWidget(makeLine(Qt::Horizontal));
-  outcome_ = new QVBoxLayout;
-  setMargins(outcome_, 0, 4);
-  inner->addLayout(outcome_);
+  inner->addWidget(new EffectList(workspace_));
   inner->addStretch();
   column->addWidget(makeScrolled(content), 1);
 
   connect(&workspace_, &Workspace::progressed, this, &RunPanel::refresh);
   connect(&workspace_, &Workspace::historyChanged, this, &RunPanel::refresh);
   connect(&workspace_.job(), &SolverJob::stateChanged, this, &RunPanel::refresh);
-  connect(&workspace_, &Workspace::reportChanged, this, &RunPanel::refreshOutcome);
+  connect(&workspace_, &Workspace::reportChanged, this, &RunPanel::refresh);
   refresh();
-  refreshOutcome();
 }
 
 QLabel* RunPanel::addFact(QGridLayout& grid, const QString& name) {
@@ -133,7 +114,8 @@ void RunPanel::refresh() {
                                                  : tr("from results"));
   }
   if (workspace_.steps().empty()) {
-    for (auto* label : {time_, step_, contacts_, penetration_, iterations_}) label->setText(QStringLiteral("–"));
+    for (auto* label : {time_, step_, contacts_, penetration_, iterations_, asleep_})
+      label->setText(QStringLiteral("–"));
     return;
   }
   const StepReport& step = workspace_.steps().back();
@@ -145,73 +127,7 @@ void RunPanel::refresh() {
   iterations_->setText(step.cuts > 0
                            ? tr("%1, step cut %2").arg(step.iterations).arg(numbers::counted(step.cuts, "time"))
                            : numbers::whole(step.iterations));
-}
-
-void RunPanel::refreshOutcome() {
-  clearLayout(*outcome_);
-  const auto& report = workspace_.report();
-  if (!report || report->effects.empty()) {
-    auto* sentence = makeLabel(tr("Which effects the scene called for, and what each cost, is listed here when the "
-                                  "run has ended."),
-                               "small");
-    sentence->setWordWrap(true);
-    outcome_->addWidget(sentence);
-    refresh();
-    return;
-  }
-  const double total = totalSeconds(report->effects);
-  double largest = 0;
-  int active = 0;
-  for (const auto& effect : report->effects) {
-    largest = std::max(largest, effect.seconds);
-    active += effect.active ? 1 : 0;
-  }
-  auto* heading = new QWidget;
-  auto* row = new QHBoxLayout(heading);
-  setMargins(row, 0, 6);
-  row->addWidget(makeLabel(tr("Effects: %1 of %2 active").arg(active).arg(report->effects.size()), "section"));
-  row->addStretch();
-  row->addWidget(makeLabel(tr("share of time"), "faint"));
-  outcome_->addWidget(heading);
-  for (const auto& effect : report->effects)
-    addEffect(*outcome_, effect, total > 0 ? effect.seconds / total : 0, total > 0 ? largest / total : 1);
-  refresh();
-}
-
-void RunPanel::addEffect(QVBoxLayout& column, const EffectOutcome& effect, double share, double largest) {
-  auto* row = new QWidget;
-  auto* grid = new QGridLayout(row);
-  grid->setContentsMargins(0, 1, 0, 1);
-  grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(0);
-  grid->setColumnStretch(1, 1);
-  QString name = text(effect.name);
-  name.replace(u'_', u' ');
-  if (!name.isEmpty()) name[0] = name[0].toUpper();
-  grid->addWidget(new Glyph(effect.active ? QStringLiteral("check") : QStringLiteral("dash"),
-                            effect.active ? theme::Tone::ok : theme::Tone::muted, 14),
-                  0, 0);
-  grid->addWidget(new ElidedLabel(name, effect.active ? nullptr : "muted"), 0, 1);
-  grid->addWidget(new ElidedLabel(text(effect.reason), "small"), 1, 1, 1, 3);
-  grid->addWidget(new ShareBar(effect.active ? share / largest : 0), 0, 2);
-  auto* percent = makeLabel(tr("%1 %").arg(std::lround(100 * share)), effect.active ? nullptr : "faint");
-  percent->setFixedWidth(34);
-  percent->setAlignment(Qt::AlignRight);
-  grid->addWidget(percent, 0, 3);
-  column.addWidget(row);
-}
-
-ShareBar::ShareBar(double share) : share_(share) { setFixedSize(52, 4); }
-
-void ShareBar::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme::colours().pressed);
-  painter.drawRoundedRect(rect(), 2, 2);
-  if (share_ <= 0) return;
-  painter.setBrush(theme::colours().accent);
-  painter.drawRoundedRect(QRectF(0, 0, std::max(2.0, width() * share_), height()), 2, 2);
+  asleep_->setText(step.asleep > 0 ? numbers::counted(step.asleep, "block") : tr("no block"));
 }
 
 }  // namespace talus

@@ -42,6 +42,7 @@ Workspace::Workspace(SolverSteps steps, QObject* parent) : QObject(parent), job_
   connect(&document_, &Document::projectChanged, this, [this] {
     resultsAreCurrent_ = false;
     emit framesChanged();
+    emit effectsChanged();
   });
 }
 
@@ -192,6 +193,7 @@ void Workspace::forgetResults() {
   history_.clear();
   events_.clear();
   report_.reset();
+  effects_.clear();
   fraction_ = 0;
   activity_.clear();
   seen_ = {};
@@ -200,6 +202,7 @@ void Workspace::forgetResults() {
   emit frameChanged();
   emit historyChanged();
   emit reportChanged();
+  emit effectsChanged();
 }
 
 void Workspace::namesFromProject() {
@@ -214,7 +217,14 @@ void Workspace::setSystem(std::shared_ptr<const BlockSystem> system) {
   if (selection().current().kind == Item::Kind::block) selection().clear();
   selection().hoverBlock(std::nullopt);
   system_ = std::move(system);
+  size_.reset();
   emit systemChanged();
+  emit effectsChanged();
+}
+
+std::vector<EffectCost> Workspace::effectCosts() const {
+  if (!size_ || !systemIsCurrent()) return {};
+  return effect_costs(document_.project(), *system_, *size_);
 }
 
 QString Workspace::blockName(int block) const {
@@ -229,6 +239,9 @@ void Workspace::takeNews(const JobNews& news) {
     setSystem(news.system);
     log(tr("%1 cut and meshed").arg(numbers::counted(static_cast<long long>(news.system->blocks.size()), "block")));
   }
+  if (news.size) size_ = news.size;
+  if (!news.effects.empty()) effects_ = news.effects;
+  if (news.size || !news.effects.empty()) emit effectsChanged();
   if (!news.frames.empty()) {
     for (const auto& frame : news.frames) liveFrames_.add(frame);
     times_.clear();
@@ -271,7 +284,9 @@ void Workspace::takeEnd(const JobEnd& end) {
   if (end.report) {
     report_ = end.report;
     events_ = end.report->events;
+    effects_ = end.report->effects;
     emit reportChanged();
+    emit effectsChanged();
   }
   live_ = live_ && !failed && end.kind != JobEnd::Kind::cancelled;
   if (!end.results.empty()) {
@@ -297,10 +312,14 @@ void Workspace::takeIndex(const ResultsIndex& index) {
   monitorNames_ = index.monitor_names;
   steps_ = index.steps;
   history_ = index.history;
-  events_ = index.events;
+  if (!afterRun) report_ = index.report;
+  events_ = report_ ? report_->events : std::vector<Event>();
+  effects_ = report_ ? report_->effects : std::vector<EffectOutcome>();
   number_ = -1;
   emit framesChanged();
   emit historyChanged();
+  emit reportChanged();
+  emit effectsChanged();
   if (!times_.empty()) showFrame(afterRun ? nearest(times_, *wantedTime_) : static_cast<int>(times_.size()) - 1);
   wantedTime_.reset();
   if (!afterRun || step_ == Step::solve) goTo(Step::results);

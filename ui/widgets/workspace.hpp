@@ -51,6 +51,8 @@ class Workspace : public QObject {
   std::shared_ptr<const BlockSystem> system() const { return system_; }
   /// They are what the project as it is now would be cut into; if not, the next run cuts and meshes first.
   bool systemIsCurrent() const;
+  /// What the effects of the project as it is now will be paid for; empty until its blocks are cut.
+  std::vector<EffectCost> effectCosts() const;
   /// Name of a block, empty when there is none.
   QString blockName(int block) const;
 
@@ -78,6 +80,8 @@ class Workspace : public QObject {
   const std::vector<std::string>& stageNames() const { return stageNames_; }
   const std::vector<std::string>& monitorNames() const { return monitorNames_; }
   const std::optional<RunReport>& report() const { return report_; }
+  /// What each effect of the run has cost so far, or did; empty while nothing is known of it.
+  const std::vector<EffectOutcome>& effects() const { return effects_; }
   /// Last news of the job: fraction and words.
   double fraction() const { return fraction_; }
   const QString& activity() const { return activity_; }
@@ -109,6 +113,7 @@ class Workspace : public QObject {
   void frameChanged();    ///< the one in view
   void historyChanged();  ///< steps or monitors came
   void reportChanged();
+  void effectsChanged();  ///< what they will cost, or cost
   void progressed();
   void displayChanged();
   void themeChanged();
@@ -136,7 +141,8 @@ class Workspace : public QObject {
 
   Step step_ = Step::geometry;
   std::shared_ptr<const BlockSystem> system_;
-  Project builtFrom_;  ///< the project that `system_` was, or is being, built from
+  std::optional<SceneSize> size_;  ///< of `system_`
+  Project builtFrom_;              ///< the project that `system_` was, or is being, built from
   std::shared_ptr<const Frame> frame_;
   std::vector<double> times_;
   int number_ = -1;
@@ -150,6 +156,7 @@ class Workspace : public QObject {
   std::vector<Event> events_;
   std::vector<std::string> stageNames_, monitorNames_;
   std::optional<RunReport> report_;
+  std::vector<EffectOutcome> effects_;
   double fraction_ = 0;
   QString activity_;
 

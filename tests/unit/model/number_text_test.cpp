@@ -40,5 +40,15 @@ TEST(NumberText, ReadsBackToTheSameBits) {
   }
 }
 
+TEST(CountText, PutsASpaceEveryThreeDigits) {
+  EXPECT_EQ(count_text(0), "0");
+  EXPECT_EQ(count_text(999), "999");
+  EXPECT_EQ(count_text(1240), "1 240");
+  EXPECT_EQ(count_text(100000), "100 000");
+  EXPECT_EQ(count_text(1234567), "1 234 567");
+  EXPECT_EQ(count_text(-123), "-123");
+  EXPECT_EQ(count_text(-1234), "-1 234");
+}
+
 }  // namespace
 }  // namespace talus

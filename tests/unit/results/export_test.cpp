@@ -105,7 +105,7 @@ TEST_F(Export, csv_holds_the_frames_numbers) {
   EXPECT_EQ(tetrahedra[3][10], frame.stress[3][5]);
   EXPECT_THAT(read_text_table(out / "frames.csv", 3)[2], testing::ElementsAre(2, 0.2, 0));
   EXPECT_EQ(read_text_table(out / "history.csv", 14).size(), 1u);
-  EXPECT_EQ(read_text_table(out / "steps.csv", 30).size(), 1u);
+  EXPECT_EQ(read_text_table(out / "steps.csv", 31).size(), 1u);
   EXPECT_THAT(text_of(out / "contacts_00002.csv"),
               testing::AllOf(testing::HasSubstr("\n0,1,,open,"), testing::HasSubstr("\n0,1,J1,stick,")));
   EXPECT_THAT(text_of(out / "motions_00001.csv"),

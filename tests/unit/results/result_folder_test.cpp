@@ -41,6 +41,7 @@ StepReport example_step(int i) {
   step.open = i + 6;
   step.stick = i + 7;
   step.slip = i + 8;
+  step.asleep = i + 9;
   step.max_penetration = number(i, 3);
   step.max_relative_penetration = number(i, 4);
   step.max_displacement = number(i, 5);
@@ -54,6 +55,7 @@ StepReport example_step(int i) {
 void expect_same(const StepReport& a, const StepReport& b) {
   EXPECT_EQ(std::tie(a.step, a.stage, a.time, a.time_step, a.iterations, a.cuts, a.contacts, a.open, a.stick, a.slip),
             std::tie(b.step, b.stage, b.time, b.time_step, b.iterations, b.cuts, b.contacts, b.open, b.stick, b.slip));
+  EXPECT_EQ(a.asleep, b.asleep);
   EXPECT_EQ(std::tie(a.max_penetration, a.max_relative_penetration, a.max_displacement, a.unbalanced_force),
             std::tie(b.max_penetration, b.max_relative_penetration, b.max_displacement, b.unbalanced_force));
   const Phases &p = a.phases, &q = b.phases;
@@ -217,8 +219,9 @@ TEST(ResultFolder, the_csv_headers_name_units) {
               testing::StartsWith("time [s],stage,P1.displacement.x [m],P1.displacement.y [m],P1.displacement.z [m],"
                                   "P1.velocity.x [m/s],P1.velocity.y [m/s],P1.velocity.z [m/s],"
                                   "\"P, 2.displacement.x [m]\","));
-  EXPECT_THAT(text_of(temporary.path / "steps.csv"),
-              testing::StartsWith("step,stage,time [s],time step [s],iterations,cuts,contacts,open,stick,slip,"));
+  EXPECT_THAT(
+      text_of(temporary.path / "steps.csv"),
+      testing::StartsWith("step,stage,time [s],time step [s],iterations,cuts,contacts,open,stick,slip,asleep,"));
 }
 
 TEST(ResultFolder, log_and_project_are_kept) {

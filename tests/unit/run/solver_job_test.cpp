@@ -28,6 +28,7 @@ struct PacedSolver {
               }
               return BlockSystem{};
             },
+            [](const Project&, const BlockSystem&) { return SceneSize{.tetrahedra = 7}; },
             [this](const Project&, const BlockSystem&, const RunOptions&, RunObserver& observer) {
               RunReport report;
               while (made < steps) {
@@ -43,6 +44,7 @@ struct PacedSolver {
                 auto frame = std::make_shared<Frame>();
                 frame->index = made;
                 observer.on_frame(frame);
+                observer.on_effects({{.name = "inertia", .active = true, .reason = "always", .evaluations = made}});
               }
               report.steps = made;
               return report;
@@ -65,6 +67,8 @@ class SolverJobTest : public ::testing::Test {
       steps_seen += static_cast<int>(news.steps.size());
       frames_seen += static_cast<int>(news.frames.size());
       systems_seen += news.system ? 1 : 0;
+      if (news.size) tetrahedra_seen += news.size->tetrahedra;
+      if (!news.effects.empty()) evaluations_seen = news.effects.front().evaluations;
     });
     QObject::connect(&job, &SolverJob::ended, [this](const JobEnd& with) { end = with; });
   }
@@ -81,6 +85,7 @@ class SolverJobTest : public ::testing::Test {
 
   PacedSolver solver;
   int deliveries = 0, steps_seen = 0, frames_seen = 0, systems_seen = 0;
+  long tetrahedra_seen = 0, evaluations_seen = 0;
   std::optional<JobEnd> end;
 };
 
@@ -94,6 +99,8 @@ TEST_F(SolverJobTest, MeshesAndSolvesAndTellsEveryStep) {
   EXPECT_EQ(steps_seen, 100);
   EXPECT_EQ(frames_seen, 100);
   EXPECT_EQ(systems_seen, 1);
+  EXPECT_EQ(tetrahedra_seen, 7) << "sized once";
+  EXPECT_EQ(evaluations_seen, 100) << "as of the last frame";
   EXPECT_EQ(end->report->steps, 100);
   EXPECT_FALSE(job.isBusy());
 }

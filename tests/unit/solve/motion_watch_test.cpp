@@ -36,6 +36,7 @@ struct TiltedTable {
 struct Seen {
   std::vector<MotionClass> classes;
   std::vector<Event> events;
+  int asleep = 0;  // blocks, at the end
   std::vector<std::string> told() const {
     std::vector<std::string> words;
     for (const Event& event : events) words.push_back(event.what);
@@ -46,12 +47,13 @@ struct Seen {
 Seen watch(const TiltedTable& scene) {
   Simulation simulation(scene.project, scene.system);
   MotionWatch motions(scene.project, scene.system, simulation.bodies());
+  int asleep = 0;
   while (!simulation.finished()) {
-    simulation.step();
-    motions.look(simulation.time(), simulation.stage_ended(), simulation.bodies(), simulation.contacts());
+    asleep = simulation.step().asleep;
+    motions.look(simulation.time(), simulation.stage_ended(), simulation.bodies(), simulation.awake_contacts());
   }
   EXPECT_TRUE(simulation.converged()) << simulation.failure();
-  return {motions.classes(simulation.bodies()), motions.events()};
+  return {motions.classes(simulation.bodies()), motions.events(), asleep};
 }
 
 TEST(MotionWatch, a_block_above_its_friction_angle_slides_after_a_static_stage_in_which_it_was_held) {
@@ -138,6 +140,25 @@ TEST(MotionWatch, a_block_that_has_slid_to_a_stop_says_so) {
   EXPECT_NEAR(attitude_of(seen.classes[1].direction).trend, 180, 0.1);
   ASSERT_EQ(seen.events.size(), 2u);
   EXPECT_NEAR(seen.events[1].time, 1 / (std::tan(radians(20)) * 9.81), 0.03);
+}
+
+TEST(MotionWatch, who_falls_asleep_keeps_the_class_it_came_to_rest_with) {
+  TiltedTable scene(0, 20);
+  scene.add("B", Vec3(0, 0, 0), Vec3(1, 1, 0.4));
+  scene.add("C", Vec3(4, 0, 0), Vec3(5, 1, 0.4));
+  scene.project.velocities = {{"B", Vec3(0, -1, 0), Vec3::Zero()}};
+  scene.stage(StageKind::dynamic, 0.01, 400);
+  const Seen slept = watch(scene);
+  EXPECT_EQ(slept.asleep, 2);
+  scene.project.solver.sleep_tolerance = 0;
+  const Seen never = watch(scene);
+  EXPECT_EQ(never.asleep, 0);
+  EXPECT_EQ(slept.told(), never.told());
+  ASSERT_EQ(slept.events.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(slept.events[i].time, never.events[i].time, 1e-9);
+  for (const int block : {1, 2}) EXPECT_TRUE(same_kind(slept.classes[block], never.classes[block])) << block;
+  EXPECT_TRUE(slept.classes[1].came_to_rest);
+  EXPECT_EQ(slept.classes[2].mode, MotionMode::stable);
 }
 
 TEST(MotionWatch, what_rides_on_a_sliding_block_is_carried_by_it) {

@@ -11,12 +11,14 @@ namespace {
 struct Recorder final : RunObserver {
   int steps = 0, frames = 0, stop_after = 1 << 30;
   double last_fraction = 0;
+  std::vector<EffectOutcome> effects;
   void on_step(const StepReport&, const HistoryRow&, double fraction) override {
     ++steps;
     EXPECT_GT(fraction, last_fraction);
     last_fraction = fraction;
   }
   void on_frame(std::shared_ptr<const Frame> frame) override { EXPECT_EQ(frame->index, frames++); }
+  void on_effects(const std::vector<EffectOutcome>& of_now) override { effects = of_now; }
   bool go_on() override { return steps < stop_after; }
 };
 
@@ -50,6 +52,9 @@ TEST_F(Run, writes_a_frame_at_the_start_and_after_every_interval) {
   EXPECT_EQ(report.steps, 100);
   EXPECT_EQ(recorder_.steps, 100);
   EXPECT_EQ(recorder_.last_fraction, 1);
+  ASSERT_EQ(recorder_.effects.size(), report.effects.size());
+  for (std::size_t i = 0; i < report.effects.size(); ++i)
+    EXPECT_EQ(recorder_.effects[i].evaluations, report.effects[i].evaluations) << "told with the last frame";
   const ResultReader results(folder_);
   EXPECT_THAT(results.frame_times(), testing::ElementsAre(0, testing::DoubleEq(0.25), testing::DoubleEq(0.5),
                                                           testing::DoubleEq(0.75), testing::DoubleEq(1.0)));

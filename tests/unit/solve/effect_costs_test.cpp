@@ -1,0 +1,136 @@
+#include "solve/effect_costs.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "support/solver_scenes.hpp"
+
+namespace talus {
+namespace {
+
+using testing::HasSubstr;
+
+Project short_project(double friction_angle = 30) {
+  Project project = test::rock_project(friction_angle, {{"slide", StageKind::dynamic, 0.01, 3, {}}});
+  project.gravity = test::tilted_gravity(10);
+  return project;
+}
+
+BlockSystem one_of_each_body() {
+  BlockSystem system = test::cube_on_slab();
+  system.blocks.push_back(test::box_block("A", Vec3(3, 0, 0), Vec3(4, 1, 1), BodyKind::affine));
+  system.blocks.push_back(test::box_block("R", Vec3(6, 0, 0), Vec3(7, 1, 1), BodyKind::rigid));
+  return system;
+}
+
+std::vector<EffectCost> costs_of(const Project& project, const BlockSystem& system) {
+  return effect_costs(project, system, scene_size(project, system));
+}
+
+EffectCost cost_of(const std::string& name, const Project& project, const BlockSystem& system) {
+  const auto costs = costs_of(project, system);
+  const auto found = std::find_if(costs.begin(), costs.end(), [&](const EffectCost& c) { return c.name == name; });
+  return found == costs.end() ? EffectCost{} : *found;
+}
+
+TEST(EffectCosts, counts_what_moves_and_what_the_first_step_would_find_in_contact) {
+  const Project project = short_project();
+  const BlockSystem system = one_of_each_body();
+  const SceneSize size = scene_size(project, system);
+  EXPECT_EQ(size.tetrahedra, static_cast<long>(system.blocks[1].mesh.tetrahedra.size()));
+  EXPECT_EQ(size.affine_blocks, 1);
+  EXPECT_EQ(size.rigid_blocks, 1);
+  EXPECT_EQ(size.bonded_points, 0);
+  EXPECT_EQ(size.sheared_points, size.loose_points);
+  Simulation simulation(project, system);
+  EXPECT_EQ(size.loose_points, simulation.step().contacts);
+  EXPECT_GE(size.loose_points, 12) << "three faces of four corners at least";
+}
+
+TEST(EffectCosts, looking_for_contacts_changes_nothing) {
+  const Project project = short_project();
+  const BlockSystem system = one_of_each_body();
+  Simulation looked(project, system), not_looked(project, system);
+  looked.look_for_contacts();
+  for (int i = 0; i < 3; ++i) {
+    looked.look_for_contacts();
+    looked.step();
+    not_looked.step();
+  }
+  const auto &a = looked.bodies().nodes.position, &b = not_looked.bodies().nodes.position;
+  EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
+}
+
+TEST(EffectCosts, points_of_a_joint_with_cohesion_are_bonded) {
+  Project project = short_project();
+  project.joints[0].cohesion = 1e5;
+  const SceneSize size = scene_size(project, test::cube_on_slab());
+  EXPECT_EQ(size.loose_points, 0);
+  EXPECT_GE(size.bonded_points, 4);
+  EXPECT_EQ(size.sheared_points, size.bonded_points);
+  EXPECT_THAT(cost_of("cohesion and tension", project, test::cube_on_slab()).items,
+              testing::EndsWith(" bonded points at the start"));
+}
+
+TEST(EffectCosts, what_is_off_costs_nothing_and_pays_for_nothing) {
+  const auto costs = costs_of(short_project(0), test::cube_on_slab());
+  int off = 0;
+  for (const EffectCost& cost : costs) {
+    EXPECT_FALSE(cost.reason.empty()) << cost.name;
+    EXPECT_EQ(cost.active, cost.seconds > 0) << cost.name;
+    EXPECT_EQ(cost.active, !cost.items.empty()) << cost.name;
+    off += cost.active ? 0 : 1;
+  }
+  EXPECT_EQ(off, 6) << "initial stress, constraint, load, shear, cohesion, damping";
+}
+
+TEST(EffectCosts, says_in_words_what_is_paid_for) {
+  Project project = short_project();
+  project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}};
+  const BlockSystem system = one_of_each_body();
+  EXPECT_EQ(cost_of("point load", project, system).items, "1 load");
+  const std::string tetrahedra = std::to_string(system.blocks[1].mesh.tetrahedra.size()) + " tetrahedra";
+  EXPECT_EQ(cost_of("elasticity", project, system).items, tetrahedra + ", 1 affine block");
+  EXPECT_EQ(cost_of("inertia", project, system).items, tetrahedra + ", 1 affine block, 1 rigid block");
+  EXPECT_THAT(cost_of("normal contact", project, system).items, HasSubstr(" contact points at the start"));
+}
+
+TEST(EffectCosts, grow_with_the_number_of_what_is_paid_for) {
+  const Project project = short_project();
+  const BlockSystem system = test::cube_on_slab();
+  const auto elasticity = [&](long tetrahedra) {
+    return effect_costs(project, system, {.tetrahedra = tetrahedra, .loose_points = 0})[0];
+  };
+  ASSERT_EQ(elasticity(1).name, "elasticity");
+  EXPECT_DOUBLE_EQ(elasticity(12400).seconds, 12400 * elasticity(1).seconds);
+  EXPECT_EQ(elasticity(12400).items, "12 400 tetrahedra");
+  EXPECT_EQ(elasticity(1).items, "1 tetrahedron");
+}
+
+TEST(EffectCosts, a_scene_in_which_nothing_moves_has_none) {
+  BlockSystem system = test::cube_on_slab();
+  system.blocks[1].body = BodyKind::fixed;
+  const SceneSize size = scene_size(short_project(), system);
+  EXPECT_EQ(size.tetrahedra + size.affine_blocks + size.rigid_blocks + size.loose_points, 0);
+  for (const EffectCost& cost : effect_costs(short_project(), system, size)) EXPECT_EQ(cost.seconds, 0) << cost.name;
+}
+
+TEST(EffectCosts, a_project_that_has_no_stage_yet_has_its_bodies_and_no_contacts) {
+  Project project = short_project();
+  project.stages.clear();
+  const SceneSize size = scene_size(project, test::cube_on_slab());
+  EXPECT_GT(size.tetrahedra, 0);
+  EXPECT_EQ(size.loose_points, 0);
+  EXPECT_GT(cost_of("elasticity", project, test::cube_on_slab()).seconds, 0);
+}
+
+TEST(EffectCosts, a_monitor_outside_its_block_is_refused_as_the_run_refuses_it) {
+  Project project = short_project();
+  project.monitors = {{"P1", "B", Vec3(50, 50, 50)}};
+  EXPECT_THROW(scene_size(project, test::cube_on_slab()), InputError);
+}
+
+}  // namespace
+}  // namespace talus
