@@ -53,8 +53,9 @@ int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
       const Problem& problem = workspace.problems().back();
       return complain(bad_input, QStringLiteral("%1: %2; %3").arg(problem.place, problem.problem, problem.remedy));
     }
-    if (workspace.isLoadingResults()) waitFor([&] { return workspace.frame() != nullptr; }, patience_ms);
-    if (!workspace.system()) {
+    const auto failed = [&] { return !workspace.problems().empty(); };
+    if (workspace.isLoadingResults()) waitFor([&] { return workspace.frame() || failed(); }, patience_ms);
+    if (!workspace.system() && !failed()) {
       workspace.mesh();
       waitFor([&] { return !workspace.job().isBusy(); }, patience_ms);
     }
