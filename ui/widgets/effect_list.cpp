@@ -55,7 +55,7 @@ std::vector<EffectList::Row> EffectList::spent() const {
     rows.push_back({sentenceCase(text(effect.name)),
                     text(effect.reason),
                     {},
-                    effect.active ? tr("%1 s").arg(numbers::significant(effect.seconds, 3)) : tr("off"),
+                    effect.active ? tr("%1 s").arg(numbers::significant(effect.seconds, 2)) : tr("off"),
                     effect.active,
                     share(effect.seconds, most)});
   return rows;

@@ -72,6 +72,9 @@ void PropertyPanel::showSolver(const SolverSettings& solver) {
                      tr("Tolerance over the mesh size, which augmented Lagrangian rounds come down to"));
   section->addFact(tr("Open–close limit"), numbers::whole(solver.open_close_limit),
                    tr("Iterations before a step is cut"));
+  section->addFact(tr("Sleep below"),
+                   solver.sleep_tolerance > 0 ? numbers::significant(solver.sleep_tolerance) : tr("never"),
+                   tr("Mesh sizes a second: slower blocks at rest stand still until something may touch them"));
   section->addFact(tr("Time steps"), text(to_string(solver.time_step_control)));
   if (solver.time_step_control == TimeStepControl::fixed) return;
   const AdaptiveSteps& steps = solver.adaptive;

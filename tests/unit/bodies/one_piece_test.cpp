@@ -6,18 +6,12 @@
 #include "bodies/block_motion.hpp"
 #include "bodies/body_set.hpp"
 #include "bodies/finite_rotation.hpp"
-#include "support/small_scenes.hpp"
+#include "support/one_block.hpp"
 
 namespace talus {
 namespace {
 
-BodySet one_block(BodyKind body) {
-  Project project;
-  project.materials = {{"rock", 2600, 5e9, 0.24}};
-  BlockSystem system;
-  system.blocks = {test::box_block("block", Vec3(1, 2, 3), Vec3(2, 4, 3.5), body)};
-  return BodySet(project, system);
-}
+using test::one_block;
 
 TEST(OnePiece, nodes_of_an_affine_body_follow_its_carriers) {
   BodySet set = one_block(BodyKind::affine);

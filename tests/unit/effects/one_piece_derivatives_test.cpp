@@ -13,7 +13,7 @@
 #include "effects/normal_contact.hpp"
 #include "effects/point_load.hpp"
 #include "effects/shear_contact.hpp"
-#include "support/small_scenes.hpp"
+#include "support/one_block.hpp"
 
 namespace talus {
 namespace {
@@ -160,13 +160,7 @@ TEST_F(OnePieceDerivatives, contact_in_stick_and_in_slip) {
   }
 }
 
-BodySet one_block(BodyKind body) {
-  Project project;
-  project.materials = {{"rock", 2600, 5e9, 0.24}};
-  BlockSystem system;
-  system.blocks = {test::box_block("block", Vec3(1, 2, 3), Vec3(2, 4, 3.5), body)};
-  return BodySet(project, system);
-}
+using test::one_block;
 
 double mass_square(const BodySet& set, const std::vector<Vec3>& velocity) {
   double sum = 0;
