@@ -159,6 +159,7 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) 
   p.normal_stiffness = normal * loaded_area;
   p.shear_stiffness = shear * loaded_area;
   p.friction = law.friction;
+  p.restitution = law.restitution;
 
   p.mode = f.gap > 0 ? ContactMode::open : ContactMode::stick;
   p.shear_start = Vec3::Zero();

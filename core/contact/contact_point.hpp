@@ -18,6 +18,7 @@ struct JointLaw {
   double tensile_strength = 0;   ///< Pa
   double normal_stiffness = 0;   ///< Pa/m; 0: automatic
   double shear_stiffness = 0;    ///< Pa/m; 0: automatic
+  double restitution = 1;        ///< speed after an impact over that before; 1: contacts take none
 };
 
 /// One pair of touching points P1 (first body) and P2 (second body), eq. (29). Fixed during a step.
@@ -36,6 +37,7 @@ struct ContactPoint {
   double area = 0;               ///< m², the share of contact area; 0 where a vertex or an edge touches
   double normal_stiffness = 0;   ///< N/m
   double shear_stiffness = 0;    ///< N/m
+  double restitution = 1;        ///< of the joint
   double friction = 0;           ///< tan φ that holds now (residual once broken)
   double cohesion = 0;           ///< N, c·A while bonded, else 0
   double tension = 0;            ///< N, σ_t·A while bonded, else 0
@@ -54,9 +56,10 @@ struct ContactSet {
   std::vector<int> nodes;       ///< global node numbers of all stencils
   std::vector<double> weights;  ///< Σ = +1 over the first body's nodes, −1 over the second's
 
-  std::vector<int> loose;    ///< numbers of the points without a bond, ascending
-  std::vector<int> bonded;   ///< … of those with one
-  std::vector<int> sheared;  ///< … of those that can bear shear: with friction, or with cohesion of a bond
+  std::vector<int> loose;       ///< numbers of the points without a bond, ascending
+  std::vector<int> bonded;      ///< … of those with one
+  std::vector<int> rebounding;  ///< … of those without a bond whose joint takes speed from an impact
+  std::vector<int> sheared;     ///< … of those that can bear shear: with friction, or with cohesion of a bond
 
   void clear();
   /// Fills the lists from the points. What detect() gives is sorted out already.

@@ -110,6 +110,7 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
   };
   const auto resists = [](const Joint& j) { return j.friction_angle > 0 || j.cohesion > 0; };
   const auto bonds = [](const Joint& j) { return j.cohesion > 0 || j.tensile_strength > 0; };
+  const auto takes_speed = [](const Joint& j) { return j.restitution < 1; };
   const std::string frame = corotational ? ", measured in the rotated frame" : ", summed up step by step";
   const std::string still = "every block is fixed";
   const std::string stiff = movable == 0 ? still : "every block that moves is rigid";
@@ -133,6 +134,8 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
       "no joint resists shear");
   add("cohesion and tension", touching && any_joint(bonds), "bonds on " + joints_where(project, bonds),
       "no joint has cohesion or tensile strength");
+  add("rebound", touching && any_joint(takes_speed), "restitution below 1 on " + joints_where(project, takes_speed),
+      "no joint has a restitution below 1");
   add("damping", movable > 0 && damps(project), "a stage or a material asks for it",
       "no stage or material asks for it");
   return list;
@@ -167,6 +170,7 @@ Composition compose(const Project& project, const BlockSystem& system, int stage
       composition.normal.push_back(add(std::make_unique<NormalContact>(links, NormalContact::Points::loose)));
     if (status.name == "cohesion and tension")
       composition.normal.push_back(add(std::make_unique<NormalContact>(links, NormalContact::Points::bonded)));
+    if (status.name == "rebound") composition.rebounds = true;
     if (status.name == "shear contact") composition.shear = add(std::make_unique<ShearContact>(links));
     const std::vector<double> rates = damping_rates(project, system, project.stages[stage]);
     if (status.name == "damping" && *std::max_element(rates.begin(), rates.end()) > 0)

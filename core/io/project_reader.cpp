@@ -74,6 +74,7 @@ Joint joint_from(const std::string& name, const OrderedJson& value) {
   read(value, "residual_friction_angle", joint.residual_friction_angle);
   read(value, "normal_stiffness", joint.normal_stiffness);
   read(value, "shear_stiffness", joint.shear_stiffness);
+  read(value, "restitution", joint.restitution);
   return joint;
 }
 

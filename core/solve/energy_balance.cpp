@@ -59,7 +59,9 @@ void EnergyBalance::awake_changed(const Composition& composition) {
 }
 
 const EnergyLedger& EnergyBalance::after_step(const Composition& composition, const std::vector<double>& works,
-                                              const Increment& d) {
+                                              const Increment& d, double by_impacts) {
+  ledger_.damping_dissipated += by_impacts;
+  ledger_.integration_loss -= by_impacts;
   for (std::size_t i = 0; i < composition.effects.size(); ++i) {
     const Effect& effect = *composition.effects[i];
     if (effect.account() == EnergyAccount::constraint) {

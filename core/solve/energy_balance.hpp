@@ -17,8 +17,10 @@ class EnergyBalance {
   /// Bodies fell asleep or woke: what effects hold from now on is of those that are awake, and `ledger` keeps the rest.
   /// What was left of the motion of those that fell asleep is lost.
   void awake_changed(const Composition& composition);
-  /// After effects have accepted D and bodies have moved. `works`: ∇Π_e·D over free nodes, an effect [J].
-  const EnergyLedger& after_step(const Composition& composition, const std::vector<double>& works, const Increment& d);
+  /// After effects have accepted D and bodies have moved. `works`: ∇Π_e·D over free nodes, an effect; `by_impacts`:
+  /// what impacts took from the kinetic energy at the end of the step [J].
+  const EnergyLedger& after_step(const Composition& composition, const std::vector<double>& works, const Increment& d,
+                                 double by_impacts = 0);
   const EnergyLedger& ledger() const { return ledger_; }  ///< as of the last step
 
  private:

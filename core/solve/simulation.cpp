@@ -243,6 +243,8 @@ bool Simulation::try_step(double start, double length, StepReport& report) {
 
 void Simulation::accept(StepReport& report) {
   State& s = *state_;
+  const bool may_hit = s.impacts && s.context.dynamic_factor > 0 && s.bodies.nodes.movable > 0;
+  if (may_hit) s.impacts->note_speeds(s.contacts, s.context);
   s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
   if (s.bodies.nodes.movable > 0) {
     report.time_error = std::max(report.time_error, measure_step(0).time_error);
@@ -256,10 +258,12 @@ void Simulation::accept(StepReport& report) {
     for (const int b : *moved)
       if (const double way = s.bodies.bodies[b].way; way > 0) s.detector.moved(b, way);
   s.bodies.carry_velocities();
+  const double by_impacts = may_hit ? s.impacts->take(s.contacts, s.context, s.outcomes.outcomes()) : 0;
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   if (s.context.dynamic_factor > 0) s.falls_asleep = s.sleep.settle(s.bodies, s.contacts, s.context.length);
-  report.energy = s.bodies.nodes.movable > 0 ? s.energy.after_step(s.composition, s.open_close.works(), s.increment)
-                                             : s.energy.ledger();
+  report.energy = s.bodies.nodes.movable > 0
+                      ? s.energy.after_step(s.composition, s.open_close.works(), s.increment, by_impacts)
+                      : s.energy.ledger();
   s.first_guess.remember(s.increment, s.context.length);
 }
 

@@ -74,7 +74,9 @@ HistoryRow Simulation::history() const {
 
 std::vector<EffectOutcome> Simulation::effects() const {
   const State& s = *state_;
-  const auto work = s.open_close.effect_work();
+  auto work = s.open_close.effect_work();
+  if (s.impacts)
+    work["rebound"] = {.seconds = s.impacts->seconds(), .built = 1, .evaluations = s.impacts->evaluations()};
   std::vector<EffectOutcome> outcomes;
   for (const EffectStatus& status : called_effects(s.project, s.system)) {
     EffectOutcome& outcome = outcomes.emplace_back(EffectOutcome{status.name, status.active, status.reason});

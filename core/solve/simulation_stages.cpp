@@ -80,6 +80,7 @@ void Simulation::begin_stage() {
   s.open_close.end_stage();
   s.composition = compose(s.project, s.system, number, s.bodies, s.links);
   s.open_close.begin_stage(s.composition);
+  if (s.composition.rebounds && !s.impacts) s.impacts.emplace(s.bodies);
   s.energy.begin_stage(s.composition);
   s.motion.emplace(now, s.system);
   std::fill(s.bodies.nodes.prescribed.begin(), s.bodies.nodes.prescribed.end(), Vec3::Zero());

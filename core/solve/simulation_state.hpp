@@ -6,6 +6,7 @@
 #include "solve/contact_outcomes.hpp"
 #include "solve/energy_balance.hpp"
 #include "solve/first_guess.hpp"
+#include "solve/impacts.hpp"
 #include "solve/open_close.hpp"
 #include "solve/prescribed_motion.hpp"
 #include "solve/simulation.hpp"
@@ -33,6 +34,7 @@ struct Simulation::State {
   ContactOutcomes outcomes;
   Composition composition;
   OpenClose open_close;
+  std::optional<Impacts> impacts;  ///< where some joint takes speed from them
   FirstGuess first_guess;
   StepControl control;
   Sleep sleep;

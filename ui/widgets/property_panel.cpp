@@ -183,6 +183,7 @@ void PropertyPanel::showJoint(int index) {
   editable(tr("Tension"), {1e6, QStringLiteral("MPa")}, &Joint::tensile_strength);
   if (joint.residual_friction_angle)
     strength->addFact(tr("Residual φ"), tr("%1°").arg(numbers::significant(*joint.residual_friction_angle)));
+  editable(tr("Restitution"), {1, QString()}, &Joint::restitution);
   auto* stiffness = addSection(tr("Stiffness"));
   auto show = [](const std::optional<double>& value) {
     return value ? numbers::significant(*value / 1e9) + QStringLiteral(" GPa/m") : QObject::tr("automatic");

@@ -22,7 +22,7 @@ inline const std::string full_project = R"(// A slope above a road.
     "J2": {"friction_angle": 8},
     "J1": {
       "friction_angle": 30, "cohesion": 2e5, "tensile_strength": 1e4, // broken by the driving block
-      "residual_friction_angle": 25, "normal_stiffness": 1e10, "shear_stiffness": 4e9
+      "residual_friction_angle": 25, "normal_stiffness": 1e10, "shear_stiffness": 4e9, "restitution": 0.4
     }
   },
   "default_joint": "J1",

@@ -29,6 +29,8 @@ const std::vector<BadProject> bad_values{
      "Pa"},
     {"residual", [](Project& p) { p.joints[0].residual_friction_angle = 31; }, "/joints/J1/residual_friction_angle",
      "exceeds", "at most"},
+    {"restitution", [](Project& p) { p.joints[0].restitution = 1.2; }, "/joints/J1/restitution", "between 0 and 1",
+     "share"},
     {"normal stiffness", [](Project& p) { p.joints[0].normal_stiffness = 0; }, "/joints/J1/normal_stiffness",
      "greater than 0", "Pa/m"},
     {"shear stiffness", [](Project& p) { p.joints[0].shear_stiffness = -1; }, "/joints/J1/shear_stiffness",

@@ -83,7 +83,7 @@ TEST(EffectCosts, what_is_off_costs_nothing_and_pays_for_nothing) {
     EXPECT_EQ(cost.active, !cost.items.empty()) << cost.name;
     off += cost.active ? 0 : 1;
   }
-  EXPECT_EQ(off, 6) << "initial stress, constraint, load, shear, cohesion, damping";
+  EXPECT_EQ(off, 7) << "initial stress, constraint, load, shear, cohesion, rebound, damping";
 }
 
 TEST(EffectCosts, says_in_words_what_is_paid_for) {

@@ -1,0 +1,117 @@
+#include "bodies/impulse.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "bodies/finite_rotation.hpp"
+
+namespace talus {
+
+namespace {
+
+int first_of(const Body& body) { return body.kind == BodyKind::affine ? body.first_carrier : body.first_node; }
+int count_of(const Body& body) { return body.kind == BodyKind::affine ? 4 : body.node_count; }
+
+}  // namespace
+
+Eigen::VectorXd InverseMasses::velocities(int index, const Eigen::VectorXd& impulses) {
+  std::optional<Factor>& factor = factors_[index];
+  if (!factor) {
+    const Body& body = set_.bodies[index];
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
+      const Element& element = set_.elements[e];
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b)
+          entries.emplace_back(element.nodes[a] - first_of(body), element.nodes[b] - first_of(body),
+                               element.mass / 20 * (a == b ? 2 : 1));
+    }
+    Eigen::SparseMatrix<double> mass(count_of(body), count_of(body));
+    mass.setFromTriplets(entries.begin(), entries.end());
+    factor.emplace(mass);
+  }
+  return factor->solve(impulses);
+}
+
+Vec3 velocity_of(const BodySet& set, std::span<const int> nodes, std::span<const double> weights, double step) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const bool fixed = set.bodies[set.nodes.body[nodes[k]]].fixed;
+    sum += weights[k] * (fixed ? Vec3(set.nodes.prescribed[nodes[k]] / step) : set.nodes.velocity[nodes[k]]);
+  }
+  return sum;
+}
+
+StruckPoint::StruckPoint(const BodySet& set, InverseMasses& masses, std::span<const int> nodes,
+                         std::span<const double> weights, double step) {
+  std::vector<int> bodies;
+  for (const int node : nodes) bodies.push_back(set.nodes.body[node]);
+  std::vector<int> each = bodies;
+  std::sort(each.begin(), each.end());
+  each.erase(std::unique(each.begin(), each.end()), each.end());
+  for (const int body : each) {
+    if (set.bodies[body].fixed) {
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        if (bodies[k] == body) driven_ += weights[k] / step * set.nodes.prescribed[nodes[k]];
+    } else {
+      add(set, masses, body, nodes, weights);
+    }
+  }
+}
+
+void StruckPoint::add(const BodySet& set, InverseMasses& masses, int index, std::span<const int> nodes,
+                      std::span<const double> weights) {
+  const Body& body = set.bodies[index];
+  if (body.kind == BodyKind::rigid) {
+    const RigidBody& rigid = set.rigid[body.rigid];
+    Turning turning{body.rigid, 0, Vec3::Zero(), rigid.inertia_now().inverse()};
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      if (set.nodes.body[nodes[k]] != index) continue;
+      turning.weight += weights[k];
+      turning.arm += weights[k] * (set.nodes.position[nodes[k]] - set.nodes.position[rigid.centre]);
+    }
+    const Mat3 arm = cross_matrix(turning.arm);
+    mobility_ += turning.weight * turning.weight / rigid.mass * Mat3::Identity() - arm * turning.inverse_inertia * arm;
+    turning_.push_back(turning);
+    return;
+  }
+  Deforming deforming{first_of(body), Eigen::VectorXd::Zero(count_of(body)), {}};
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (set.nodes.body[nodes[k]] != index) continue;
+    if (body.kind == BodyKind::affine)
+      for (int c = 0; c < 4; ++c)
+        deforming.weights[c] += weights[k] * set.carried[nodes[k] - body.first_node + body.first_carried][c];
+    else
+      deforming.weights[nodes[k] - body.first_node] += weights[k];
+  }
+  deforming.response = masses.velocities(index, deforming.weights);
+  mobility_ += deforming.weights.dot(deforming.response) * Mat3::Identity();
+  deforming_.push_back(std::move(deforming));
+}
+
+Vec3 StruckPoint::velocity(const BodySet& set) const {
+  Vec3 sum = driven_;
+  for (const Deforming& body : deforming_)
+    for (Eigen::Index n = 0; n < body.weights.size(); ++n)
+      if (body.weights[n] != 0) sum += body.weights[n] * set.nodes.velocity[body.first_node + n];
+  for (const Turning& body : turning_) {
+    const RigidBody& rigid = set.rigid[body.rigid];
+    sum += body.weight * set.nodes.velocity[rigid.centre] +
+           (body.inverse_inertia * rigid.angular_momentum).cross(body.arm);
+  }
+  return sum;
+}
+
+void StruckPoint::strike(BodySet& set, const Vec3& impulse) const {
+  for (const Deforming& body : deforming_)
+    for (Eigen::Index n = 0; n < body.response.size(); ++n)
+      set.nodes.velocity[body.first_node + n] += body.response[n] * impulse;
+  for (const Turning& body : turning_) {
+    RigidBody& rigid = set.rigid[body.rigid];
+    set.nodes.velocity[rigid.centre] += body.weight / rigid.mass * impulse;
+    rigid.angular_momentum += body.arm.cross(impulse);
+  }
+}
+
+}  // namespace talus
