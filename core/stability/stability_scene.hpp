@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cases/block_scene.hpp"
+
+/// Scenes chosen to break contact codes, each with what must hold.
+namespace talus {
+
+/// How a run went, as a scene's own expectations look at it: all blocks at the start, at the end of every stage, and
+/// often enough in between that no block moves far unseen.
+struct Course {
+  const BlockSystem& system;
+  std::vector<Moment> moments;
+
+  int block(const std::string& name) const;  ///< index; throws std::logic_error where there is none
+  const Moment& last() const { return moments.back(); }
+  /// The last moment of a stage.
+  const Moment& end_of_stage(int stage) const;
+};
+
+/// What a scene must come to: rests, slides, topples, falls.
+struct Expectation {
+  std::string words;  ///< "the spike rests: moves by less than 1e-6 m"
+  /// What was not so, with its figure; empty: it was so.
+  std::function<std::string(const Course&)> fault;
+};
+
+/// One scene of the suite. The figures that every scene is held to (docs/stability.md) come on top of its expectations.
+struct StabilityScene {
+  std::string name;      ///< one_word, for the command line
+  std::string group;     ///< "degenerate contact"
+  std::string title;     ///< a line for tables
+  std::string source{};  ///< of published parameters; empty: ours
+  bool takes_long = false;
+  std::vector<Expectation> expected;  ///< at least one
+  std::function<CaseScene()> build;
+};
+
+}  // namespace talus
