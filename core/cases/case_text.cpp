@@ -13,6 +13,12 @@ std::string decimals(double value, int digits) {
   return text;
 }
 
+std::string significant(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
 std::string direction_text(const Vec3& direction) {
   if (direction.isZero()) return "–";
   return "(" + decimals(direction.x(), 2) + ", " + decimals(direction.y(), 2) + ", " + decimals(direction.z(), 2) + ")";

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <stdexcept>
 
 #include "base/error.hpp"
+#include "cases/ledger_watch.hpp"
 #include "model/quantity.hpp"
 
 namespace talus {
@@ -124,39 +124,13 @@ CaseScene as_asked(CaseScene scene, const CaseOptions& options) {
 
 namespace {
 
-/// Follows the ledger of a run.
-class LedgerWatch {
- public:
-  /// Where blocks hardly move, what is left is the rounding of positions in each step, times weights.
-  explicit LedgerWatch(const CaseScene& scene) {
-    for (const Block& block : scene.system.blocks)
-      for (const Vec3& node : block.mesh.nodes) rounding_ = std::max(rounding_, node.cwiseAbs().maxCoeff());
-    double weight = 0;
-    for (const Block& block : scene.system.blocks)
-      if (block.body != BodyKind::fixed)
-        weight += block.volume * scene.project.materials[block.material].density * scene.project.gravity.norm();
-    rounding_ *= weight * std::numeric_limits<double>::epsilon();
-  }
-  void look(const EnergyLedger& e) {
-    for (const double energy : {e.kinetic, e.elastic, e.potential, e.contact, e.friction_dissipated,
-                                e.damping_dissipated, e.constraint_work, e.integration_loss})
-      moved_ = std::max(moved_, std::abs(energy));
-    remainder_ = e.remainder;
-    ++steps_;
-  }
-  void require_closed() const {
-    constexpr double share = 1e-8;
-    if (std::abs(remainder_) <= std::max(share * moved_, steps_ * rounding_)) return;
-    char text[120];
-    std::snprintf(text, sizeof text, "the energy ledger does not close: %.3g J of %.3g J are missing", remainder_,
-                  moved_);
-    throw std::runtime_error(text);
-  }
-
- private:
-  double moved_ = 0, remainder_ = 0, rounding_ = 0;  // J
-  int steps_ = 0;
-};
+void require_closed(const LedgerWatch& ledger) {
+  if (ledger.closes()) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "the energy ledger does not close: %.3g J of %.3g J are missing", ledger.remainder(),
+                ledger.moved());
+  throw std::runtime_error(text);
+}
 
 }  // namespace
 
@@ -171,7 +145,7 @@ void run_scene(const CaseScene& scene, Progress& progress,
     ledger.look(report.energy);
     if (after_step && !after_step(simulation, report)) break;
   }
-  ledger.require_closed();
+  require_closed(ledger);
 }
 
 }  // namespace talus

@@ -7,14 +7,7 @@ namespace talus {
 /// The whole suite, group after group.
 std::vector<StabilityScene> stability_scenes();
 
-// A group each; the files of that name.
-std::vector<StabilityScene> degenerate_scenes();
-std::vector<StabilityScene> classic_scenes();
-std::vector<StabilityScene> ratio_scenes();
-std::vector<StabilityScene> shape_scenes();
-std::vector<StabilityScene> time_scenes();
-std::vector<StabilityScene> crowd_scenes();
-std::vector<StabilityScene> state_change_scenes();
+// A group each.
 std::vector<StabilityScene> threshold_scenes();
 
 }  // namespace talus

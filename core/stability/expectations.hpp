@@ -7,19 +7,19 @@ namespace talus {
 
 /// The block goes nowhere after the end of the stage (−1: after the start): by less than `distance` [m], and turns by
 /// less than `angle` [degrees].
-Expectation rests(const std::string& block, int stage, double distance, double angle = 0.01);
+Demand rests(const std::string& block, int stage, double distance, double angle = 0.01);
 /// All movable blocks do.
-Expectation all_rest(int stage, double distance, double angle = 0.01);
+Demand all_rest(int stage, double distance, double angle = 0.01);
 /// The block's way along `direction` (unit) from the start is `distance` [m] within the share `tolerance` of it.
-Expectation travels(const std::string& block, const Vec3& direction, double distance, double tolerance);
+Demand travels(const std::string& block, const Vec3& direction, double distance, double tolerance);
 /// … is at least `least` [m].
-Expectation travels_at_least(const std::string& block, const Vec3& direction, double least);
+Demand travels_at_least(const std::string& block, const Vec3& direction, double least);
 /// The block has turned by at least `angle` [degrees].
-Expectation topples(const std::string& block, double angle);
+Demand topples(const std::string& block, double angle);
 /// The block's speed at the end is below `speed` [m/s].
-Expectation stops(const std::string& block, double speed);
+Demand stops(const std::string& block, double speed);
 /// The centroids of all movable blocks stay on the side of the plane that `normal` points to, at all moments: nothing
 /// passes through.
-Expectation stays_before(const Vec3& point, const Vec3& normal);
+Demand stays_before(const Vec3& point, const Vec3& normal);
 
 }  // namespace talus

@@ -13,16 +13,16 @@ namespace talus {
 /// often enough in between that no block moves far unseen.
 struct Course {
   const BlockSystem& system;
-  std::vector<Moment> moments;
+  std::vector<Moment> moments;  ///< the first is the start, of stage −1
 
   int block(const std::string& name) const;  ///< index; throws std::logic_error where there is none
   const Moment& last() const { return moments.back(); }
-  /// The last moment of a stage.
+  /// The last moment of a stage; −1: the start. Throws std::logic_error where the run did not come to it.
   const Moment& end_of_stage(int stage) const;
 };
 
 /// What a scene must come to: rests, slides, topples, falls.
-struct Expectation {
+struct Demand {
   std::string words;  ///< "the spike rests: moves by less than 1e-6 m"
   /// What was not so, with its figure; empty: it was so.
   std::function<std::string(const Course&)> fault;
@@ -35,7 +35,7 @@ struct StabilityScene {
   std::string title;     ///< a line for tables
   std::string source{};  ///< of published parameters; empty: ours
   bool takes_long = false;
-  std::vector<Expectation> expected;  ///< at least one
+  std::vector<Demand> expected;  ///< at least one
   std::function<CaseScene()> build;
 };
 

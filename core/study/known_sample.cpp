@@ -8,11 +8,11 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/part_of_progress.hpp"
 #include "cases/scene.hpp"
 #include "geometry/block_builder.hpp"
 #include "io/project_file.hpp"
 #include "solve/run.hpp"
-#include "study/part_of_progress.hpp"
 #include "study/temporary_folder.hpp"
 
 namespace talus {

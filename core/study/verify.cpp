@@ -5,10 +5,10 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/part_of_progress.hpp"
 #include "cases/all_cases.hpp"
 #include "solve/stopwatch.hpp"
 #include "study/known_sample.hpp"
-#include "study/part_of_progress.hpp"
 #include "study/repetition.hpp"
 
 namespace talus {

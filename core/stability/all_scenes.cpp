@@ -1,0 +1,16 @@
+#include "stability/all_scenes.hpp"
+
+#include <iterator>
+
+namespace talus {
+
+std::vector<StabilityScene> stability_scenes() {
+  std::vector<StabilityScene> all;
+  for (auto group : {threshold_scenes}) {
+    std::vector<StabilityScene> scenes = group();
+    std::move(scenes.begin(), scenes.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace talus

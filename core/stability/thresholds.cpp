@@ -1,0 +1,90 @@
+#include <cmath>
+
+#include "base/units.hpp"
+#include "cases/case_text.hpp"
+#include "stability/all_scenes.hpp"
+#include "stability/expectations.hpp"
+
+// Pairs of scenes on both sides of the point where a block begins to slide, or a column to topple: as far apart as the
+// pair says, half of that on either side.
+namespace talus {
+
+namespace {
+
+const std::string group = "thresholds";
+
+struct Pair {
+  std::string name;  ///< for the scenes' names
+  double apart;      ///< degrees
+};
+const Pair pairs[] = {{"1_degree", 1}, {"tenth_degree", 0.1}};
+
+constexpr double dip = 30;     // degrees, of the incline
+constexpr double sliding = 2;  // s
+
+CaseScene block_on_incline(double friction_angle) {
+  CaseScene scene = rock_scene(friction_angle);
+  tilt(scene, dip);
+  add_fixed_box(scene, "slab", Vec3(-4, -3, -1), Vec3(8, 3, 0));
+  add_box(scene, "block", Vec3(0, -0.5, 0), Vec3(1, 0.5, 1));
+  scene.project.stages = {settling(1e-3, 20), motion(0.01, sliding)};
+  return scene;
+}
+
+StabilityScene incline(const Pair& pair, bool slides) {
+  const double friction_angle = dip + (slides ? -0.5 : 0.5) * pair.apart;
+  const double acceleration = 9.81 * std::sin(radians(dip - friction_angle)) / std::cos(radians(friction_angle));
+  // What sticks gives way by its elastic settlement at most: W sin α over the joint's stiffness, some 1e-8 m.
+  const Demand demand =
+      slides ? travels("block", Vec3(1, 0, 0), acceleration * sliding * sliding / 2, 1e-3) : rests("block", 0, 1e-7);
+  return {.name = "incline_" + pair.name + (slides ? "_slides" : "_sticks"),
+          .group = group,
+          .title = "Block on 30°, friction " + significant(pair.apart / 2) + "° " + (slides ? "less" : "more"),
+          .expected = {demand},
+          .build = [friction_angle] { return block_on_incline(friction_angle); }};
+}
+
+constexpr double width = 0.25, height = 1;  // m, of the column
+
+CaseScene column_on_slab(double slab_dip, double duration) {
+  CaseScene scene = rock_scene(35);
+  tilt(scene, slab_dip);
+  add_fixed_box(scene, "slab", Vec3(-2, -1, -1), Vec3(3, 1, 0));
+  add_box(scene, "column", Vec3(0, -0.25, 0), Vec3(width, 0.25, height));
+  scene.project.stages = {settling(1e-3, 20), motion(0.005, duration)};
+  return scene;
+}
+
+/// A rigid column that leans by ε beyond the balance over its toe turns by ε (cosh λt − 1), λ² = mgR/I = 14.3/s².
+double turning_time(double beyond, double angle) {
+  const double reach = std::hypot(width, height) / 2, inertia = 4 * reach * reach / 3;
+  return std::acosh(1 + angle / beyond) / std::sqrt(9.81 * reach / inertia);
+}
+
+StabilityScene column(const Pair& pair, bool topples_over) {
+  const double slab_dip = degrees(std::atan(width / height)) + (topples_over ? 0.5 : -0.5) * pair.apart;
+  const double duration = turning_time(pair.apart / 2, 10);
+  // The toe gives way by W over the stiffness of half the base, 1e-7 m. It yields a little while the column tips: half
+  // of the rigid column's 10° are asked for.
+  const Demand demand = topples_over ? topples("column", 5) : rests("column", 0, 1e-6);
+  return {.name = "column_" + pair.name + (topples_over ? "_topples" : "_stands"),
+          .group = group,
+          .title = "Column 4:1, slab " + significant(pair.apart / 2) + "° " + (topples_over ? "above" : "below") +
+                   " the dip at which it topples",
+          .expected = {demand},
+          .build = [=] { return column_on_slab(slab_dip, duration); }};
+}
+
+}  // namespace
+
+std::vector<StabilityScene> threshold_scenes() {
+  std::vector<StabilityScene> scenes;
+  for (const Pair& pair : pairs)
+    for (const bool moves : {false, true}) {
+      scenes.push_back(incline(pair, moves));
+      scenes.push_back(column(pair, moves));
+    }
+  return scenes;
+}
+
+}  // namespace talus
