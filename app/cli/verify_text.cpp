@@ -1,34 +1,17 @@
 #include "verify_text.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "paragraph.hpp"
 #include "table.hpp"
-#include "terminal.hpp"
 
 namespace talus::cli {
 
 namespace {
 
-constexpr std::size_t line_width = 110;
 /// Widths are fixed because a case is printed as soon as it ends, before those of the next are known.
 constexpr std::size_t quantity_width = 44, unit_width = 5, value_width = 13, error_width = 9;
-
-/// `text` broken into lines at spaces, each after `indent` spaces.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  const std::string margin(indent, ' ');
-  std::istringstream words(text);
-  std::string lines, line;
-  for (std::string word; words >> word;) {
-    if (!line.empty() && indent + width_of(line) + 1 + width_of(word) > line_width) {
-      lines += margin + line + '\n';
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  return line.empty() ? lines : lines + margin + line + '\n';
-}
 
 std::string row_text(const std::string& quantity, const std::string& unit, const FindingWords& words) {
   std::string row = "  " + padded(quantity, quantity_width);
@@ -99,31 +82,14 @@ std::string case_columns() {
 
 std::string case_text(const CaseResult& result, bool tables) {
   std::string text = '\n' + result.name + ": " + result.title + ": " + verdict_of(result) + '\n';
-  if (!result.failure.empty()) text += wrapped("came to no answer: " + result.failure, 2);
+  if (!result.failure.empty()) text += paragraph("came to no answer: " + result.failure, 2);
   for (const Finding& finding : result.outcome.findings)
     text += row_text(finding.quantity, finding.unit, words_of(finding));
-  for (const Repetition& repetition : result.repetitions) text += wrapped(repetition_text(repetition), 2);
-  for (const std::string& remark : result.outcome.remarks) text += wrapped("– " + remark, 2);
-  if (!result.source.empty()) text += wrapped("Source: " + result.source, 2);
+  for (const Repetition& repetition : result.repetitions) text += paragraph(repetition_text(repetition), 2);
+  for (const std::string& remark : result.outcome.remarks) text += paragraph("– " + remark, 2);
+  if (!result.source.empty()) text += paragraph("Source: " + result.source, 2);
   if (tables)
     for (const CaseTable& table : result.outcome.tables) text += table_text(table);
-  return text;
-}
-
-std::string verdict_text(const std::vector<CaseResult>& results) {
-  double seconds = 0;
-  std::string failed;
-  std::size_t passed = 0;
-  for (const CaseResult& result : results) {
-    seconds += result.seconds;
-    if (result.passed())
-      ++passed;
-    else
-      failed += (failed.empty() ? "" : ", ") + result.name;
-  }
-  std::string text = '\n' + std::to_string(passed) + " of " + std::to_string(results.size()) + " cases passed, " +
-                     duration_text(seconds) + " of computing\n";
-  if (!failed.empty()) text += wrapped("failed: " + failed, 0);
   return text;
 }
 

@@ -13,9 +13,6 @@ std::string case_columns();
 /// A case for a reader: title, every quantity with its numbers, remarks, source, verdict; tables where asked for.
 std::string case_text(const CaseResult& result, bool tables);
 
-/// The line at the end: how many passed in how long, and which did not.
-std::string verdict_text(const std::vector<CaseResult>& results);
-
 /// The list of cases there are.
 std::string list_text(const std::vector<KnownCase>& cases);
 

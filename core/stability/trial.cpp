@@ -179,6 +179,8 @@ std::string difference(const Trial& a, const Trial& b) {
 
 }  // namespace
 
+bool Trial::passed() const { return faults(*this).empty(); }
+
 std::vector<std::string> faults(const Trial& trial) {
   std::vector<std::string> list;
   const auto hold = [&list](bool held, const std::string& fault) {

@@ -64,7 +64,10 @@ struct Trial {
   std::vector<MomentPrint> prints;
   std::vector<TrialRepetition> repetitions;
 
-  double iterations_per_step() const { return steps > 0 ? static_cast<double>(iterations) / steps : 0; }
+  double iterations_per_step() const {
+    return steps > 0 ? static_cast<double>(iterations) / static_cast<double>(steps) : 0;
+  }
+  bool passed() const;  ///< it has no faults
 };
 
 // What every scene is held to.

@@ -9,6 +9,7 @@
 #include "cases/all_cases.hpp"
 #include "solve/stopwatch.hpp"
 #include "study/known_sample.hpp"
+#include "study/named_runs.hpp"
 #include "study/repetition.hpp"
 
 namespace talus {
@@ -76,11 +77,7 @@ std::vector<KnownCase> chosen_cases(const std::vector<KnownCase>& cases, const s
   std::vector<KnownCase> chosen;
   for (const std::string& name : names) {
     const auto found = find_named(cases, name);
-    if (found == cases.end()) {
-      std::string known;
-      for (const KnownCase& one : cases) (known += known.empty() ? "" : ", ") += one.name;
-      throw InputError("case '" + name + "'", "there is none of that name", "choose among " + known);
-    }
+    if (found == cases.end()) throw none_of_that_name("case", name, cases);
     if (!fits(*found))
       throw InputError(
           "case '" + found->name + "'",
@@ -119,13 +116,7 @@ CaseResult verify(const KnownCase& known, const VerifyOptions& options, Progress
 
 void verify(const std::vector<KnownCase>& cases, const VerifyOptions& options, Progress& progress,
             const std::function<void(const CaseResult&)>& ended) {
-  const double share = 1 / static_cast<double>(cases.size());
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (progress.cancelled()) throw Cancelled{};
-    PartOfProgress part(progress, share * static_cast<double>(i), share, cases[i].name);
-    part.report(0, "");
-    ended(verify(cases[i], options, part));
-  }
+  run_in_turn(cases, progress, [&](const KnownCase& known, Progress& part) { ended(verify(known, options, part)); });
 }
 
 }  // namespace talus

@@ -1,0 +1,89 @@
+#include "trial_text.hpp"
+
+#include "list_of_runs.hpp"
+#include "table.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+/// Widths are fixed because a scene is printed as soon as it ends, before those of the next are known.
+constexpr std::size_t name_width = 36, ending_width = 13, figure_width = 11;
+
+const std::vector<std::string> columns{"Scene",   "Ending", "Penetration", "Growth", "Iterations",
+                                       "at most", "Cuts",   "Seconds",     "Holds"};
+
+std::vector<std::string> cells_of(const Trial& trial) {
+  return {trial.name,
+          std::string(to_string(trial.ending)),
+          number(trial.penetration, 2),
+          number(trial.energy_growth, 2),
+          number(trial.iterations_per_step(), 3),
+          std::to_string(trial.most_iterations),
+          std::to_string(trial.cuts),
+          number(trial.seconds, 2),
+          trial.passed() ? "yes" : "NO"};
+}
+
+std::string row_text(const std::vector<std::string>& cells) {
+  std::string row = padded(cells[0], name_width) + "  " + padded(cells[1], ending_width);
+  for (std::size_t i = 2; i + 1 < cells.size(); ++i) row += ' ' + padded_left(cells[i], figure_width);
+  return row + "  " + cells.back() + '\n';
+}
+
+std::string expected_text(const Trial& trial) {
+  std::string text;
+  for (const std::string& words : trial.expected) (text += text.empty() ? "" : "; ") += words;
+  return text;
+}
+
+/// A group's table: what each scene must come to beside its figures.
+std::string group_text(const std::string& group, const std::vector<Trial>& trials) {
+  std::vector<std::string> headings = columns;
+  headings.insert(headings.begin() + 1, {"What", "Must come to"});
+  std::string text = "### " + group + "\n\n" + markdown_heading(headings, "llllrrrrrrl");
+  for (const Trial& trial : trials) {
+    if (trial.group != group) continue;
+    std::vector<std::string> cells = cells_of(trial);
+    const std::string source = trial.source.empty() ? "" : " (" + trial.source + ')';
+    cells.insert(cells.begin() + 1, {trial.title + source, expected_text(trial)});
+    text += markdown_row(cells);
+  }
+  return text + '\n';
+}
+
+std::string faults_text(const std::vector<Trial>& trials) {
+  std::string text;
+  for (const Trial& trial : trials)
+    for (const std::string& fault : faults(trial)) text += "- **" + trial.name + "**: " + fault + '\n';
+  return text.empty() ? text : "### What does not hold\n\n" + text + '\n';
+}
+
+}  // namespace
+
+std::string trial_columns() { return row_text(columns); }
+
+std::string trial_text(const Trial& trial) {
+  std::string text = row_text(cells_of(trial));
+  for (const std::string& fault : faults(trial)) text += paragraph("– " + fault, 4);
+  return text;
+}
+
+std::string markdown_of(const std::vector<Trial>& trials) {
+  std::string text = verdict_text("scenes", trials) + '\n', group;
+  for (const Trial& trial : trials) {
+    if (trial.group == group) continue;
+    group = trial.group;
+    text += group_text(group, trials);
+  }
+  return text + faults_text(trials);
+}
+
+std::string list_text(const std::vector<StabilityScene>& scenes) {
+  Table table({"Scene", "Group", "Runs", "Title"}, "llll");
+  for (const StabilityScene& scene : scenes)
+    table.add({scene.name, scene.group, scene.takes_long ? "with --all" : "always", scene.title});
+  return table.text();
+}
+
+}  // namespace talus::cli
