@@ -36,7 +36,7 @@ double way_along(const Course& course, const std::string& block, const Vec3& dir
   return course.last().blocks[course.block(block)].displacement.dot(direction);
 }
 
-std::string travel_fault(const std::string& block, double way) { return block + " goes " + with_unit(way, "m"); }
+std::string travel_fault(const std::string& block, double way) { return block + " goes " + significant(way, 6) + " m"; }
 
 bool movable(const Block& block) { return block.body != BodyKind::fixed; }
 
@@ -60,7 +60,7 @@ Demand all_rest(int stage, double distance, double angle) {
 }
 
 Demand travels(const std::string& block, const Vec3& direction, double distance, double tolerance) {
-  return {block + " goes " + with_unit(distance, "m") + " within " + with_unit(100 * tolerance, "%"),
+  return {block + " goes " + significant(distance, 6) + " m within " + with_unit(100 * tolerance, "%"),
           [=](const Course& course) {
             const double way = way_along(course, block, direction);
             const bool there = std::abs(way - distance) <= tolerance * std::abs(distance);
