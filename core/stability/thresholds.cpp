@@ -22,27 +22,34 @@ const Pair pairs[] = {{"1_degree", 1}, {"tenth_degree", 0.1}};
 constexpr double dip = 30;     // degrees, of the incline
 constexpr double sliding = 2;  // s
 
-CaseScene block_on_incline(double friction_angle) {
+CaseScene block_on_incline(double friction_angle, BodyKind body) {
   CaseScene scene = rock_scene(friction_angle);
   tilt(scene, dip);
   add_fixed_box(scene, "slab", Vec3(-4, -3, -1), Vec3(8, 3, 0));
   add_box(scene, "block", Vec3(0, -0.5, 0), Vec3(1, 0.5, 1));
+  scene.system.blocks.back().body = body;
   scene.project.stages = {settling(1e-3, 20), motion(0.01, sliding / 2), motion(0.01, sliding / 2)};
   return scene;
 }
 
-StabilityScene incline(const Pair& pair, bool slides) {
+/// The way of Coulomb's rigid block [m].
+double way_of_sliding(double friction_angle) {
+  return 9.81 * std::sin(radians(dip - friction_angle)) / std::cos(radians(friction_angle)) * sliding * sliding / 2;
+}
+
+/// What sticks gives way elastically, in the block by ρ g sin α h²/2G = 3.2e-7 m and in the joint by W sin α/kA =
+/// 5e-8 m, and then not any more. What slides is rigid: an elastic block starts with the speed of that rebound on top.
+StabilityScene incline(const Pair& pair, bool slides, BodyKind body) {
   const double friction_angle = dip + (slides ? -0.5 : 0.5) * pair.apart;
-  const double acceleration = 9.81 * std::sin(radians(dip - friction_angle)) / std::cos(radians(friction_angle));
-  // What sticks gives way elastically, in the block by ρ g sin α h²/2G = 3.2e-7 m and in the joint by W sin α/kA = 5e-8
-  // m, and then not any more.
   std::vector<Demand> demands = {rests("block", 0, 5e-7), rests("block", 1, 1e-9)};
-  if (slides) demands = {travels("block", Vec3(1, 0, 0), acceleration * sliding * sliding / 2, 1e-3)};
-  return {.name = "incline_" + pair.name + (slides ? "_slides" : "_sticks"),
+  if (slides) demands = {travels("block", Vec3(1, 0, 0), way_of_sliding(friction_angle), 1e-3)};
+  const std::string kind = body == BodyKind::rigid ? "rigid" : "elastic";
+  return {.name = "incline_" + pair.name + (slides ? "_slides" : "_sticks_" + kind),
           .group = group,
-          .title = "Block on 30°, friction " + significant(pair.apart / 2) + "° " + (slides ? "less" : "more"),
+          .title =
+              "Block on 30°, " + kind + ", friction " + significant(pair.apart / 2) + "° " + (slides ? "less" : "more"),
           .expected = demands,
-          .build = [friction_angle] { return block_on_incline(friction_angle); }};
+          .build = [=] { return block_on_incline(friction_angle, body); }};
 }
 
 constexpr double width = 0.25, height = 1;  // m, of the column
@@ -81,11 +88,13 @@ StabilityScene column(const Pair& pair, bool topples_over) {
 
 std::vector<StabilityScene> threshold_scenes() {
   std::vector<StabilityScene> scenes;
+  for (const Pair& pair : pairs) {
+    scenes.push_back(incline(pair, true, BodyKind::rigid));
+    scenes.push_back(incline(pair, false, BodyKind::rigid));
+    scenes.push_back(incline(pair, false, BodyKind::tetrahedra));
+  }
   for (const Pair& pair : pairs)
-    for (const bool moves : {false, true}) {
-      scenes.push_back(incline(pair, moves));
-      scenes.push_back(column(pair, moves));
-    }
+    for (const bool topples_over : {true, false}) scenes.push_back(column(pair, topples_over));
   return scenes;
 }
 
