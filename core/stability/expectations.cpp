@@ -17,6 +17,9 @@ std::string since_words(int stage) {
   return stage < 0 ? "from the start on" : "after stage " + std::to_string(stage + 1);
 }
 
+/// As std::max, but what is no number stays none.
+double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
+
 /// The farthest that a block ever was from where it stood at the end of the stage; empty: within both bounds.
 std::string unrest(const Course& course, int block, int stage, double distance, double angle) {
   const Moment& from = course.end_of_stage(stage);
@@ -24,8 +27,8 @@ std::string unrest(const Course& course, int block, int stage, double distance, 
   double way = 0, turn = 0;
   for (const Moment& moment : course.moments) {
     if (moment.time < from.time) continue;
-    way = std::max(way, (moment.blocks[block].displacement - stood.displacement).norm());
-    turn = std::max(turn, degrees(std::abs(moment.blocks[block].rotation - stood.rotation)));
+    way = larger(way, (moment.blocks[block].displacement - stood.displacement).norm());
+    turn = larger(turn, degrees(std::abs(moment.blocks[block].rotation - stood.rotation)));
   }
   if (way < distance && turn < angle) return {};
   return course.system.blocks[block].name + " moves by " + with_unit(way, "m") + " and turns by " +

@@ -366,6 +366,37 @@ TEST_F(Commands, VerifyNamesTheCasesThereAre) {
   EXPECT_THAT(ending.err, HasSubstr("free_fall"));
 }
 
+TEST_F(Commands, VerifyRunsScenesOfStabilityARowEach) {
+  const Ending ending = talus_cli({"verify", "--stability", "incline_1_degree_slides", "--repeat"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(ending.out, testing::ContainsRegex("incline_1_degree_slides +completed +.* yes\n"));
+  EXPECT_THAT(ending.out, HasSubstr("1 of 1 scenes passed"));
+  const Ending json = talus_cli({"verify", "--stability", "incline_1_degree_slides", "--json"});
+  const Json scene = Json::parse(json.out)["scenes"][0];
+  EXPECT_EQ(scene["group"], "thresholds");
+  EXPECT_EQ(scene["faults"].size(), 0U);
+  EXPECT_GT(scene["penetration"], 0);
+}
+
+TEST_F(Commands, VerifyWritesScenesOfStabilityIntoAPage) {
+  write_text(*folder / "page.md", "# Prose\n<!-- talus-cli verify: begin -->\n<!-- talus-cli verify: end -->\n");
+  const Ending ending = talus_cli({"verify", "--stability", "incline_1_degree_slides", "--markdown", place("page.md")});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(text_of(place("page.md")), HasSubstr("### thresholds\n\n| Scene | What | Must come to |"));
+  EXPECT_THAT(text_of(place("page.md")), HasSubstr("| incline_1_degree_slides | Block on 30°, rigid"));
+}
+
+TEST_F(Commands, VerifyListsTheScenesOfStabilityAndTheirGroups) {
+  const Ending ending = talus_cli({"verify", "--stability", "--list", "--group", "thresholds"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(ending.out, testing::ContainsRegex("incline_1_degree_slides +thresholds +always +Block on 30°"));
+  const Ending unknown = talus_cli({"verify", "--stability", "--group", "geese"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("group 'geese'"));
+  EXPECT_EQ(talus_cli({"verify", "--group", "thresholds"}).exit_code, 2) << "only known with --stability";
+  EXPECT_EQ(talus_cli({"verify", "--stability", "--scale", "2"}).exit_code, 2);
+}
+
 TEST(Help, OfEveryCommandNamesItsOptions) {
   for (const char* command : {"mesh", "solve", "render", "animate", "plot", "verify", "info", "export"}) {
     const Ending ending = talus_cli({command, "--help"});

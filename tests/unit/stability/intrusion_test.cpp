@@ -1,0 +1,83 @@
+#include "stability/intrusion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "cases/block_scene.hpp"
+
+namespace talus {
+namespace {
+
+Intrusion deepest(const CaseScene& scene) {
+  return IntrusionCheck(scene.system).deepest(BodySet(scene.project, scene.system));
+}
+
+/// A cube of 1 m, mesh size 1 m, whose base lies at `height` over a slab of 4 m × 4 m × 1 m.
+CaseScene cube_on_slab(double height, const Vec3& offset = Vec3::Zero()) {
+  CaseScene scene = rock_scene(30);
+  add_fixed_box(scene, "slab", offset + Vec3(-2, -2, -1), offset + Vec3(2, 2, 0));
+  add_box(scene, "cube", offset + Vec3(-0.5, -0.5, height), offset + Vec3(0.5, 0.5, height + 1));
+  return scene;
+}
+
+TEST(Intrusion, OfBlocksThatTouchOrAreApartIsNone) {
+  EXPECT_EQ(deepest(cube_on_slab(0)).depth, 0);
+  EXPECT_EQ(deepest(cube_on_slab(0.1)).depth, 0);
+  EXPECT_EQ(deepest(cube_on_slab(0.1)).block, -1);
+}
+
+TEST(Intrusion, IsTheDistanceToTheNearestFaceOverTheMeshSize) {
+  const Intrusion found = deepest(cube_on_slab(-0.02));
+  EXPECT_NEAR(found.depth, 0.02, 1e-12);
+  EXPECT_EQ(found.block, 1);
+  EXPECT_EQ(found.into, 0);
+  EXPECT_NEAR(deepest(cube_on_slab(-0.02, Vec3(1e6, 1e6, 1e6))).depth, 0.02, 1e-9);
+}
+
+TEST(Intrusion, OfAFixedBlockIsSeenToo) {
+  CaseScene scene = rock_scene(30);
+  add_box(scene, "plate", Vec3(-2, -2, 0), Vec3(2, 2, 1));
+  add_fixed_box(scene, "post", Vec3(-0.1, -0.1, -3), Vec3(0.1, 0.1, 0.05));
+  const Intrusion found = deepest(scene);
+  EXPECT_EQ(found.block, 1);
+  // Triangles of the plate: 4 of 8 m², 8 of 2 m²; its mesh size is √(2 · 4 m²).
+  EXPECT_NEAR(found.depth, 0.05 / std::sqrt(8.0), 1e-12);
+}
+
+TEST(Intrusion, ANotchIsOutside) {
+  // An L in the plane of x and z: a cube of 2 m without its upper right quarter, in which another cube stands free.
+  CaseScene scene = rock_scene(30);
+  const std::vector<Vec3> nodes = {{0, 0, 0}, {2, 0, 0}, {2, 0, 1}, {1, 0, 1}, {1, 0, 2}, {0, 0, 2},
+                                   {0, 1, 0}, {2, 1, 0}, {2, 1, 1}, {1, 1, 1}, {1, 1, 2}, {0, 1, 2}};
+  std::vector<std::array<int, 3>> triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+  for (int i = 0; i < 4; ++i) triangles.push_back({triangles[i][0] + 6, triangles[i][2] + 6, triangles[i][1] + 6});
+  for (int i = 0; i < 6; ++i) {
+    const int j = (i + 1) % 6;
+    triangles.push_back({i, i + 6, j});
+    triangles.push_back({j, i + 6, j + 6});
+  }
+  scene.add_ground("L", nodes, triangles);
+  add_box(scene, "cube", Vec3(1.1, 0.1, 1.1), Vec3(1.8, 0.8, 1.8));
+  EXPECT_EQ(deepest(scene).depth, 0);
+  add_box(scene, "other", Vec3(0.3, 0.2, 1.2), Vec3(0.7, 0.8, 1.6));
+  EXPECT_GT(deepest(scene).depth, 0.1);
+}
+
+TEST(Intrusion, TheWindingNumberTellsInsideFromOutside) {
+  const TetMesh box = box_mesh(Vec3::Zero(), Vec3::Ones(), 2, 2, 2);
+  const auto surface = boundary(box);
+  EXPECT_NEAR(winding_number(Vec3(0.3, 0.9, 0.6), surface, box.nodes, 0), 1, 1e-12);
+  EXPECT_NEAR(winding_number(Vec3(1.3, 0.9, 0.6), surface, box.nodes, 0), 0, 1e-12);
+  EXPECT_NEAR(winding_number(Vec3(0.5, 0.5, 1e-9), surface, box.nodes, 0), 1, 1e-6);
+  EXPECT_NEAR(winding_number(Vec3(0.5, 0.5, -1e-9), surface, box.nodes, 0), 0, 1e-6);
+}
+
+TEST(Intrusion, TheDistanceFromATriangleIsToItsFaceEdgeOrCorner) {
+  const Vec3 a(0, 0, 0), b(4, 0, 0), c(0, 4, 0);
+  EXPECT_DOUBLE_EQ(distance_to_triangle(Vec3(1, 1, -3), a, b, c), 3);
+  EXPECT_DOUBLE_EQ(distance_to_triangle(Vec3(2, -3, 4), a, b, c), 5);
+  EXPECT_DOUBLE_EQ(distance_to_triangle(Vec3(-3, -4, 12), a, b, c), 13);
+  EXPECT_DOUBLE_EQ(distance_to_triangle(Vec3(4, 4, 0), a, b, c), std::sqrt(8));
+}
+
+}  // namespace
+}  // namespace talus
