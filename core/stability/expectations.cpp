@@ -13,6 +13,8 @@ namespace {
 
 std::string with_unit(double value, const std::string& unit) { return significant(value) + ' ' + unit; }
 
+std::string in_degrees(double value) { return significant(value) + "°"; }
+
 std::string since_words(int stage) {
   return stage < 0 ? "from the start on" : "after stage " + std::to_string(stage + 1);
 }
@@ -31,8 +33,7 @@ std::string unrest(const Course& course, int block, int stage, double distance, 
     turn = larger(turn, degrees(std::abs(moment.blocks[block].rotation - stood.rotation)));
   }
   if (way < distance && turn < angle) return {};
-  return course.system.blocks[block].name + " moves by " + with_unit(way, "m") + " and turns by " +
-         with_unit(turn, "°");
+  return course.system.blocks[block].name + " moves by " + with_unit(way, "m") + " and turns by " + in_degrees(turn);
 }
 
 double way_along(const Course& course, const std::string& block, const Vec3& direction) {
@@ -47,13 +48,13 @@ bool movable(const Block& block) { return block.body != BodyKind::fixed; }
 
 Demand rests(const std::string& block, int stage, double distance, double angle) {
   return {block + " rests " + since_words(stage) + ": moves by less than " + with_unit(distance, "m") +
-              ", turns by less than " + with_unit(angle, "°"),
+              ", turns by less than " + in_degrees(angle),
           [=](const Course& course) { return unrest(course, course.block(block), stage, distance, angle); }};
 }
 
 Demand all_rest(int stage, double distance, double angle) {
   return {"all blocks rest " + since_words(stage) + ": move by less than " + with_unit(distance, "m") +
-              ", turn by less than " + with_unit(angle, "°"),
+              ", turn by less than " + in_degrees(angle),
           [=](const Course& course) {
             for (std::size_t b = 0; b < course.system.blocks.size(); ++b)
               if (const auto fault = unrest(course, static_cast<int>(b), stage, distance, angle); !fault.empty())
@@ -79,11 +80,11 @@ Demand travels_at_least(const std::string& block, const Vec3& direction, double 
 }
 
 Demand topples(const std::string& block, double angle) {
-  return {block + " turns by at least " + with_unit(angle, "°"), [=](const Course& course) {
+  return {block + " turns by at least " + in_degrees(angle), [=](const Course& course) {
             double turn = 0;
             for (const Moment& moment : course.moments)
               turn = std::max(turn, degrees(moment.blocks[course.block(block)].rotation));
-            return turn >= angle ? std::string() : block + " turns by " + with_unit(turn, "°");
+            return turn >= angle ? std::string() : block + " turns by " + in_degrees(turn);
           }};
 }
 

@@ -28,6 +28,7 @@ CaseScene block_on_incline(double friction_angle, BodyKind body) {
   add_fixed_box(scene, "slab", Vec3(-4, -3, -1), Vec3(8, 3, 0));
   add_box(scene, "block", Vec3(0, -0.5, 0), Vec3(1, 0.5, 1));
   scene.system.blocks.back().body = body;
+  scene.project.solver.sleep_tolerance = 0;  // friction is to hold it, not sleep
   scene.project.stages = {settling(1e-3, 20), motion(0.01, sliding / 2), motion(0.01, sliding / 2)};
   return scene;
 }
@@ -59,6 +60,7 @@ CaseScene column_on_slab(double slab_dip, double duration) {
   tilt(scene, slab_dip);
   add_fixed_box(scene, "slab", Vec3(-2, -1, -1), Vec3(3, 1, 0));
   add_box(scene, "column", Vec3(0, -0.25, 0), Vec3(width, 0.25, height));
+  scene.project.solver.sleep_tolerance = 0;
   scene.project.stages = {settling(1e-3, 20), motion(0.005, duration / 2), motion(0.005, duration / 2)};
   return scene;
 }

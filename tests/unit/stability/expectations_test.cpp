@@ -42,7 +42,7 @@ TEST_F(Expectations, RestIsHeldFromTheEndOfTheStageAtAllMoments) {
 
 TEST_F(Expectations, ABlockThatTurnsInPlaceDoesNotRest) {
   block(4).rotation = quarter_turn / 900;
-  EXPECT_THAT(fault(rests("block", 0, 1e-6)), HasSubstr("turns by 0.1 °"));
+  EXPECT_THAT(fault(rests("block", 0, 1e-6)), HasSubstr("turns by 0.1°"));
   EXPECT_EQ(fault(rests("block", 0, 1e-6, 0.2)), "");
 }
 
@@ -66,7 +66,7 @@ TEST_F(Expectations, WaysAreMeasuredAlongTheDirectionAtTheEnd) {
 TEST_F(Expectations, ABlockHasToppledWhenItEverTurnedThatFar) {
   block(3).rotation = quarter_turn;
   EXPECT_EQ(fault(topples("block", 89)), "");
-  EXPECT_EQ(fault(topples("block", 91)), "block turns by 90 °");
+  EXPECT_EQ(fault(topples("block", 91)), "block turns by 90°");
 }
 
 TEST_F(Expectations, ABlockStopsByTheEnd) {
@@ -98,7 +98,7 @@ TEST_F(Expectations, ABlockOrStageThatIsNotThereIsOurMistake) {
 
 TEST_F(Expectations, SayWhatTheyExpect) {
   EXPECT_EQ(rests("block", -1, 1e-6).words,
-            "block rests from the start on: moves by less than 1e-06 m, turns by less than 0.01 °");
+            "block rests from the start on: moves by less than 1e-06 m, turns by less than 0.01°");
   EXPECT_EQ(travels("block", Vec3(1, 0, 0), 2, 0.05).words, "block goes 2 m within 5 %");
 }
 
