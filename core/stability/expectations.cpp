@@ -96,8 +96,8 @@ Demand stops(const std::string& block, double speed) {
 }
 
 Demand stays_before(const Vec3& point, const Vec3& normal) {
-  return {"nothing passes through the plane at " + significant(point.x()) + ", " + significant(point.y()) + ", " +
-              with_unit(point.z(), "m)"),
+  return {"nothing passes through the plane at (" + significant(point.x()) + ", " + significant(point.y()) + ", " +
+              significant(point.z()) + ") m",
           [=](const Course& course) {
             for (std::size_t b = 0; b < course.system.blocks.size(); ++b) {
               if (!movable(course.system.blocks[b])) continue;

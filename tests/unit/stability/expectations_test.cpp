@@ -99,6 +99,7 @@ TEST_F(Expectations, ABlockOrStageThatIsNotThereIsOurMistake) {
 TEST_F(Expectations, SayWhatTheyExpect) {
   EXPECT_EQ(rests("block", -1, 1e-6).words,
             "block rests from the start on: moves by less than 1e-06 m, turns by less than 0.01°");
+  EXPECT_EQ(stays_before(Vec3(0, 0.5, -5), Vec3(0, 0, 1)).words, "nothing passes through the plane at (0, 0.5, -5) m");
   EXPECT_EQ(travels("block", Vec3(1, 0, 0), 2, 0.05).words, "block goes 2 m within 5 %");
 }
 
