@@ -1,2 +1,29 @@
-#include "stability/all_scenes.hpp"
-namespace talus { std::vector<StabilityScene> classic_scenes() { return {}; } }
+#include <cmath>
+#include <iterator>
+
+#include "base/units.hpp"
+#include "stability/classic_parts.hpp"
+
+namespace talus {
+
+CaseScene scene_of(const Material& material, double friction) {
+  CaseScene scene;
+  scene.project.name = material.name;
+  scene.add_material(material);
+  scene.add_joint({.name = "joint", .friction_angle = degrees(std::atan(friction))});
+  return scene;
+}
+
+Material hard_stone() { return {.name = "stone", .density = 2600, .young = 50e9, .poisson = 0.24}; }
+
+std::vector<StabilityScene> classic_scenes() {
+  std::vector<StabilityScene> all;
+  for (const auto& kind : {erleben_scenes, friction_scenes, tight_fit_scenes, stack_scenes, arch_scenes,
+                           card_house_scenes, chain_scenes, fast_scenes, broken_wall_scenes}) {
+    std::vector<StabilityScene> scenes = kind();
+    std::move(scenes.begin(), scenes.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace talus

@@ -1,9 +1,6 @@
-#include <Eigen/Geometry>
-#include <cmath>
-#include <utility>
-
 #include "mesh/moments.hpp"
 #include "stability/all_scenes.hpp"
+#include "stability/balance.hpp"
 #include "stability/degenerate_meetings.hpp"
 #include "stability/expectations.hpp"
 #include "stability/shapes.hpp"
@@ -15,18 +12,18 @@ namespace {
 /// What is done to the block that meets the fixed one.
 enum class Treatment { left_alone, dropped, pushed };
 
-constexpr double drop = 0.05;                    // m
-constexpr double push = 0.2;                     // of the weight: far from what friction, tan 30°, gives way to
-constexpr double friction_angle = 30;            // degrees
-constexpr double far_away = 1e6;                 // m
-constexpr double step = 1e-3, duration = 2.0;    // s
-constexpr double settled = 1e-6, slow = 1e-3;    // m, m/s
+constexpr double drop = 0.05;                  // m
+constexpr double push = 0.2;                   // of the weight: far from what friction, tan 30°, gives way to
+constexpr double friction_angle = 30;          // degrees
+constexpr double far_away = 1e6;               // m
+constexpr double step = 1e-3, duration = 2.0;  // s
+constexpr double settled = 1e-6, slow = 1e-3;  // m, m/s
+constexpr double sag = 1e-3;                   // m: a tip of hard rock gives by micrometres
 
 PointLoad sideways_push(const CaseScene& scene, const Meeting& meeting) {
   const Block& block = scene.system.blocks.back();
   const VolumeMoments moments = volume_moments(block.mesh);
-  const double weight =
-      moments.volume * scene.project.materials[block.material].density * scene.project.gravity.norm();
+  const double weight = moments.volume * scene.project.materials[block.material].density * scene.project.gravity.norm();
   return {.block = block.name, .at = moments.centroid, .force = push * weight * meeting.side};
 }
 
@@ -45,8 +42,8 @@ CaseScene meeting_scene(const Meeting& meeting, Treatment treatment, const Vec3&
 }
 
 /// Firm meetings hold a drop and a push. A balance on a point or an edge holds no push: friction bears no moment there,
-/// and a push of 0.2 g tips a block of about 1 m over within 1.5 s; left alone or dropped it may do what it likes above
-/// the floor.
+/// and a push of 0.2 g tips a block of about 1 m over within 1.5 s; left alone or dropped it stands or falls, to one
+/// side.
 StabilityScene scene_of(const Meeting& meeting, Treatment treatment, const Vec3& place) {
   const std::string words[] = {"rests", "dropped", "pushed"};
   const std::string titles[] = {"at rest", "dropped by 5 cm", "pushed sideways"};
@@ -58,6 +55,9 @@ StabilityScene scene_of(const Meeting& meeting, Treatment treatment, const Vec3&
                        .expected = {stays_before(meeting.floor + place, meeting.up)},
                        .build = [=] { return meeting_scene(meeting, treatment, place); }};
   const Vec3 down = -meeting.up;
+  if (!meeting.firm)
+    scene.expected.push_back(
+        comes_down_aside(meeting.block, meeting.up, sag + (treatment == Treatment::dropped ? drop : 0)));
   if (meeting.firm && treatment == Treatment::dropped) {
     scene.expected.push_back(travels(meeting.block, down, drop, 0.01));
     scene.expected.push_back(stops(meeting.block, slow));

@@ -14,9 +14,7 @@ constexpr double height = 1.5;  // m, of spikes and wedges
 
 Mat3 upside_down() { return turn_about(Vec3::UnitX(), 180); }
 
-void add_floor(CaseScene& scene, double level) {
-  add_fixed_box(scene, "floor", {-6, -6, level - 1}, {6, 6, level});
-}
+void add_floor(CaseScene& scene, double level) { add_fixed_box(scene, "floor", {-6, -6, level - 1}, {6, 6, level}); }
 
 /// A fixed body that stands on a floor with its top in the origin, and a block that stands on it.
 std::function<void(CaseScene&)> balance(const TetMesh& below, const TetMesh& above, double base) {
@@ -51,8 +49,8 @@ TetMesh grooved_box() {
     }
     return hexahedron_mesh(corners, 1, 1, 1);
   };
-  return welded({bar(-3, 0, -3, 0, -2, -1), bar(0, 3, 0, 3, -2, -1), bar(-3, 0, -3, -1, -1, 0),
-                 bar(0, 3, 1, 3, -1, 0)});
+  return welded(
+      {bar(-3, 0, -3, 0, -2, -1), bar(0, 3, 0, 3, -2, -1), bar(-3, 0, -3, -1, -1, 0), bar(0, 3, 1, 3, -1, 0)});
 }
 
 TetMesh inner_corner() {
@@ -66,17 +64,31 @@ std::vector<Meeting> balances() {
       Eigen::Quaterniond::FromTwoVectors(Vec3::Ones().normalized(), Vec3::UnitZ()).toRotationMatrix();
   const auto on_its_corner = [&](double level) { return placed(cube(1), on_corner, {0, 0, level}); };
   const TetMesh ridge = wedge(1, 1, height);
-  return {{"vertex_on_vertex", "Cube on its corner on the corner of a cube", false,
-           balance(on_its_corner(-diagonal / 2), on_its_corner(diagonal / 2), diagonal), {0, 0, -diagonal}},
-          {"vertex_on_edge", "Spike on the ridge of a wedge", false,
+  return {{"vertex_on_vertex",
+           "Cube on its corner on the corner of a cube",
+           false,
+           balance(on_its_corner(-diagonal / 2), on_its_corner(diagonal / 2), diagonal),
+           {0, 0, -diagonal}},
+          {"vertex_on_edge",
+           "Spike on the ridge of a wedge",
+           false,
            balance(placed(ridge, {0, 0, -height}), placed(spike(1, height), upside_down(), {0, 0, height}), height),
            {0, 0, -height}},
-          {"edge_along_edge", "Wedge on the ridge of a wedge, edge along edge", false, balance_of_equals(ridge, 0),
+          {"edge_along_edge",
+           "Wedge on the ridge of a wedge, edge along edge",
+           false,
+           balance_of_equals(ridge, 0),
            {0, 0, -height}},
-          {"edge_across_edge", "Wedge on the ridge of a wedge, 1e-9 from parallel", false,
-           balance_of_equals(ridge, degrees(1e-9)), {0, 0, -height}},
-          {"spike_on_spike", "Slender spike on the tip of a slender spike", false,
-           balance_of_equals(spike(0.3, height), 0), {0, 0, -height}}};
+          {"edge_across_edge",
+           "Wedge on the ridge of a wedge, 1e-9 from parallel",
+           false,
+           balance_of_equals(ridge, degrees(1e-9)),
+           {0, 0, -height}},
+          {"spike_on_spike",
+           "Slender spike on the tip of a slender spike",
+           false,
+           balance_of_equals(spike(0.3, height), 0),
+           {0, 0, -height}}};
 }
 
 std::vector<Meeting> firm_meetings() {
@@ -88,11 +100,18 @@ std::vector<Meeting> firm_meetings() {
            lying(box_mesh({-2.13, -2.07, -1}, {1.87, 1.93, 0}, 8, 8, 2, true), block)},
           {"on_inner_edge", "Block whose edges land on inner edges of a mesh", true,
            lying(slab, box_mesh({0, 0, 0}, {0.5, 0.5, 0.5}, 1, 1, 1))},
-          {"wedge_in_groove", "Wedge in a groove of its shape", true,
-           lying(grooved_box(), placed(wedge(2, 1, 1), upside_down(), Vec3::Zero())), {0, 0, -1}, Vec3::UnitZ(),
+          {"wedge_in_groove",
+           "Wedge in a groove of its shape",
+           true,
+           lying(grooved_box(), placed(wedge(2, 1, 1), upside_down(), Vec3::Zero())),
+           {0, 0, -1},
+           Vec3::UnitZ(),
            Vec3::UnitY()},
-          {"block_in_hole", "Block in a hole of exactly its size", true,
-           lying(holed_box(1, 1, 1.5, 1), box_mesh({-0.5, -0.5, -1}, {0.5, 0.5, 0}, 1, 1, 1)), {0, 0, -1}},
+          {"block_in_hole",
+           "Block in a hole of exactly its size",
+           true,
+           lying(holed_box(1, 1, 1.5, 1), box_mesh({-0.5, -0.5, -1}, {0.5, 0.5, 0}, 1, 1, 1)),
+           {0, 0, -1}},
           {"corner_in_corner", "Corner of a cube in a corner of three walls", true,
            lying(inner_corner(), box_mesh({0, 0, 0}, {1, 1, 1}, 1, 1, 1)), Vec3::Zero(), Vec3::Ones().normalized(),
            Vec3(1, -1, 0).normalized()},

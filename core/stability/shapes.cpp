@@ -20,7 +20,9 @@ std::vector<int> around(const std::vector<Vec3>& corners, std::vector<int> face,
   Vec3 middle = Vec3::Zero();
   for (const int c : face) middle += corners[c] / static_cast<double>(face.size());
   const Vec3 first = (corners[face.front()] - middle).normalized(), second = normal.cross(first);
-  const auto angle = [&](int c) { return std::atan2((corners[c] - middle).dot(second), (corners[c] - middle).dot(first)); };
+  const auto angle = [&](int c) {
+    return std::atan2((corners[c] - middle).dot(second), (corners[c] - middle).dot(first));
+  };
   std::sort(face.begin(), face.end(), [&](int a, int b) { return angle(a) < angle(b); });
   return face;
 }
@@ -79,8 +81,7 @@ TetMesh welded(const std::vector<TetMesh>& parts) {
     for (std::array<int, 4> tetrahedron : part.tetrahedra) {
       for (int& node : tetrahedron) {
         const Vec3& x = part.nodes[node];
-        const auto [place, is_new] =
-            places.try_emplace({x.x(), x.y(), x.z()}, static_cast<int>(whole.nodes.size()));
+        const auto [place, is_new] = places.try_emplace({x.x(), x.y(), x.z()}, static_cast<int>(whole.nodes.size()));
         if (is_new) whole.nodes.push_back(x);
         node = place->second;
       }

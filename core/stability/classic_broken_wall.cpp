@@ -1,0 +1,35 @@
+#include "cases/block_scene.hpp"
+#include "stability/classic_parts.hpp"
+#include "stability/voronoi.hpp"
+
+namespace talus {
+
+namespace {
+
+/// 100 Voronoi pieces of a wall 4 × 0.4 × 3 m, and a cube of a tenth of their mass at 120 m/s. It goes on: all of its
+/// momentum on the pieces that are in its way, a third of its mass, would still leave most of its speed.
+StabilityScene broken_wall() {
+  return {.name = "broken_wall",
+          .group = classic_group,
+          .title = "Wall of 100 Voronoi pieces hit at 120 m/s",
+          .source = "Li et al. 2020 (IPC)",
+          .takes_long = true,
+          .expected = {stays_before(Vec3::Zero(), Vec3::UnitZ()), travels_at_least("cube", Vec3::UnitY(), 3)},
+          .build = [] {
+            CaseScene scene = scene_of(hard_stone(), 0.5);
+            add_fixed_box(scene, "floor", {-10, -6, -1}, {10, 30, 0});
+            int number = 0;
+            for (TetMesh& piece : voronoi_pieces({-2, 0, 0}, {2, 0.4, 3}, 100, 5))
+              scene.add_block("piece " + std::to_string(++number), std::move(piece), BodyKind::rigid);
+            scene.add_block("cube", placed(cube(0.8), {0, -0.6, 1.5}), BodyKind::rigid);
+            scene.project.velocities = {{.block = "cube", .linear = {0, 120, 0}}};
+            scene.project.stages = {motion(2e-4, 0.1)};
+            return scene;
+          }};
+}
+
+}  // namespace
+
+std::vector<StabilityScene> broken_wall_scenes() { return {broken_wall()}; }
+
+}  // namespace talus
