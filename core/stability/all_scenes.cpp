@@ -6,7 +6,7 @@ namespace talus {
 
 std::vector<StabilityScene> stability_scenes() {
   std::vector<StabilityScene> all;
-  for (auto group : {threshold_scenes}) {
+  for (auto group : {degenerate_scenes, classic_scenes, threshold_scenes}) {
     std::vector<StabilityScene> scenes = group();
     std::move(scenes.begin(), scenes.end(), std::back_inserter(all));
   }

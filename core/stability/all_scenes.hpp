@@ -8,6 +8,8 @@ namespace talus {
 std::vector<StabilityScene> stability_scenes();
 
 // A group each.
+std::vector<StabilityScene> degenerate_scenes();
+std::vector<StabilityScene> classic_scenes();
 std::vector<StabilityScene> threshold_scenes();
 
 }  // namespace talus

@@ -6,11 +6,18 @@
 
 namespace talus {
 
+Joint joint_of(const std::string& name, double friction) {
+  Joint joint;
+  joint.name = name;
+  joint.friction_angle = degrees(std::atan(friction));
+  return joint;
+}
+
 CaseScene scene_of(const Material& material, double friction) {
   CaseScene scene;
   scene.project.name = material.name;
   scene.add_material(material);
-  scene.add_joint({.name = "joint", .friction_angle = degrees(std::atan(friction))});
+  scene.add_joint(joint_of("joint", friction));
   return scene;
 }
 

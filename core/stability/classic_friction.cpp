@@ -85,7 +85,7 @@ CaseScene turntable_scene(double friction) {
   lead.name = "heavy";
   lead.density *= 1000;  // the cube does not stop it
   const int heavy = scene.add_material(lead);
-  scene.add_joint({.name = "oiled"});
+  scene.add_joint(joint_of("oiled", 0));
   add_fixed_box(scene, "floor", {-12, -12, -2}, {12, 12, -1});
   scene.add_block("table", placed(prism(24, 8, 1), {0, 0, -1}), BodyKind::rigid, heavy);
   scene.add_block("cube", placed(cube(0.4), {radius, 0, 0.2}), BodyKind::tetrahedra);

@@ -17,8 +17,10 @@ std::vector<StabilityScene> chain_scenes();
 std::vector<StabilityScene> fast_scenes();
 std::vector<StabilityScene> broken_wall_scenes();
 
+Joint joint_of(const std::string& name, double friction_coefficient);
+
 /// A scene of one material and one joint of that friction coefficient.
-CaseScene scene_of(const Material& material, double friction);
+CaseScene scene_of(const Material& material, double friction_coefficient);
 
 /// 2600 kg/m³, 50 GPa, 0.24.
 Material hard_stone();

@@ -9,25 +9,26 @@ namespace {
 StabilityScene gapped_stack() {
   constexpr int count = 5;
   constexpr double gap = 0.01;  // m
-  StabilityScene scene{.name = "stack_with_gaps",
-                       .group = classic_group,
-                       .title = "Five cubes fall onto each other from gaps of 0.01 m",
-                       .build = [] {
-                         CaseScene built = scene_of(hard_stone(), 0.5);
-                         add_fixed_box(built, "floor", {-2, -2, -1}, {3, 3, 0});
-                         for (int k = 0; k < count; ++k) {
-                           const double z = k * (1 + gap) + gap;
-                           add_box(built, "cube " + std::to_string(k + 1), Vec3(0, 0, z), Vec3(1, 1, z + 1));
-                         }
-                         built.project.stages = {motion(1e-3, 2)};
-                         return built;
-                       }};
+  const auto name = [](int k) { return "cube " + std::to_string(k); };
+  std::vector<Demand> demands;
   for (int k = 1; k <= count; ++k) {
-    const std::string name = "cube " + std::to_string(k);
-    scene.expected.push_back(travels(name, -Vec3::UnitZ(), k * gap, 0.01));
-    scene.expected.push_back(stops(name, 1e-3));
+    demands.push_back(travels(name(k), -Vec3::UnitZ(), k * gap, 0.01));
+    demands.push_back(stops(name(k), 1e-3));
   }
-  return scene;
+  return {.name = "stack_with_gaps",
+          .group = classic_group,
+          .title = "Five cubes fall onto each other from gaps of 0.01 m",
+          .expected = demands,
+          .build = [=] {
+            CaseScene scene = scene_of(hard_stone(), 0.5);
+            add_fixed_box(scene, "floor", {-2, -2, -1}, {3, 3, 0});
+            for (int k = 1; k <= count; ++k) {
+              const double top = k * (1 + gap);
+              add_box(scene, name(k), Vec3(0, 0, top - 1), Vec3(1, 1, top));
+            }
+            scene.project.stages = {motion(1e-3, 2)};
+            return scene;
+          }};
 }
 
 CaseScene centred_stack(const std::vector<double>& sides, const std::vector<int>& materials, CaseScene scene) {

@@ -29,34 +29,34 @@ StabilityScene tetrahedron_in_slot() {
           }};
 }
 
+CaseScene cube_over_bars_scene(double turn) {
+  constexpr double half_gap = 0.4, side = 1;  // m
+  const double sine = std::sin(radians(std::abs(turn))), cosine = std::cos(radians(turn));
+  // The lower edge is as deep as the faces are wide where bars meet them: at the cube's ends when it is turned.
+  const double depth = (half_gap - side / 2 * sine) / cosine;
+  CaseScene scene = scene_of(hard_stone(), 0.5);
+  add_fixed_box(scene, "floor", {-4, -4, -3}, {4, 4, -2});
+  for (const double x : {-half_gap - 1, half_gap})
+    add_fixed_box(scene, x < 0 ? "left bar" : "right bar", {x, -2, -1}, {x + 1, 2, 0});
+  const Mat3 pose = turn_about(Vec3::UnitZ(), turn) * turn_about(Vec3::UnitY(), 45);
+  scene.add_block("cube", placed(cube(side), pose, {0, 0, side * std::sqrt(0.5) - depth}), BodyKind::tetrahedra);
+  if (turn == 0) scene.project.stages.push_back(settling(0.01, 10));
+  scene.project.stages.push_back(motion(2e-3, 5));
+  return scene;
+}
+
 /// Two bars 0.8 m apart under a cube of 1 m on its edge. Square to the bars its lower faces rest on them along lines
 /// whose normals meet 0.8 m above its edge, and its centre lies below that, at 0.71 m: it stays. Turned, each bar
 /// touches it in a single point, and it comes to rest on something above the floor.
 StabilityScene cube_over_bars(double turn) {
-  const std::string sign = turn < 0 ? "minus_" : "", degrees_turned = std::to_string(static_cast<int>(std::abs(turn)));
-  StabilityScene scene{
-      .name = "cube_over_bars_" + sign + degrees_turned,
+  const std::string angle = std::to_string(static_cast<int>(std::abs(turn)));
+  return {
+      .name = "cube_over_bars_" + (turn < 0 ? "minus_" + angle : angle),
       .group = classic_group,
-      .title = "Cube on its edge over two bars, turned by " + std::string(turn < 0 ? "−" : "") + degrees_turned + "°",
+      .title = "Cube on its edge over two bars, turned by " + (turn < 0 ? "−" + angle : angle) + "°",
       .source = "Erleben 2018",
-      .expected = {stays_before({0, 0, -2}, Vec3::UnitZ())}};
-  scene.expected.push_back(turn == 0 ? rests("cube", 0, 1e-6) : stops("cube", 1e-2));
-  scene.build = [=] {
-    constexpr double half_gap = 0.4, side = 1;  // m
-    const double sine = std::sin(radians(std::abs(turn))), cosine = std::cos(radians(turn));
-    // The lower edge is as deep as the faces are wide where bars meet them: at the cube's ends when it is turned.
-    const double depth = (half_gap - side / 2 * sine) / cosine;
-    CaseScene built = scene_of(hard_stone(), 0.5);
-    add_fixed_box(built, "floor", {-4, -4, -3}, {4, 4, -2});
-    for (const double x : {-half_gap - 1, half_gap})
-      add_fixed_box(built, x < 0 ? "left bar" : "right bar", {x, -2, -1}, {x + 1, 2, 0});
-    const Mat3 pose = turn_about(Vec3::UnitZ(), turn) * turn_about(Vec3::UnitY(), 45);
-    built.add_block("cube", placed(cube(side), pose, {0, 0, side * std::sqrt(0.5) - depth}), BodyKind::tetrahedra);
-    built.project.stages = {motion(2e-3, 5)};
-    if (turn == 0) built.project.stages.insert(built.project.stages.begin(), settling(0.01, 10));
-    return built;
-  };
-  return scene;
+      .expected = {stays_before({0, 0, -2}, Vec3::UnitZ()), turn == 0 ? rests("cube", 0, 1e-6) : stops("cube", 1e-2)},
+      .build = [=] { return cube_over_bars_scene(turn); }};
 }
 
 /// Five columns of five cubes, evenly spread between walls: nothing moves, walls or not.
