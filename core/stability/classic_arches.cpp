@@ -12,7 +12,7 @@ constexpr double radius = 10, depth = 2, thickness = 0.2;  // m, m, of the radiu
 /// On a floor, whose friction takes the thrust.
 CaseScene masonry(int stones, double friction, double duration) {
   CaseScene scene = scene_of({.name = "stone", .density = 2300, .young = 2e10, .poisson = 0.2}, friction);
-  add_fixed_box(scene, "floor", {-14, -3, -1}, {14, 3, 0});
+  add_fixed_box(scene, "floor", {-40, -3, -1}, {40, 3, 0});
   for (int i = 0; i < stones; ++i) {
     const auto section = corners({stones, thickness}, i);
     std::array<Vec3, 8> block;

@@ -6,15 +6,15 @@ namespace talus {
 
 namespace {
 
-/// 100 Voronoi pieces of a wall 4 × 0.4 × 3 m, and a cube of a tenth of their mass at 120 m/s. It goes on: all of its
-/// momentum on the pieces that are in its way, a third of its mass, would still leave most of its speed.
+/// 100 Voronoi pieces of a wall 4 × 0.4 × 3 m, and a cube of a tenth of their mass at 120 m/s. If it took the whole
+/// wall along it would still go on at 11.6 m/s.
 StabilityScene broken_wall() {
   return {.name = "broken_wall",
           .group = classic_group,
           .title = "Wall of 100 Voronoi pieces hit at 120 m/s",
           .source = "Li et al. 2020 (IPC)",
           .takes_long = true,
-          .expected = {stays_before(Vec3::Zero(), Vec3::UnitZ()), travels_at_least("cube", Vec3::UnitY(), 3)},
+          .expected = {stays_before(Vec3::Zero(), Vec3::UnitZ()), travels_at_least("cube", Vec3::UnitY(), 1.1)},
           .build = [] {
             CaseScene scene = scene_of(hard_stone(), 0.5);
             add_fixed_box(scene, "floor", {-10, -6, -1}, {10, 30, 0});

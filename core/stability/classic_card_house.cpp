@@ -82,6 +82,7 @@ StabilityScene hit_house(int levels) {
           .group = classic_group,
           .title = "Card house of " + levels_text(levels) + " hit by a cube at 5 m/s",
           .source = "Kaufman et al. 2008",
+          .takes_long = levels > 2,
           .expected = {travels_at_least("card " + std::to_string(cards), -Vec3::UnitZ(), 0.3),
                        stays_before(Vec3::Zero(), Vec3::UnitZ())},
           .build = [=] { return house_scene(levels, true); }};
