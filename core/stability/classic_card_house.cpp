@@ -70,7 +70,7 @@ StabilityScene standing_house(int levels) {
   return {.name = "card_house_" + std::to_string(levels),
           .group = classic_group,
           .title = "Card house of " + levels_text(levels) + ", 65°, μ 0.5",
-          .source = "Kaufman et al. 2008",
+          .source = "Ferguson et al. 2021 (rigid IPC)",
           .expected = {all_rest(0, 1e-6)},
           .build = [=] { return house_scene(levels, false); }};
 }
@@ -81,7 +81,7 @@ StabilityScene hit_house(int levels) {
   return {.name = "card_house_" + std::to_string(levels) + "_hit",
           .group = classic_group,
           .title = "Card house of " + levels_text(levels) + " hit by a cube at 5 m/s",
-          .source = "Kaufman et al. 2008",
+          .source = "Ferguson et al. 2021 (rigid IPC)",
           .takes_long = levels > 2,
           .expected = {travels_at_least("card " + std::to_string(cards), -Vec3::UnitZ(), 0.3),
                        stays_before(Vec3::Zero(), Vec3::UnitZ())},

@@ -3,12 +3,13 @@
 #include "stability/classic_parts.hpp"
 
 /// Ten degenerate meetings of spikes, wedges and boxes (Erleben 2018, Methodology for assessing mesh-based contact
-/// point methods), as soft bodies. Whether there is friction is not said; μ 0.5 is ours.
+/// point methods), as the soft bodies with a friction coefficient of 1 that Li et al. 2020 (Incremental potential
+/// contact) made of them.
 namespace talus {
 
 namespace {
 
-constexpr const char* source = "Erleben 2018";
+constexpr const char* source = "Erleben 2018; Li et al. 2020 (IPC)";
 constexpr double height = 3;                       // m, of spikes and wedges; bases 1 × 1 and 1 × 2
 constexpr double time_step = 5e-3, duration = 10;  // s
 
@@ -16,7 +17,7 @@ Mat3 upside_down() { return turn_about(Vec3::UnitX(), 180); }
 TetMesh pointed(bool is_wedge) { return is_wedge ? wedge(1, 2, height) : spike(1, height); }
 
 CaseScene soft_scene() {
-  CaseScene scene = scene_of({.name = "soft", .density = 1000, .young = 1e5, .poisson = 0.4}, 0.5);
+  CaseScene scene = scene_of({.name = "soft", .density = 1000, .young = 1e5, .poisson = 0.4}, 1);
   scene.project.solver.penetration_tolerance = 1e-3;  // their own weight presses tips in by as much as a hundredth
   scene.project.stages = {motion(time_step, duration)};
   return scene;
@@ -45,7 +46,7 @@ StabilityScene on_top(const std::string& name, const std::string& title, bool we
 }
 
 /// Point down in an opening 0.5 m wide, which it fills at half its height. The base, twice as wide, goes in only if
-/// squeezed to half: by E/2 on about 1 m² a side, whose friction alone bears five times the weight.
+/// squeezed to half: by E/2 on about 1 m² a side, whose friction alone bears ten times the weight.
 StabilityScene in_opening(const std::string& name, const std::string& title, bool is_wedge, const TetMesh& base) {
   return {.name = "erleben_" + name,
           .group = classic_group,

@@ -15,7 +15,7 @@ StabilityScene tetrahedron_in_slot() {
   return {.name = "tetrahedron_in_slot",
           .group = classic_group,
           .title = "Tetrahedron falls in a slot 5e-7 m wider",
-          .source = "Ferguson et al. 2021 (rigid IPC)",
+          .source = "Li et al. 2020 (IPC)",
           .expected = {travels("tetrahedron", -Vec3::UnitZ(), drop, 0.01), rests("tetrahedron", -1, 1.05 * drop, 0.01),
                        stops("tetrahedron", 1e-3)},
           .build = [] {
@@ -87,7 +87,7 @@ StabilityScene compactor() {
   return {.name = "compactor",
           .group = classic_group,
           .title = "Compactor presses on eight cubes with 1e6 N",
-          .source = "Li et al. 2020 (IPC)",
+          .source = "Ferguson et al. 2021 (rigid IPC)",
           .expected = {stays_before({0, 0, 0}, Vec3::UnitZ()), stops("plate", 1e-3),
                        travels("plate", -Vec3::UnitZ(), 0.1, 0.01)},
           .build = [] {
