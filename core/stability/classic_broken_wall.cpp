@@ -13,7 +13,6 @@ StabilityScene broken_wall() {
           .group = classic_group,
           .title = "Wall of 100 Voronoi pieces hit at 120 m/s",
           .source = "Ferguson et al. 2021 (rigid IPC)",
-          .takes_long = true,
           .expected = {stays_before(Vec3::Zero(), Vec3::UnitZ()), travels_at_least("cube", Vec3::UnitY(), 1.1)},
           .build = [] {
             CaseScene scene = scene_of(hard_stone(), 0.5);

@@ -44,29 +44,32 @@ CaseScene meeting_scene(const Meeting& meeting, Treatment treatment, const Vec3&
 /// Firm meetings hold a drop and a push. A balance on a point or an edge holds no push: friction bears no moment there,
 /// and a push of 0.2 g tips a block of about 1 m over within 1.5 s; left alone or dropped it stands or falls, to one
 /// side.
+std::vector<Demand> demands_of(const Meeting& meeting, Treatment treatment, const Vec3& place) {
+  const Vec3 down = -meeting.up;
+  const bool is_dropped = treatment == Treatment::dropped;
+  std::vector<Demand> demands{stays_before(meeting.floor + place, meeting.up)};
+  if (meeting.firm && is_dropped) {
+    demands.push_back(travels(meeting.block, down, drop, 0.01));
+    demands.push_back(stops(meeting.block, slow));
+  } else if (meeting.firm) {
+    demands.push_back(rests(meeting.block, 0, settled));
+  } else {
+    demands.push_back(comes_down_aside(meeting.block, meeting.up, is_dropped ? drop + sag : sag));
+    if (treatment == Treatment::pushed) demands.push_back(travels_at_least(meeting.block, down, 0.3));
+  }
+  return demands;
+}
+
 StabilityScene scene_of(const Meeting& meeting, Treatment treatment, const Vec3& place) {
   const std::string words[] = {"rests", "dropped", "pushed"};
   const std::string titles[] = {"at rest", "dropped by 5 cm", "pushed sideways"};
   const std::size_t which = static_cast<std::size_t>(treatment);
   const bool is_far = !place.isZero();
-  StabilityScene scene{.name = meeting.name + "_" + words[which] + (is_far ? "_far" : ""),
-                       .group = "degenerate contact",
-                       .title = meeting.title + ", " + titles[which] + (is_far ? ", 1e6 m from the origin" : ""),
-                       .expected = {stays_before(meeting.floor + place, meeting.up)},
-                       .build = [=] { return meeting_scene(meeting, treatment, place); }};
-  const Vec3 down = -meeting.up;
-  if (!meeting.firm)
-    scene.expected.push_back(
-        comes_down_aside(meeting.block, meeting.up, sag + (treatment == Treatment::dropped ? drop : 0)));
-  if (meeting.firm && treatment == Treatment::dropped) {
-    scene.expected.push_back(travels(meeting.block, down, drop, 0.01));
-    scene.expected.push_back(stops(meeting.block, slow));
-  } else if (meeting.firm) {
-    scene.expected.push_back(rests(meeting.block, 0, settled));
-  } else if (treatment == Treatment::pushed) {
-    scene.expected.push_back(travels_at_least(meeting.block, down, 0.3));
-  }
-  return scene;
+  return {.name = meeting.name + "_" + words[which] + (is_far ? "_far" : ""),
+          .group = "degenerate contact",
+          .title = meeting.title + ", " + titles[which] + (is_far ? ", 1e6 m from the origin" : ""),
+          .expected = demands_of(meeting, treatment, place),
+          .build = [=] { return meeting_scene(meeting, treatment, place); }};
 }
 
 }  // namespace
