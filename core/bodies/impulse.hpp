@@ -10,8 +10,8 @@
 /// Impulses: how they change velocities in no time.
 namespace talus {
 
-/// Inverse mass matrices of bodies that deform, each for its own nodes or carriers; made where they are first asked for.
-/// Mass stays the same whatever bodies do.
+/// Inverse mass matrices of bodies that deform, each for its own nodes or carriers; made where they are first asked
+/// for. Mass stays the same whatever bodies do.
 class InverseMasses {
  public:
   explicit InverseMasses(const BodySet& set) : set_(set), factors_(set.bodies.size()) {}
@@ -29,14 +29,15 @@ class InverseMasses {
 /// How fast Σ weight·node moves [m/s], in a step of this length [s]: nodes of fixed bodies as they are prescribed to.
 Vec3 velocity_of(const BodySet& set, std::span<const int> nodes, std::span<const double> weights, double step);
 
-/// Σ weight·node of nodes of one or two bodies, as impulses move it: a contact point, the first body against the second.
+/// Σ weight·node of nodes of one or two bodies, as impulses move it: a contact point, the first body against the
+/// second.
 class StruckPoint {
  public:
   StruckPoint(const BodySet& set, InverseMasses& masses, std::span<const int> nodes, std::span<const double> weights,
               double step);
 
-  Vec3 velocity(const BodySet& set) const;                ///< m/s
-  const Mat3& mobility() const { return mobility_; }      ///< 1/kg: velocity by an impulse of one
+  Vec3 velocity(const BodySet& set) const;               ///< m/s
+  const Mat3& mobility() const { return mobility_; }     ///< 1/kg: velocity by an impulse of one
   void strike(BodySet& set, const Vec3& impulse) const;  ///< changes velocities and angular momenta [N s]
 
  private:
@@ -47,7 +48,7 @@ class StruckPoint {
   struct Turning {
     int rigid;
     double weight;
-    Vec3 arm;            // m, times the weights
+    Vec3 arm;              // m, times the weights
     Mat3 inverse_inertia;  // 1/(kg m²)
   };
   void add(const BodySet& set, InverseMasses& masses, int body, std::span<const int> nodes,

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double gravity = 9.81, height = 1, restitution = 0.6;  ///< m/s², m
 
-/// A block that falls on its face. It is rigid: an elastic one takes up speed in waves that the law of impact does not see.
+/// A block that falls on its face. It is rigid: an elastic one takes up speed in waves that the law of impact does not
+/// see.
 CaseScene falling_block() {
   CaseScene scene = rock_scene(30);
   scene.project.joints[0].restitution = restitution;

@@ -15,8 +15,8 @@ struct SceneSize {
   long rigid_blocks = 0;
   long loose_points = 0;       ///< contact points without a bond that one detection at the start finds …
   long bonded_points = 0;      ///< … and those with one
-  long rebounding_points = 0;  ///< of the loose ones, those whose joint takes speed from an impact
   long sheared_points = 0;     ///< of both, those that can bear shear
+  long rebounding_points = 0;  ///< of the loose ones, those whose joint takes speed from an impact
 };
 
 /// Looks for contacts once, as the first step will, and takes no step; a project without a stage has no first step, and

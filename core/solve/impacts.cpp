@@ -92,8 +92,7 @@ double Impacts::relax(Hit& hit) {
   return change.norm();
 }
 
-double Impacts::take(const ContactSet& contacts, const StepContext& step,
-                     const std::vector<ContactOutcome>& outcomes) {
+double Impacts::take(const ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes) {
   const Stopwatch watch(seconds_);
   ++evaluations_;
   if (!gather(contacts, step.length, outcomes)) return 0;

@@ -8,11 +8,11 @@
 
 namespace talus {
 
-/// Newton's law of impact: where contacts have touched in a step, bodies part at its end at `restitution` times the speed
-/// at which they met. Springs that are stiff for the step throw bodies back at a speed that depends on where in the step
-/// they met; what they gave too much is taken back by impulses, and what they gave too little is added (Moreau 1988;
-/// nonlinear Gauss–Seidel of Jean 1999). Over the step as a whole a contact never pulls, and shears by no more than its
-/// strength. Made only where some joint takes speed from an impact.
+/// Newton's law of impact: where contacts have touched in a step, bodies part at its end at `restitution` times the
+/// speed at which they met. Springs that are stiff for the step throw bodies back at a speed that depends on where in
+/// the step they met; what they gave too much is taken back by impulses, and what they gave too little is added (Moreau
+/// 1988; nonlinear Gauss–Seidel of Jean 1999). Over the step as a whole a contact never pulls, and shears by no more
+/// than its strength. Made only where some joint takes speed from an impact.
 class Impacts {
  public:
   /// `set` outlives the impacts.

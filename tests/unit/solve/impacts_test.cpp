@@ -16,8 +16,8 @@ struct Scene {
   BlockSystem system;
 };
 
-/// A rigid plate of 2 m × 2 m × 0.02 m at this height [m] above a slab, with this velocity [m/s]. It is so flat that friction
-/// hardly turns it.
+/// A rigid plate of 2 m × 2 m × 0.02 m at this height [m] above a slab, with this velocity [m/s]. It is so flat that
+/// friction hardly turns it.
 Scene plate(double height, const Vec3& velocity, double restitution, double friction, double step) {
   Scene scene;
   scene.project = test::rock_project(std::atan(friction) * pi_degrees, {{"fly", StageKind::dynamic, step, 0, {}}});
@@ -25,8 +25,9 @@ Scene plate(double height, const Vec3& velocity, double restitution, double fric
   scene.project.gravity.setZero();
   scene.project.velocities = {{.block = "plate", .linear = velocity}};
   scene.project.stages[0].steps = static_cast<int>(std::ceil(2 * height / -velocity.z() / step)) + 4;
-  scene.system = test::block_system({test::box_block("slab", Vec3(-9, -9, -1), Vec3(9, 9, 0), BodyKind::fixed),
-                                     test::box_block("plate", Vec3(0, 0, height), Vec3(2, 2, height + 0.02), BodyKind::rigid)});
+  scene.system =
+      test::block_system({test::box_block("slab", Vec3(-9, -9, -1), Vec3(9, 9, 0), BodyKind::fixed),
+                          test::box_block("plate", Vec3(0, 0, height), Vec3(2, 2, height + 0.02), BodyKind::rigid)});
   return scene;
 }
 
@@ -52,8 +53,7 @@ TEST(Impacts, a_block_leaves_with_its_share_of_the_speed_wherever_in_the_step_it
 
 TEST(Impacts, the_step_does_not_matter) {
   for (const double step : {1e-2, 1e-3, 1e-4})
-    EXPECT_NEAR(velocity_at_the_end(plate(0.0131, Vec3(0, 0, -1), 0.5, 0, step)).z(), 0.5, 1e-3)
-        << step;
+    EXPECT_NEAR(velocity_at_the_end(plate(0.0131, Vec3(0, 0, -1), 0.5, 0, step)).z(), 0.5, 1e-3) << step;
 }
 
 TEST(Impacts, friction_takes_its_share_of_the_push_and_no_more) {
