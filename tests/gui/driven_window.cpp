@@ -9,13 +9,17 @@ namespace talus {
 
 namespace {
 
-/// ms that this thread could have run but other programs had the processor, by the kernel's count; 0 where it keeps
-/// none.
-double waitedForTheProcessor() {
+/// ms that this thread has run, and that it could have run but other programs had the processor, by the kernel's count;
+/// 0 where it keeps none.
+struct Share {
+  double worked = 0, waited = 0;
+};
+
+Share shareOfTheProcessor() {
   std::ifstream counts("/proc/thread-self/schedstat");
-  double ran = 0, waited = 0;
-  counts >> ran >> waited;
-  return waited * 1e-6;
+  Share share;
+  counts >> share.worked >> share.waited;
+  return {share.worked * 1e-6, share.waited * 1e-6};
 }
 
 }  // namespace
@@ -24,9 +28,14 @@ Watchdog::Watchdog() {
   timer_.setInterval(5);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] {
-    const double waited = waitedForTheProcessor();
-    if (since_.isValid())
-      longest_ = std::max(longest_, static_cast<double>(since_.nsecsElapsed()) * 1e-6 - (waited - waited_));
+    const auto [worked, waited] = shareOfTheProcessor();
+    if (since_.isValid()) {
+      const double wait = static_cast<double>(since_.nsecsElapsed()) * 1e-6 - (waited - waited_);
+      longest_ = std::max(longest_, wait);
+      longest_work_ = std::max(longest_work_, worked - worked_);
+      late_ += wait > 100 ? 1 : 0;
+    }
+    worked_ = worked;
     waited_ = waited;
     since_.restart();
     ++beats_;
@@ -35,9 +44,11 @@ Watchdog::Watchdog() {
 }
 
 void Watchdog::restart() {
-  longest_ = 0;
-  beats_ = 0;
-  waited_ = waitedForTheProcessor();
+  longest_ = longest_work_ = 0;
+  beats_ = late_ = 0;
+  const auto [worked, waited] = shareOfTheProcessor();
+  worked_ = worked;
+  waited_ = waited;
   since_.restart();
 }
 

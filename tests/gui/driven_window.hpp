@@ -13,22 +13,31 @@
 
 namespace talus {
 
-/// Notes the longest time that an event had to wait: a timer that should fire every 5 ms says how late it came. The
-/// time that other programs had the processor is not counted: a busy machine is not the window's doing.
+/// Notes how long events have to wait: a timer that should fire every 5 ms says how late it came. The time that other
+/// programs had the processor is not counted: a busy machine is not the window's doing. That the threads which draw in
+/// software were kept from it cannot be told from here, so a single late beat says little; what the window's own thread
+/// has worked between two beats says all.
 class Watchdog : public QObject {
  public:
   Watchdog();
   void restart();
-  /// ms
-  double longestWait() const { return longest_; }
+  double longestWait() const { return longest_; }       ///< ms
+  double longestWork() const { return longest_work_; }  ///< ms of the processor between two beats
+  double shareLate() const { return beats_ > 0 ? static_cast<double>(late_) / beats_ : 1; }  ///< later than 100 ms
   int beats() const { return beats_; }
 
  private:
   QTimer timer_;
   QElapsedTimer since_;
-  double longest_ = 0, waited_ = 0;
-  int beats_ = 0;
+  double longest_ = 0, waited_ = 0, longest_work_ = 0, worked_ = 0;  // ms
+  int beats_ = 0, late_ = 0;
 };
+
+/// No event waits noticeably: none for a tenth of a second of the window's own work, hardly any for that long at all.
+inline void expectNoWait(const Watchdog& watchdog) {
+  EXPECT_LT(watchdog.longestWork(), 100);
+  EXPECT_LT(watchdog.shareLate(), 0.01) << "longest wait " << watchdog.longestWait() << " ms";
+}
 
 /// A window of 1280 × 800 on a folder of its own.
 class DrivenWindow : public ::testing::Test {

@@ -149,7 +149,7 @@ TEST_F(DrivenWindow, CancelsACaseAndStaysUsableMeanwhile) {
   EXPECT_EQ(list.item(2, 1)->text(), QStringLiteral("waits"));
   Watchdog watchdog;
   rest(800);
-  EXPECT_LT(watchdog.longestWait(), 100);
+  expectNoWait(watchdog);
   keepPicture(dialog, "known_answers_running.png");
   click(button(dialog, "Cancel"));
   ASSERT_TRUE(wait([&] { return !dialog.job().isBusy(); }, 5000));

@@ -143,7 +143,7 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileASolveRuns) {
   ASSERT_TRUE(workspace->job().isBusy());
   EXPECT_GT(window->viewport().surface().drawings(), drawn + 4) << "the view must follow the run";
   EXPECT_GT(watchdog.beats(), 100);
-  EXPECT_LT(watchdog.longestWait(), 100);
+  expectNoWait(watchdog);
   RecordProperty("longest_wait_ms", static_cast<int>(watchdog.longestWait()));
   std::printf("longest wait %.1f ms, %d drawings, last %.1f ms\n", watchdog.longestWait(),
               window->viewport().surface().drawings() - drawn, window->viewport().surface().lastSeconds() * 1e3);
@@ -159,7 +159,7 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileJiweishanIsMeshedAndSolved)
   workspace->solve();
   ASSERT_TRUE(wait([&] { return workspace->steps().size() > 1000; }));
   EXPECT_TRUE(workspace->job().isBusy());
-  EXPECT_LT(watchdog.longestWait(), 100);
+  expectNoWait(watchdog);
   std::printf("longest wait %.1f ms, %d drawings\n", watchdog.longestWait(), window->viewport().surface().drawings());
 }
 
