@@ -1,6 +1,7 @@
 #include "solve/contact_outcomes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace talus {
 
@@ -26,7 +27,7 @@ void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, cons
     const bool touches = normal > 0 || (point.bonded && !pulled_off);
     point.mode = !touches ? ContactMode::open : slip > 0 ? ContactMode::slip : ContactMode::stick;
     outcomes_.push_back({normal, shear, gap, slip, point.bonded && (slip > 0 || pulled_off || yields)});
-    outcomes_.back().multiplier = keep_multipliers ? std::max(0.0, normal) : 0;
+    outcomes_.back().multiplier = keep_multipliers ? point.multiplier : 0;
     samples_.push_back({point.position,
                         point.normal,
                         {point.bodies[0], point.bodies[1]},
@@ -62,13 +63,18 @@ ContactSample sample_of(const RestingContact& contact) {
           contact.area};
 }
 
-double relative_penetration(const ContactLinks& links, const Increment& d) {
-  double deepest = 0;
-  for (int i = 0; i < links.moves().size(); ++i) deepest = std::max(deepest, -links.gap(i, d) / links.point(i).size);
-  return deepest;
+double multiplier_error(const ContactLinks& links, const Increment& d) {
+  double largest = 0;
+  for (int i = 0; i < links.moves().size(); ++i) {
+    const ContactPoint& point = links.point(i);
+    const double gap = links.gap(i, d);
+    const bool pushes_apart = gap > 0 && point.multiplier - point.normal_stiffness * gap > 0;
+    if (gap < 0 || pushes_apart) largest = std::max(largest, std::abs(gap) / point.size);
+  }
+  return largest;
 }
 
-void raise_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d) {
+void adapt_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d) {
   for (int i = 0; i < links.moves().size(); ++i)
     contacts.points[i].multiplier = std::max(0.0, normal_force(contacts.points[i], links.gap(i, d)));
 }

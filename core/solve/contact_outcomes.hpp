@@ -9,8 +9,8 @@ namespace talus {
 /// What the contact points come to at the increment of a step that is taken.
 class ContactOutcomes {
  public:
-  /// `links` are those of `contacts`. `keep_multipliers`: the augmented Lagrangian goes on with the normal forces. Sets
-  /// the modes of the points.
+  /// `links` are those of `contacts`. `keep_multipliers`: the augmented Lagrangian goes on with those of this step, so
+  /// that what does not move is pushed as before. Sets the modes of the points.
   void take(ContactSet& contacts, const ContactLinks& links, const Composition& composition, const Increment& d,
             bool keep_multipliers);
 
@@ -28,11 +28,12 @@ class ContactOutcomes {
 /// A contact of blocks that sleep, as it was when they fell asleep.
 ContactSample sample_of(const RestingContact& contact);
 
-/// Deepest penetration of a point that pushes, of its mesh size, at D.
-double relative_penetration(const ContactLinks& links, const Increment& d);
+/// By how much a point penetrates at D, or pushes across a gap, at most: of its mesh size. A multiplier that is left
+/// too large would push blocks apart that touched with less, and make energy.
+double multiplier_error(const ContactLinks& links, const Increment& d);
 
 /// A round of the augmented Lagrangian (Simo & Laursen 1992): what each point bears at D it bears from now on without
 /// penetration, λ ← max(0, λ − k_n gap).
-void raise_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d);
+void adapt_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d);
 
 }  // namespace talus

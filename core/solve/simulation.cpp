@@ -190,8 +190,8 @@ bool Simulation::settle(StepReport& report) {
   Settling result = s.open_close.settle(s.increment);
   report.iterations += result.iterations;
   for (int round = 0; result.settled && s.augmented() && round < augmentation_limit; ++round) {
-    if (relative_penetration(s.links, s.increment) <= *s.project.solver.penetration_tolerance) break;
-    raise_multipliers(s.contacts, s.links, s.increment);
+    if (multiplier_error(s.links, s.increment) <= *s.project.solver.penetration_tolerance) break;
+    adapt_multipliers(s.contacts, s.links, s.increment);
     result = s.open_close.settle(s.increment);
     report.iterations += result.iterations;
   }
