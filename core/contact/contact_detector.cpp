@@ -172,6 +172,8 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) 
     p.multiplier = past->multiplier;
     p.slip_start = past->slip;
     p.overlap = past->overlap;
+    p.hardening = past->hardening;
+    p.normal_stiffness *= p.hardening;
     // A vertex is stiffer than the corner of an area that it was: the same gap would push harder all of a sudden.
     if (past->lost_area) p.overlap = std::max(p.overlap, -f.gap - past->spring_force / p.normal_stiffness);
   } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {

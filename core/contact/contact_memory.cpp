@@ -95,6 +95,7 @@ std::optional<ContactMemory::Recollection> ContactMemory::recall(const FoundPoin
   const Memo& first = own ? *own : memos_[handed->second];
   Recollection all{.slip = first.slip,
                    .overlap = first.overlap,
+                   .hardening = first.hardening,
                    .mode = first.mode,
                    .bonded = first.bonded,
                    .lost_area = first.area > 0 && point.area == 0};
@@ -134,6 +135,7 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
                       .multiplier = o.multiplier,
                       .slip = p.slip_start + o.slip,
                       .overlap = p.overlap,
+                      .hardening = p.hardening,
                       .mode = p.mode,
                       .bonded = bonded,
                       .lives = false});

@@ -23,6 +23,7 @@ class ContactMemory {
     double spring_force = 0;    ///< N, compression beside the multiplier
     double multiplier = 0;      ///< N
     double slip, overlap;       ///< m, as ContactPoint's
+    double hardening;           ///< as ContactPoint's
     ContactMode mode;
     bool bonded;
     bool lost_area;  ///< it faced the other body before, and now only a vertex or an edge touches

@@ -37,6 +37,7 @@ struct ContactPoint {
   double area = 0;               ///< m², the share of contact area; 0 where a vertex or an edge touches
   double normal_stiffness = 0;   ///< N/m
   double shear_stiffness = 0;    ///< N/m
+  double hardening = 1;          ///< by which the normal stiffness has been raised
   double restitution = 1;        ///< of the joint
   double friction = 0;           ///< tan φ that holds now (residual once broken)
   double cohesion = 0;           ///< N, c·A while bonded, else 0

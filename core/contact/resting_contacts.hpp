@@ -20,7 +20,7 @@ struct ContactMemo {
   Vec3 position, normal, shear;
   double gap, size, area;
   double normal_force, multiplier;
-  double slip, overlap;
+  double slip, overlap, hardening;
   ContactMode mode;
   bool bonded;
   bool lives;  ///< a point has its key

@@ -9,6 +9,10 @@ namespace {
 
 /// A bond that has opened by more than this share of the mesh size is broken.
 constexpr double opening_tolerance = 2e-4;
+/// A contact that goes too deep gets a spring so many times as stiff …
+constexpr double hardening_factor = 10;
+/// … until it is that of a contact without penetration, for all that doubles tell.
+constexpr double hardest = 1e8;
 
 }  // namespace
 
@@ -50,6 +54,25 @@ void ContactOutcomes::add_to(StepReport& report) const {
                                              : report.slip);
   report.max_penetration = std::max(report.max_penetration, max_penetration_);
   report.max_relative_penetration = std::max(report.max_relative_penetration, max_relative_penetration_);
+}
+
+bool harden(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance) {
+  bool any = false;
+  for (int i = 0; i < links.moves().size(); ++i) {
+    ContactPoint& point = contacts.points[i];
+    const double way = links.gap(i, d) - point.gap;
+    const bool too_deep = point.overlap - point.gap - way > tolerance * point.size && way < 0;
+    if (!too_deep || point.bonded || point.hardening >= hardest) continue;
+    if (point.gap < 0) {
+      const double left = point.gap / hardening_factor;  // at which the harder spring pushes as much
+      point.overlap += left - point.gap;
+      point.gap = left;
+    }
+    point.hardening *= hardening_factor;
+    point.normal_stiffness *= hardening_factor;
+    any = true;
+  }
+  return any;
 }
 
 ContactSample sample_of(const RestingContact& contact) {

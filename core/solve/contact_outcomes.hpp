@@ -36,4 +36,9 @@ double multiplier_error(const ContactLinks& links, const Increment& d);
 /// penetration, λ ← max(0, λ − k_n gap).
 void adapt_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d);
 
+/// Hardens points that penetrate by more than `tolerance` of their mesh size at D and by more than at the start of the
+/// step (the penalty × 10 of Shi's programs): the force at the start stays what it is, what it is deep by then stays
+/// out of account. Whether any was.
+bool harden(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance);
+
 }  // namespace talus

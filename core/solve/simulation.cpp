@@ -190,8 +190,7 @@ bool Simulation::settle(StepReport& report) {
   Settling result = s.open_close.settle(s.increment);
   report.iterations += result.iterations;
   for (int round = 0; result.settled && s.augmented() && round < augmentation_limit; ++round) {
-    if (multiplier_error(s.links, s.increment) <= *s.project.solver.penetration_tolerance) break;
-    adapt_multipliers(s.contacts, s.links, s.increment);
+    if (!press_apart(*s.project.solver.penetration_tolerance)) break;
     result = s.open_close.settle(s.increment);
     report.iterations += result.iterations;
   }
@@ -204,6 +203,15 @@ bool Simulation::settle(StepReport& report) {
   failure_ = "the open-close iteration did not settle at t = " + std::to_string(time()) + " s";
   failure_ += where_it_struggles(result.worst_node);
   return false;
+}
+
+bool Simulation::press_apart(double tolerance) {
+  State& s = *state_;
+  // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
+  if (s.context.dynamic_factor > 0) return harden(s.contacts, s.links, s.increment, tolerance);
+  if (multiplier_error(s.links, s.increment) <= tolerance) return false;
+  adapt_multipliers(s.contacts, s.links, s.increment);
+  return true;
 }
 
 std::string Simulation::where_it_struggles(int freedom) const {

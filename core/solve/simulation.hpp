@@ -55,6 +55,8 @@ class Simulation {
   /// Tries a step of `length` from `start` [s] without taking it.
   bool try_step(double start, double length, StepReport& report);
   bool settle(StepReport& report);
+  /// Lets contacts that go deeper than the tolerance bear more; false where none does.
+  bool press_apart(double tolerance);
   /// The contact nearest to a movable node, in words.
   std::string where_it_struggles(int freedom) const;
   void seek_contacts(double length);
