@@ -84,7 +84,7 @@ TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" contact points at the start")).size(), 2);
   EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" tetrahedra")).size(), 3);
   workspace->solve();
-  ASSERT_TRUE(wait([&] { return workspace->effects().size() == 10 && workspace->isLive(); })) << "as the run goes on";
+  ASSERT_TRUE(wait([&] { return workspace->effects().size() == 11 && workspace->isLive(); })) << "as the run goes on";
   ASSERT_TRUE(wait([&] { return workspace->step() == Step::results && workspace->frame(); }));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
   const auto results = workspace->resultsFolder();
