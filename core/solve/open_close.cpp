@@ -17,6 +17,10 @@ constexpr double internal_share = 1e-3;
 constexpr double momentum_share = 1e-6;
 /// A full step that leaves less than this share of the residual needs no search.
 constexpr double worthwhile = 0.9;
+/// With care, a coupled step is kept that leaves less than this share.
+constexpr double well_worthwhile = 0.3;
+/// Strengths are held until so much is left of what was out of balance when they were taken.
+constexpr double near_floor = 0.01;
 /// A full step whose slope turns round by more than this share is shortened …
 constexpr double overstepped = 0.5;
 /// … until the slope is down to this share.
@@ -238,33 +242,75 @@ void OpenClose::go_to_the_floor(Increment& d) {
   }
 }
 
+void OpenClose::prepare(const Increment& d, double touching) {
+  assemble(d, touching);
+  const double stiffness = matrix_.diagonal_norm();
+  rounding_ = std::numeric_limits<double>::epsilon() * mesh_size_ * stiffness;
+  rounding_of_positions_ = std::numeric_limits<double>::epsilon() * extent_ * stiffness;
+}
+
+double OpenClose::settled_residual() const {
+  return std::max(tolerance_ * force_scale_, settings_.rounding * rounding_);
+}
+
 Settling OpenClose::settle(Increment& d) {
   Settling result;
   double last = 1e300;
   evaluate(d, Friction::coupled);
   for (;; ++result.iterations) {
     result.residual = gradient_.norm();
-    result.force_scale = force_scale_;
     if (!std::isfinite(result.residual)) return result;
     const double round_off = std::max(settings_.round_off * force_scale_, settings_.rounding * rounding_);
     const bool stalled = result.residual > 0.5 * last && result.residual <= round_off;
     const bool stands = result.iterations == 0 && result.residual <= rounding_of_positions_ && d.isZero(0);
     result.settled = result.residual <= tolerance_ * force_scale_ || stalled || stands;
-    if (result.settled || result.iterations >= settings_.iteration_limit) break;
+    if (result.settled || result.iterations >= std::min(settings_.patience, settings_.iteration_limit)) break;
     last = result.residual;
-    assemble(d, result.iterations == 0 ? closing_tolerance : 0);
-    const double stiffness = matrix_.diagonal_norm();
-    rounding_ = std::numeric_limits<double>::epsilon() * mesh_size_ * stiffness;
-    rounding_of_positions_ = std::numeric_limits<double>::epsilon() * extent_ * stiffness;
+    prepare(d, result.iterations == 0 ? closing_tolerance : 0);
     find_direction(d, Friction::coupled);
     move(d);
   }
+  if (!result.settled) settle_with_care(d, result);
+  result.force_scale = force_scale_;
   if (!result.settled && gradient_.size() > 0) {
     Eigen::Index worst = 0;
     gradient_.cwiseAbs().maxCoeff(&worst);
     result.worst_node = static_cast<int>(worst / 3);
   }
   return result;
+}
+
+void OpenClose::settle_with_care(Increment& d, Settling& result) {
+  const int limit = settings_.care * settings_.iteration_limit;
+  for (double coupled = result.residual; result.iterations < limit; ++result.iterations) {
+    prepare(d, 0);
+    find_direction(d, Friction::lagged);
+    start_ = d;
+    go_to_the_floor(d);
+    if (gradient_.norm() > std::max(near_floor * coupled, settled_residual())) continue;
+    evaluate(d, Friction::coupled);
+    coupled = gradient_.norm();
+    if (coupled > settled_residual()) try_coupled_step(d, coupled);
+    result.settled = coupled <= settled_residual();
+    if (result.settled || !std::isfinite(coupled)) {
+      result.residual = coupled;
+      return;
+    }
+  }
+  evaluate(d, Friction::coupled);
+  result.residual = gradient_.norm();
+}
+
+void OpenClose::try_coupled_step(Increment& d, double& residual) {
+  find_direction(d, Friction::coupled);
+  start_ = d;
+  slope_at(1, d, Friction::coupled);
+  if (gradient_.norm() < well_worthwhile * residual) {
+    residual = gradient_.norm();
+    return;
+  }
+  d = start_;
+  evaluate(d, Friction::coupled);
 }
 
 }  // namespace talus
