@@ -1,11 +1,14 @@
 #include "bodies/finite_rotation.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace talus {
 
 namespace {
+
+constexpr double widest_step = 2.8;  // rad, for the Cayley vector
 
 /// Below this square of the angle the series are exact to round-off.
 constexpr double small_square = 0.01;
@@ -70,6 +73,11 @@ Vec3 composed(const Vec3& later, const Vec3& earlier) {
   const double sine = both.vec().norm();
   if (sine == 0) return Vec3::Zero();
   return 2 * std::atan2(sine, both.w()) / sine * both.vec();
+}
+
+Vec3 cayley_vector(const Vec3& theta) {
+  const double half = std::min(theta.norm(), widest_step) / 2;
+  return (half > 0 ? std::tan(half) / half : 1) * theta;
 }
 
 Mat3 rotation_tangent(const Vec3& theta) {

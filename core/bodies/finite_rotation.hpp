@@ -18,6 +18,10 @@ Vec3 turn_of(const Vec3& theta, const Vec3& p);
 /// The rotation vector of exp(later) exp(earlier), at most π long.
 Vec3 composed(const Vec3& later, const Vec3& earlier);
 
+/// 2 tan(|θ|/2) θ/|θ|, the rotation vector of Cayley and Rodrigues. Beyond 2.8 rad, where no step should go, it grows
+/// as θ.
+Vec3 cayley_vector(const Vec3& theta);
+
 /// δω of exp(θ̂ + δ) = exp(δω̂) exp(θ̂), for a small δ: δω = T(θ) δ.
 Mat3 rotation_tangent(const Vec3& theta);
 

@@ -23,9 +23,10 @@ struct RigidBody {
   Mat3 inertia_now() const { return rotation * inertia * rotation.transpose(); }
   Vec3 spin() const;  ///< rad/s
 
-  /// exp(θ̂/2) J θ with the inertia J at the start of a step: over its length the mean angular momentum of a body that
-  /// turns by θ in it, with the inertia of halfway (the midpoint rule of Krysl 2005) [kg m²]. And its derivative as the
-  /// body turns on from θ.
+  /// Jθ + ½ φ × Jθ with the inertia J at the start of a step and the Cayley vector φ of θ: over its length the angular
+  /// momentum L of a body that turns by θ in it without a moment, for that makes J⁻¹(Λ₀ᵀL + Λ₁ᵀL) parallel to φ, by
+  /// which ½ ω·L stays the same (Simo & Wong 1991, Lewis & Simo 1994; a turn about a principal axis is exact besides)
+  /// [kg m²]. And its derivative as the body turns on from θ.
   Vec3 momentum_of(const Vec3& theta) const;
   Mat3 momentum_slope(const Vec3& theta) const;
 };

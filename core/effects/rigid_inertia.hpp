@@ -4,9 +4,10 @@
 
 /// Inertia of rigid bodies (beyond the paper), for any integrator of TimeIntegration's family. The centroid moves as a
 /// point of the body's mass. Turning, the integrator is applied to the angular momentum L as a whole,
-///   L₁ = L₀ + Δ[(1 − γ) Ȧ₀ + γ Ȧ₁],   exp(θ̂/2) J θ = Δ L₀ + Δ²[(½ − β) Ȧ₀ + β Ȧ₁],
-/// with Ȧ its rate, the moment of all forces, and the rotation θ of the step by the midpoint rule (Krysl 2005): without
-/// a moment L stays the same to round-off, and a spin about a principal axis is exact.
+///   L₁ = L₀ + Δ[(1 − γ) Ȧ₀ + γ Ȧ₁],   Jθ + ½ φ × Jθ = Δ L₀ + Δ²[(½ − β) Ȧ₀ + β Ȧ₁],
+/// with Ȧ its rate, the moment of all forces, θ the rotation of the step and φ its Cayley vector
+/// (RigidBody::momentum_of): without a moment L stays the same to round-off, and a spin about a principal axis is
+/// exact.
 namespace talus {
 
 /// The forces and moments that the increment `d` asks for, on the left of the balance [N].
