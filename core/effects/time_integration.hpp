@@ -20,6 +20,8 @@ struct TimeIntegration {
   static TimeIntegration generalized_alpha(double spectral_radius);
   static TimeIntegration of(const SolverSettings& settings);
 
+  /// Whether a step holds on to the acceleration of the last one by weights that do not come from Hamilton's principle.
+  bool holds_on_to_blows() const { return beta != 0.5 && alpha_m == 0; }
   /// Share of the increment at which smooth forces are taken.
   double smooth_share() const { return 1 - alpha_f; }
   bool operator==(const TimeIntegration&) const = default;

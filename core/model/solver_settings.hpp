@@ -53,7 +53,7 @@ struct SolverSettings {
   ContactModel contact = ContactModel::area;
   double contact_stiffness = 10;                ///< normal penalty in units of E*/h (METHOD §3), dimensionless
   std::optional<double> penetration_tolerance;  ///< of the mesh size: augmented Lagrangian rounds until it is met
-  int open_close_limit = 20;                    ///< iterations before the step is cut
+  int open_close_limit = 160;                   ///< iterations before the step is cut
   double sleep_tolerance =
       1e-9;  ///< 1/s: blocks slower than this times their mesh size sleep in dynamic stages; 0: none
   TimeStepControl time_step_control = TimeStepControl::fixed;

@@ -249,29 +249,31 @@ void OpenClose::prepare(const Increment& d, double touching) {
   rounding_of_positions_ = std::numeric_limits<double>::epsilon() * extent_ * stiffness;
 }
 
-double OpenClose::settled_residual() const {
-  return std::max(tolerance_ * force_scale_, settings_.rounding * rounding_);
-}
-
 Settling OpenClose::settle(Increment& d) {
   Settling result;
   double last = 1e300;
+  int in_vain = 0;
   evaluate(d, Friction::coupled);
   for (;; ++result.iterations) {
     result.residual = gradient_.norm();
+    result.force_scale = force_scale_;
     if (!std::isfinite(result.residual)) return result;
     const double round_off = std::max(settings_.round_off * force_scale_, settings_.rounding * rounding_);
     const bool stalled = result.residual > 0.5 * last && result.residual <= round_off;
     const bool stands = result.iterations == 0 && result.residual <= rounding_of_positions_ && d.isZero(0);
     result.settled = result.residual <= tolerance_ * force_scale_ || stalled || stands;
-    if (result.settled || result.iterations >= std::min(settings_.patience, settings_.iteration_limit)) break;
+    if (result.settled || result.iterations >= settings_.iteration_limit) break;
     last = result.residual;
+    if (in_vain == settings_.patience) {
+      in_vain = 0;
+      result.iterations += settle_with_care(d, settings_.iteration_limit - result.iterations - 1);
+      continue;
+    }
     prepare(d, result.iterations == 0 ? closing_tolerance : 0);
     find_direction(d, Friction::coupled);
     move(d);
+    ++in_vain;
   }
-  if (!result.settled) settle_with_care(d, result);
-  result.force_scale = force_scale_;
   if (!result.settled && gradient_.size() > 0) {
     Eigen::Index worst = 0;
     gradient_.cwiseAbs().maxCoeff(&worst);
@@ -280,37 +282,33 @@ Settling OpenClose::settle(Increment& d) {
   return result;
 }
 
-void OpenClose::settle_with_care(Increment& d, Settling& result) {
-  const int limit = settings_.care * settings_.iteration_limit;
-  for (double coupled = result.residual; result.iterations < limit; ++result.iterations) {
+int OpenClose::settle_with_care(Increment& d, int limit) {
+  double before = gradient_.norm();
+  int count = 0;
+  for (; count < limit; ++count) {
     prepare(d, 0);
     find_direction(d, Friction::lagged);
     start_ = d;
     go_to_the_floor(d);
-    if (gradient_.norm() > std::max(near_floor * coupled, settled_residual())) continue;
+    const double negligible = std::max(tolerance_ * force_scale_, settings_.rounding * rounding_);
+    if (gradient_.norm() > std::max(near_floor * before, negligible)) continue;
     evaluate(d, Friction::coupled);
-    coupled = gradient_.norm();
-    if (coupled > settled_residual()) try_coupled_step(d, coupled);
-    result.settled = coupled <= settled_residual();
-    if (result.settled || !std::isfinite(coupled)) {
-      result.residual = coupled;
-      return;
-    }
+    before = gradient_.norm();
+    if (before <= negligible || coupled_step_is_worthwhile(d)) return count;
   }
   evaluate(d, Friction::coupled);
-  result.residual = gradient_.norm();
+  return count;
 }
 
-void OpenClose::try_coupled_step(Increment& d, double& residual) {
+bool OpenClose::coupled_step_is_worthwhile(Increment& d) {
+  const double before = gradient_.norm();
   find_direction(d, Friction::coupled);
   start_ = d;
   slope_at(1, d, Friction::coupled);
-  if (gradient_.norm() < well_worthwhile * residual) {
-    residual = gradient_.norm();
-    return;
-  }
+  if (gradient_.norm() < well_worthwhile * before) return true;
   d = start_;
   evaluate(d, Friction::coupled);
+  return false;
 }
 
 }  // namespace talus

@@ -24,14 +24,13 @@ struct Settling {
 
 /// Settings of the open–close iteration; each with its consequence.
 struct OpenCloseSettings {
-  int iteration_limit = 20;         ///< a measure of how long the step is tried before it is cut
+  int iteration_limit = 160;        ///< then the step is cut
   double tolerance = 1e-10;         ///< residual over force scale at which a dynamic step has settled …
   double static_tolerance = 1e-11;  ///< … and a static one, in which forces hardly do any work
   double round_off = 1e-9;  ///< a residual below this that no longer falls is round-off, and has settled too …
   double rounding = 4;      ///< … as is one of so many roundings of a deformation times the stiffness
   LinearSettings linear;    ///< of the linear solves
-  int patience = 6;         ///< iterations after which strengths are held until the rest balances …
-  int care = 8;             ///< … so many times as many as the limit says
+  int patience = 6;         ///< iterations after which strengths are held until the rest balances
   int shortenings = 10;     ///< trials for the floor of the potential along a step that has overstepped it
 };
 
@@ -81,12 +80,12 @@ class OpenClose {
   void find_direction(const Increment& d, Friction friction);
   void move(Increment& d);
   void prepare(const Increment& d, double touching);
-  double settled_residual() const;  ///< N
   /// Where Newton's method goes round in circles: strengths are held while the potential that there is then falls to
-  /// its floor, which it does from anywhere; then they are taken anew, until they no longer change.
-  void settle_with_care(Increment& d, Settling& result);
+  /// its floor, which it does from anywhere; then they are taken anew, until a coupled step leads on. Returns the
+  /// iterations that took.
+  int settle_with_care(Increment& d, int limit);
   /// Takes a coupled step from D if it brings the residual down by much.
-  void try_coupled_step(Increment& d, double& residual);
+  bool coupled_step_is_worthwhile(Increment& d);
   double slope_at(double share, Increment& d, Friction friction);
   void go_to_the_floor(Increment& d);
 

@@ -9,6 +9,7 @@
 #include "solve/impacts.hpp"
 #include "solve/open_close.hpp"
 #include "solve/prescribed_motion.hpp"
+#include "solve/shocks.hpp"
 #include "solve/simulation.hpp"
 #include "solve/sleep.hpp"
 #include "solve/stage_clock.hpp"
@@ -37,6 +38,7 @@ struct Simulation::State {
   std::optional<Impacts> impacts;  ///< where some joint takes speed from them
   FirstGuess first_guess;
   StepControl control;
+  Shocks shocks{bodies};
   Sleep sleep;
   std::vector<RestingContact> resting;  ///< contacts of sleepers
   EnergyBalance energy;
