@@ -8,6 +8,7 @@
 #include "contact/contact_points.hpp"
 #include "contact/coupling.hpp"
 #include "contact/features.hpp"
+#include "contact/meeting_search.hpp"
 
 namespace talus {
 namespace {
@@ -55,6 +56,7 @@ struct ContactDetector::State {
   FacingSearch facing;
   VertexSearch vertices;
   EdgeSearch edges;
+  MeetingSearch meetings;
   ContactMemory memory;
   Coupling coupling;
   std::vector<char> asleep;         // a body
@@ -127,6 +129,8 @@ void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) 
     facing.find(step, near, found);
     vertices.find(step, near, found);
     edges.find(step, near, vertices, found);
+    meetings.find(
+        step, near, [&](std::uint64_t key) { return memory.remembers(key); }, found);
   }
   std::sort(found.points.begin(), found.points.end(),
             [](const FoundPoint& p, const FoundPoint& q) { return p.key < q.key; });
@@ -262,6 +266,7 @@ void ContactDetector::accept(const ContactSet& contacts, std::span<const Contact
     throw std::logic_error("ContactDetector::accept: outcomes of another set of contacts");
   }
   s.memory.accept(contacts.points, s.families, outcomes);
+  s.meetings.accept();
   for (int b = 0; !s.all_have_moved && b < static_cast<int>(s.bodies.size()); ++b) s.moved[b] |= !s.rests(b);
   s.all_have_moved = true;
   for (int body : s.pressed) s.penetration[body] = s.bodies[body].fixed ? 0 : s.memory.resting().deepest(body);

@@ -43,6 +43,9 @@ class ContactMemory {
   /// point's plane. Nothing where the point is really new.
   std::optional<Recollection> recall(const FoundPoint& point, double size) const;
 
+  /// Whether the contact with this key was closed or bonded when the last step was accepted.
+  bool remembers(std::uint64_t key) const { return with_key(key) != nullptr; }
+
   /// Whether a bond between these two patches ever broke.
   bool ever_broken(std::uint64_t family) const;
   bool any_broken() const { return !broken_.empty(); }

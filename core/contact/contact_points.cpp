@@ -79,6 +79,20 @@ void FoundPoints::add_crossing(FoundPoint p, const ContactEdge& a, double s, con
   points.push_back(p);
 }
 
+void FoundPoints::add_meeting(FoundPoint p, const std::array<int, 2>& ends, double t, bool node_is_first,
+                              const ContactFeatures& features, std::span<const Vec3> x) {
+  p.stencil_begin = static_cast<int>(nodes.size());
+  if (node_is_first) {
+    nodes.insert(nodes.end(), {p.node, ends[0], ends[1]});
+    weights.insert(weights.end(), {1, -(1 - t), -t});
+  } else {
+    nodes.insert(nodes.end(), {ends[0], ends[1], p.node});
+    weights.insert(weights.end(), {1 - t, t, -1});
+  }
+  close_stencil(p, features, x, node_is_first ? 1 : 2);
+  points.push_back(p);
+}
+
 double StepGeometry::rim(int body_a, int body_b) const {
   const double size = broad.scale(body_a, body_b).size;
   return std::clamp(rim_per_penetration * deepest(body_a, body_b), rim_least * size, rim_most * size);

@@ -11,7 +11,7 @@
 
 namespace talus {
 
-enum class PointKind : std::uint8_t { facing, vertex, edge };
+enum class PointKind : std::uint8_t { facing, vertex, edge, meeting };
 
 /// A contact point as geometry gives it: no law, no history.
 struct FoundPoint {
@@ -54,6 +54,9 @@ struct FoundPoints {
   /// Adds a point with the stencil of two crossing edges: at the share s of the first and t of the second.
   void add_crossing(FoundPoint point, const ContactEdge& a, double s, const ContactEdge& b, double t,
                     const ContactFeatures& features, std::span<const Vec3> x);
+  /// Adds a point with the stencil of a vertex on an edge between two nodes, at the share t of it.
+  void add_meeting(FoundPoint point, const std::array<int, 2>& ends, double t, bool node_is_first,
+                   const ContactFeatures& features, std::span<const Vec3> x);
 };
 
 /// Of the rim: what lies deeper than this, one and a half times as deep as anything in the last step, may have come

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "contact/cones.hpp"
 #include "contact/contact_points.hpp"
 
 namespace talus {
@@ -11,17 +12,6 @@ namespace {
 constexpr double parallel = 1e-3;    // |a×b|² of |a|²|b|²: below it two edges have no normal of their own
 constexpr double past_end = 1e-9;    // of an edge, so that nothing falls between two
 constexpr double same_place = 1e-3;  // of the size: two contacts there with one normal are one
-
-/// Both facets of an edge: unit vectors in each, square to the edge, away from it.
-std::array<Vec3, 2> into_facets(const StepGeometry& step, const ContactEdge& e) {
-  const Vec3 origin = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - origin).stableNormalized();
-  std::array<Vec3, 2> into;
-  for (int k = 0; k < 2; ++k) {
-    const Vec3 r = step.x[e.opposite[k]] - origin;
-    into[k] = (r - along * along.dot(r)).stableNormalized();
-  }
-  return into;
-}
 
 /// Convex, and not so flat that it surely is but an edge of the mesh: most are, and this is all they cost.
 bool may_be_a_ridge(const StepGeometry& step, const ContactEdge& e, double tolerance) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "contact/cones.hpp"
 #include "contact/contact_points.hpp"
 
 namespace talus {
@@ -11,18 +12,6 @@ namespace {
 constexpr double outside = 1e-6;  // share by which a projection may miss a facet, so that none falls between two
 constexpr double flush_angle =
     10.0;  // degrees within which a surface that holds a vertex goes on as the one beyond a rim
-
-/// The least rise of the edges at a node against `normal` (sine). Not below 0: the normal lies in the node's normal
-/// cone.
-double rise(const StepGeometry& step, int node, const Vec3& normal) {
-  double least = 1;
-  for (int q : step.features.ring(node)) {
-    const Vec3 along = step.x[q] - step.x[node];
-    const double length = along.norm();
-    if (length > 0) least = std::min(least, along.dot(normal) / length);
-  }
-  return least;
-}
 
 /// Of a point with a vertex: the facet of the other body.
 int facet_below(const StepGeometry& step, const FoundPoint& p) {

@@ -1,0 +1,28 @@
+#include "contact/cones.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace talus {
+
+double rise(const StepGeometry& step, int node, const Vec3& normal) {
+  double least = 1;
+  for (int q : step.features.ring(node)) {
+    const Vec3 along = step.x[q] - step.x[node];
+    const double length = along.norm();
+    if (length > 0) least = std::min(least, along.dot(normal) / length);
+  }
+  return least;
+}
+
+std::array<Vec3, 2> into_facets(const StepGeometry& step, const ContactEdge& e) {
+  const Vec3 origin = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - origin).stableNormalized();
+  std::array<Vec3, 2> into;
+  for (int k = 0; k < 2; ++k) {
+    const Vec3 r = step.x[e.opposite[k]] - origin;
+    into[k] = (r - along * along.dot(r)).stableNormalized();
+  }
+  return into;
+}
+
+}  // namespace talus

@@ -1,0 +1,291 @@
+#include "contact/meeting_search.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "contact/cones.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double least_roundness = 1e-4, most_roundness = 1e-2, roundness_per_penetration = 3;  // of the size; –
+constexpr double deepest_core = 10;          // roundnesses below the tip of a needle
+constexpr double least_core_distance = 0.1;  // of the roundness: where cores meet there is no direction between them
+constexpr double same_place = 1e-3;          // of the size: two contacts there with one normal are one
+constexpr double seen_to_move = 1e-7;        // of the size: a way that tells a direction
+constexpr double flush_angle = 10.0;         // degrees within which one surface goes on as another
+constexpr int corner_bit = 1 << 30;          // of a key: a corner's node, else a crease
+
+/// Where a crease divides two patches.
+bool is_crease(const ContactFeatures& features, const ContactEdge& e) {
+  return features.facets[e.facets[0]].patch != features.facets[e.facets[1]].patch;
+}
+
+bool is_convex(const StepGeometry& step, const ContactEdge& e) {
+  return step.fresh_normal(e.facets[0]).dot(step.x[e.opposite[1]] - step.x[e.nodes[0]]) < 0;
+}
+
+/// The way from a node to its core, for a roundness of 1: all facets around, moved inwards by 1, meet there as nearly
+/// as they can.
+Vec3 towards_core(const StepGeometry& step, int node) {
+  constexpr double regular = 1e-9;  // along a crease every place is as good
+  Mat3 matrix = regular * Mat3::Identity();
+  Vec3 right = Vec3::Zero();
+  for (const int facet : step.features.facets_at(node)) {
+    const Vec3 n = step.fresh_normal(facet);
+    matrix += n * n.transpose();
+    right -= n;
+  }
+  const Vec3 way = matrix.inverse() * right;
+  return way.norm() > deepest_core ? Vec3(way * (deepest_core / way.norm())) : way;
+}
+
+double roundness(const StepGeometry& step, int body_a, int body_b) {
+  const double size = step.broad.scale(body_a, body_b).size;
+  return std::clamp(roundness_per_penetration * step.deepest(body_a, body_b), least_roundness * size,
+                    most_roundness * size);
+}
+
+std::uint64_t meeting_key(int node, int other) {
+  return static_cast<std::uint64_t>(node) << 31 | static_cast<std::uint64_t>(other);
+}
+
+void add_faces(const StepGeometry& step, std::span<const int> facets, std::vector<std::pair<int, Vec3>>& faces) {
+  for (const int facet : facets) {
+    const int patch = step.features.facets[facet].patch;
+    const auto known = [&](const auto& face) { return face.first == patch; };
+    if (std::none_of(faces.begin(), faces.end(), known)) faces.emplace_back(patch, step.fresh_normal(facet));
+  }
+}
+
+int body_of(const StepGeometry& step, int node) { return step.features.facets[step.features.facets_at(node)[0]].body; }
+
+}  // namespace
+
+void MeetingSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs,
+                         const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found) {
+  meetings_.clear();
+  seen_.clear();
+  for (const FacetPair& pair : pairs) {
+    const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        if (a.owns_node[i] && b.owns_edge[j]) meet(step, a.nodes[i], b.edges[j], true);
+        if (b.owns_node[i] && a.owns_edge[j]) meet(step, b.nodes[i], a.edges[j], false);
+      }
+    }
+  }
+  if (meetings_.empty()) return;
+  std::sort(meetings_.begin(), meetings_.end(), [](const Encounter& p, const Encounter& q) {
+    return p.key != q.key ? p.key < q.key : p.apart != q.apart ? p.apart < q.apart : p.edge < q.edge;
+  });
+  facing_.clear();
+  for (const FoundPoint& p : found.points)
+    if (p.kind == PointKind::facing) facing_.push_back(p.family);
+  std::sort(facing_.begin(), facing_.end());
+  list_pressures(step, found);
+  for (std::size_t i = 0; i < meetings_.size(); ++i)
+    if (i == 0 || meetings_[i].key != meetings_[i - 1].key) add(step, meetings_[i], remembered, found);
+}
+
+/// A corner and an edge that may be near each other.
+void MeetingSearch::meet(const StepGeometry& step, int node, int edge, bool node_is_first) {
+  const ContactFeatures& features = step.features;
+  const ContactEdge& e = features.edges[edge];
+  if (!features.corner[node] || !is_crease(features, e)) return;
+  const Vec3 &v = step.x[node], &p = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - p;
+  const int own = body_of(step, node), other = features.facets[e.facets[0]].body;
+  const double r = roundness(step, own, other), far = step.reach + 3 * deepest_core * r;
+  const double nearest = std::clamp((v - p).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  if (!((v - p - nearest * along).squaredNorm() < far * far) || !is_convex(step, e)) return;
+
+  const Vec3 core = v + r * towards_core(step, node);
+  const Vec3 from = p + r * towards_core(step, e.nodes[0]);
+  const Vec3 core_along = step.x[e.nodes[1]] + r * towards_core(step, e.nodes[1]) - from;
+  const double share = std::clamp((core - from).dot(core_along) / core_along.squaredNorm(), 0.0, 1.0);
+  const double apart = (core - from - share * core_along).norm();
+  const int end = share == 0 ? e.nodes[0] : share == 1 ? e.nodes[1] : -1;
+  if (end < 0 || !features.corner[end]) {
+    meetings_.push_back({meeting_key(node, e.crease), node, -1, edge, share, apart, node_is_first});
+  } else {  // of two corners the first body's comes first
+    const int first = node_is_first ? node : end, second = node_is_first ? end : node;
+    meetings_.push_back({meeting_key(first, corner_bit | second), first, second, -1, 0, apart, true});
+  }
+}
+
+void MeetingSearch::list_pressures(const StepGeometry& step, const FoundPoints& found) {
+  pressures_.clear();
+  for (const FoundPoint& p : found.points) {
+    if (p.dropped || p.gap > step.reach) continue;
+    if (p.patches[0] >= 0) pressures_.push_back({p.patches[0], p.bodies[1], p.normal});
+    if (p.patches[1] >= 0) pressures_.push_back({p.patches[1], p.bodies[0], -p.normal});
+  }
+  std::sort(pressures_.begin(), pressures_.end());
+}
+
+void MeetingSearch::take_corner(const StepGeometry& step, int node, double r, Feature& feature) const {
+  const auto facets = step.features.facets_at(node);
+  feature.facet = facets[0];
+  feature.body = step.features.facets[facets[0]].body;
+  feature.nodes = {node, -1};
+  feature.place = step.x[node];
+  feature.core = step.x[node] + r * towards_core(step, node);
+  feature.faces.clear();
+  add_faces(step, facets, feature.faces);
+}
+
+void MeetingSearch::take_crease(const StepGeometry& step, int edge, double share, double r, double rim,
+                                Feature& feature) const {
+  const ContactEdge& e = step.features.edges[edge];
+  const auto between = [&](const Vec3& p, const Vec3& q) { return Vec3(p + share * (q - p)); };
+  const Vec3 &p = step.x[e.nodes[0]], &q = step.x[e.nodes[1]];
+  feature.facet = e.facets[0];
+  feature.body = step.features.facets[e.facets[0]].body;
+  feature.nodes = {-1, -1};
+  feature.place = between(p, q);
+  feature.core = between(p + r * towards_core(step, e.nodes[0]), q + r * towards_core(step, e.nodes[1]));
+  feature.faces.clear();
+  add_faces(step, e.facets, feature.faces);
+  for (int k = 0; k < 2; ++k) {
+    if ((step.x[e.nodes[k]] - feature.place).norm() > rim) continue;
+    feature.nodes[k] = e.nodes[k];
+    add_faces(step, step.features.facets_at(e.nodes[k]), feature.faces);
+  }
+}
+
+void MeetingSearch::add(const StepGeometry& step, const Encounter& m,
+                        const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found) {
+  const ContactFeatures& features = step.features;
+  const bool corners = m.other_node >= 0;
+  const int own = body_of(step, m.node);
+  const int other = corners ? body_of(step, m.other_node) : features.facets[features.edges[m.edge].facets[0]].body;
+  const double r = roundness(step, own, other);
+  take_corner(step, m.node, r, corner_);
+  if (corners) {
+    take_corner(step, m.other_node, r, other_);
+  } else {
+    take_crease(step, m.edge, m.share, r, step.rim(own, other), other_);
+  }
+  if (!(m.apart > least_core_distance * r)) return;
+  const Vec3 n = (corner_.core - other_.core) / m.apart;
+  const double gap = n.dot(corner_.place - other_.place);
+  if (!(gap <= step.reach) || gap < -step.depth(own, other) || !are_nearest(step, m, n)) return;
+  if (facing_have_it(corner_, other_, m.node_is_first)) return;
+  if (lies_flush(corner_, other_) || lies_flush(other_, corner_)) return;
+  if (passes(step, m, corner_, other_, remembered(m.key))) return;
+  if (!stands_for_others(step, corner_, other_, n, m.node_is_first, found)) return;
+
+  FoundPoint p{};
+  p.key = m.key;
+  p.family = m.key;
+  p.kind = PointKind::meeting;
+  p.facets = m.node_is_first ? std::array{corner_.facet, other_.facet} : std::array{other_.facet, corner_.facet};
+  p.patches = {-1, -1};
+  p.node = m.node;
+  p.joint = -1;
+  const auto around = corners ? features.facets_at(m.other_node) : std::span(features.edges[m.edge].facets);
+  for (const int f : features.facets_at(m.node)) {
+    for (const int g : around) p.joint = std::max(p.joint, step.common_joint(f, g));
+  }
+  p.normal = m.node_is_first ? n : Vec3(-n);
+  const std::array<int, 2> ends = corners ? std::array{m.other_node, m.other_node} : features.edges[m.edge].nodes;
+  found.add_meeting(p, ends, m.share, m.node_is_first, features, step.x);
+}
+
+/// Two features are nearest each other where the direction between them lies in the normal cones of both.
+bool MeetingSearch::are_nearest(const StepGeometry& step, const Encounter& m, const Vec3& normal) const {
+  const double tolerance = cone_tolerance(step.settings);
+  if (rise(step, m.node, normal) < -tolerance) return false;
+  if (m.other_node >= 0) return rise(step, m.other_node, -normal) >= -tolerance;
+  const auto into = into_facets(step, step.features.edges[m.edge]);
+  return normal.dot(into[0]) <= tolerance && normal.dot(into[1]) <= tolerance;
+}
+
+/// Where patches around both features face each other and overlap, these points hold the place too.
+bool MeetingSearch::facing_have_it(const Feature& corner, const Feature& other, bool corner_is_first) const {
+  for (const auto& [patch, normal] : corner.faces) {
+    for (const auto& [beyond, ignored] : other.faces) {
+      const auto family = corner_is_first ? patch_family(patch, beyond) : patch_family(beyond, patch);
+      if (std::binary_search(facing_.begin(), facing_.end(), family)) return true;
+    }
+  }
+  return false;
+}
+
+/// Does a third body press on a patch here as one of the other feature's facets would? Then that one only goes on what
+/// holds the body already.
+bool MeetingSearch::lies_flush(const Feature& own, const Feature& other) const {
+  const double flush = std::cos(radians(flush_angle));
+  for (const auto& [patch, ignored] : own.faces) {
+    const auto [begin, end] = std::equal_range(pressures_.begin(), pressures_.end(), Pressure{patch, 0, {}});
+    for (auto it = begin; it != end; ++it) {
+      if (it->by == other.body) continue;
+      for (const auto& [beyond, normal] : other.faces)
+        if (it->normal.dot(normal) > flush) return true;
+    }
+  }
+  return false;
+}
+
+/// Bodies whose faces lie in one plane slide past each other there though their corners meet. Where such faces are, a
+/// corner must have come from outside of all of them, or been there already, to be held.
+bool MeetingSearch::passes(const StepGeometry& step, const Encounter& m, const Feature& corner, const Feature& other,
+                           bool remembered) {
+  const double facing = -std::cos(radians(step.settings.facing_angle)), rim = step.rim(corner.body, other.body);
+  const Vec3 offset = corner.place - other.place;
+  const auto former = std::lower_bound(former_.begin(), former_.end(), m.key,
+                                       [](const Sight& s, std::uint64_t key) { return s.key < key; });
+  const bool known = former != former_.end() && former->key == m.key;
+  const Vec3 way = known ? Vec3(offset - former->from_feature) : Vec3(Vec3::Zero());
+  const double length = way.norm(), least = seen_to_move * step.broad.scale(corner.body, other.body).size;
+  const bool moved = length > least;
+  bool flush = false, comes_in = moved;
+  for (const auto& [patch, normal] : corner.faces) {
+    for (const auto& [beyond, outward] : other.faces) {
+      if (!(normal.dot(outward) < facing) || !(std::abs(outward.dot(offset)) < rim)) continue;
+      flush = true;
+      comes_in = comes_in && outward.dot(way) < -cone_tolerance(step.settings) * length;
+    }
+  }
+  const bool solid = !flush || remembered || (known && former->is_solid) || comes_in;
+  seen_.push_back({m.key, known && !moved ? former->from_feature : offset, solid});
+  return !solid;
+}
+
+/// Whether the meeting is a contact of its own: if another point of these features has its normal, that one is the
+/// contact. Those with other normals make way for it.
+bool MeetingSearch::stands_for_others(const StepGeometry& step, const Feature& corner, const Feature& other,
+                                      const Vec3& normal, bool corner_is_first, FoundPoints& found) const {
+  const double same_normal = std::cos(radians(step.settings.facing_angle));
+  const double near =
+      same_place * step.broad.scale(corner.body, other.body).size + 2 * (corner.place - other.place).norm();
+  const auto is_of = [](const Feature& feature, int patch) {
+    return std::any_of(feature.faces.begin(), feature.faces.end(),
+                       [&](const auto& face) { return face.first == patch; });
+  };
+  const auto has_node = [](const Feature& feature, int node) {
+    return node == feature.nodes[0] || node == feature.nodes[1];
+  };
+  const auto rivals = [&](const FoundPoint& q) {
+    if (q.dropped || q.kind == PointKind::facing) return false;
+    const int first = corner_is_first ? 0 : 1;
+    if (q.bodies[first] != corner.body || q.bodies[1 - first] != other.body) return false;
+    if ((q.position - corner.place).norm() > near) return false;
+    if (q.kind != PointKind::vertex) return true;
+    const int patch_of_other = q.patches[1 - first], patch_of_own = q.patches[first];
+    return (has_node(corner, q.node) && is_of(other, patch_of_other)) ||
+           (has_node(other, q.node) && is_of(corner, patch_of_own)) ||
+           q.normal.dot(corner_is_first ? normal : Vec3(-normal)) > same_normal;
+  };
+  for (const FoundPoint& q : found.points) {
+    if (rivals(q) && q.normal.dot(corner_is_first ? normal : Vec3(-normal)) > same_normal) return false;
+    if (q.kind == PointKind::meeting && rivals(q)) return false;
+  }
+  for (FoundPoint& q : found.points) q.dropped = q.dropped || rivals(q);
+  return true;
+}
+
+}  // namespace talus

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "contact/contact_points.hpp"
+
+namespace talus {
+
+/// Corners that meet corners or convex creases: nothing there has a normal of its own. Both features are taken as
+/// rounded, by as little as the bodies lie in each other: the normal points from the core of one to that of the other.
+/// While they are apart that is the direction between the closest points; where they touch it lies between the normals
+/// of the facets around and turns into one of them as the corner slides past. Edges that run along each other meet
+/// at the ends of what they share. Points of all other kinds must be there already.
+class MeetingSearch {
+ public:
+  /// `remembered` tells of a key whether its contact was closed at the end of the last step.
+  void find(const StepGeometry& step, std::span<const FacetPair> pairs,
+            const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found);
+
+  /// The step was accepted whose features find() saw last.
+  void accept() { former_.swap(seen_); }
+
+ private:
+  /// A place on the surface of a body: a corner, or a point of a crease.
+  struct Feature {
+    int body, facet;
+    std::array<int, 2> nodes;  // the corner, or the ends of the edge that are within the rim; −1: none
+    Vec3 place, core;
+    std::vector<std::pair<int, Vec3>> faces;  // patches around, those of a corner within the rim too, and their normals
+  };
+  /// A corner and the feature of another body nearest to it.
+  struct Encounter {
+    std::uint64_t key;
+    int node;
+    int other_node;  // −1: on a crease
+    int edge;        // −1: a corner
+    double share;    // of the edge
+    double apart;    // m, of the cores
+    bool node_is_first;
+  };
+  /// What was seen of a meeting: where the corner was, as seen from the feature, and whether it is known not to pass.
+  struct Sight {
+    std::uint64_t key;
+    Vec3 from_feature;
+    bool is_solid;
+  };
+  /// A body that presses on a patch.
+  struct Pressure {
+    int patch, by;
+    Vec3 normal;  // towards the patch's body
+    bool operator<(const Pressure& p) const { return patch < p.patch; }
+  };
+
+  void meet(const StepGeometry& step, int node, int edge, bool node_is_first);
+  void list_pressures(const StepGeometry& step, const FoundPoints& found);
+  void add(const StepGeometry& step, const Encounter& m, const std::function<bool(std::uint64_t)>& remembered,
+           FoundPoints& found);
+  bool are_nearest(const StepGeometry& step, const Encounter& m, const Vec3& normal) const;
+  bool facing_have_it(const Feature& corner, const Feature& other, bool corner_is_first) const;
+  bool lies_flush(const Feature& own, const Feature& other) const;
+  bool passes(const StepGeometry& step, const Encounter& m, const Feature& corner, const Feature& other,
+              bool remembered);
+  bool stands_for_others(const StepGeometry& step, const Feature& corner, const Feature& other, const Vec3& normal,
+                         bool corner_is_first, FoundPoints& found) const;
+  void take_corner(const StepGeometry& step, int node, double roundness, Feature& feature) const;
+  void take_crease(const StepGeometry& step, int edge, double share, double roundness, double rim,
+                   Feature& feature) const;
+
+  std::vector<Encounter> meetings_;
+  std::vector<std::uint64_t> facing_;  // families, sorted
+  std::vector<Pressure> pressures_;    // sorted by patch
+  std::vector<Sight> seen_, former_;   // sorted by key
+  Feature corner_, other_;
+};
+
+}  // namespace talus

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/units.hpp"
+#include "blocks.hpp"
+
+/// Corners that meet corners and creases, and edges along edges: places without a normal of their own.
+namespace talus {
+namespace {
+
+using testing::box;
+using testing::mapped;
+using testing::Scene;
+using testing::Shape;
+
+constexpr double reach = 0.01;
+
+/// A spike with its tip at `tip` and its axis upwards, three times as long as the corner of a cube.
+Shape spike(const Vec3& tip) {
+  const Vec3 diagonal = Vec3(1, 1, 1).normalized();
+  const Mat3 r = Eigen::Quaterniond::FromTwoVectors(diagonal, Vec3::UnitZ()).toRotationMatrix();
+  return mapped(box({0, 0, 0}, {1, 1, 1}),
+                [&](const Vec3& p) { return Vec3(r * (p + 2 * diagonal * diagonal.dot(p)) + tip); });
+}
+
+/// A roof with its ridge along y through the origin, from y = −1 to 1; its flanks fall by 45°.
+Shape roof() {
+  const Mat3 r = Eigen::AngleAxisd(radians(-45), Vec3::UnitY()).toRotationMatrix();
+  return mapped(box({-1, -1, -1}, {0, 1, 0}, {1, 3, 1}), [&](const Vec3& p) { return Vec3(r * p); });
+}
+
+TEST(Meeting, ATipApartFromARidgeHasTheDirectionBetweenTheClosestPoints) {
+  for (const double angle : {-30.0, 0.0, 20.0}) {
+    const Vec3 up(std::sin(radians(angle)), 0, std::cos(radians(angle)));
+    Scene scene;
+    scene.add(roof(), true);
+    scene.add(spike(0.008 * up + Vec3(0, 0.41, 0)));
+    const ContactSet& contacts = scene.detect(reach);
+    ASSERT_EQ(contacts.points.size(), 1u) << angle;
+    EXPECT_LT((contacts.points[0].normal + up).norm(), 0.1) << contacts.points[0].normal.transpose();
+    EXPECT_NEAR(contacts.points[0].gap, 0.008, 5e-5);
+  }
+}
+
+TEST(Meeting, TheNormalTurnsWithTheTipAsItPassesOverTheRidge) {
+  Vec3 former = Vec3(std::sqrt(0.5), 0, -std::sqrt(0.5));  // the left flank's
+  for (double x = -1e-3; x < 1e-3; x += 1e-5) {
+    Scene scene;
+    scene.add(roof(), true);
+    scene.add(spike({x, 0.41, -std::abs(x) - 1e-7}));
+    const ContactSet& contacts = scene.detect(reach);
+    ASSERT_EQ(contacts.points.size(), 1u) << x;
+    EXPECT_LT((contacts.points[0].normal - former).norm(), 0.12) << x;
+    former = contacts.points[0].normal;
+    if (std::abs(x) < 1e-8) {
+      EXPECT_LT((former - Vec3(0, 0, -1)).norm(), 1e-3);
+    }
+  }
+  EXPECT_LT((former - Vec3(-std::sqrt(0.5), 0, -std::sqrt(0.5))).norm(), 1e-9);
+}
+
+/// Two roofs ridge on ridge, the upper one upside down, shifted along it and turned about the vertical.
+void expect_held_at_both_ends(double shift, double turn, double gap) {
+  SCOPED_TRACE(::testing::Message() << "shifted " << shift << ", turned " << turn << ", gap " << gap);
+  Scene scene;
+  scene.add(roof(), true);
+  const Mat3 r = (Eigen::AngleAxisd(turn, Vec3::UnitZ()) * Eigen::AngleAxisd(radians(180), Vec3::UnitY())).matrix();
+  scene.add(mapped(roof(), [&](const Vec3& p) { return Vec3(r * (0.9 * p) + Vec3(0, shift, gap)); }));
+  const ContactSet& contacts = scene.detect(reach);
+  ASSERT_EQ(contacts.points.size(), 2u);
+  double first = INFINITY, last = -INFINITY;
+  for (const ContactPoint& p : contacts.points) {
+    EXPECT_LT((p.normal - Vec3(0, 0, -1)).norm(), 0.1) << p.normal.transpose();
+    EXPECT_NEAR(p.gap, gap, 1e-5);
+    first = std::min(first, p.position.y());
+    last = std::max(last, p.position.y());
+  }
+  EXPECT_NEAR(first, std::max(-1.0, shift - 0.9), 1e-3);
+  EXPECT_NEAR(last, std::min(1.0, shift + 0.9), 1e-3);
+}
+
+TEST(Meeting, EdgesAlongEachOtherMeetAtTheEndsOfWhatTheyShare) {
+  for (const double shift : {0.0, 0.1, 0.4}) {
+    for (const double turn : {0.0, 1e-9, 1e-6, 1e-5}) expect_held_at_both_ends(shift, turn, 2e-3);
+  }
+}
+
+/// Two cubes whose upright edges meet, as two of the four blocks around a joint crossing do: one beyond the other's
+/// corner in x and in y.
+struct TwoCubes {
+  Scene scene;
+  TwoCubes() {
+    scene.add(box({-1, -1, 0}, {0, 0, 1}), true);
+    scene.add(box({0, 0, 0}, {1, 1, 1}));
+  }
+  std::size_t move_and_count(const Vec3& way) {
+    scene.move(1, way);
+    scene.detect(reach);
+    const std::vector<ContactOutcome> outcomes(scene.contacts.points.size());
+    scene.detector().accept(scene.contacts, outcomes);
+    return scene.contacts.points.size();
+  }
+};
+
+TEST(Meeting, CornersOfBlocksThatLieFlushPass) {
+  TwoCubes cubes;
+  EXPECT_EQ(cubes.move_and_count({0, 0, 0}), 0u);
+  for (int step = 0; step < 20; ++step) {
+    cubes.move_and_count({-1e-5, 0, 0});
+    for (const ContactPoint& p : cubes.scene.contacts.points) EXPECT_NEAR(p.normal.x(), 0, 1e-9) << step;
+  }
+}
+
+TEST(Meeting, CornersThatComeInFromOutsideOfAllFacesAreHeld) {
+  TwoCubes cubes;
+  EXPECT_EQ(cubes.move_and_count({0, 0, 0}), 0u);
+  cubes.move_and_count({-1e-6, -1e-6, 0});
+  ASSERT_EQ(cubes.scene.contacts.points.size(), 2u);  // at the top and at the bottom
+  for (const ContactPoint& p : cubes.scene.contacts.points)
+    EXPECT_LT((p.normal - Vec3(-1, -1, 0).normalized()).norm(), 1e-6) << p.normal.transpose();
+}
+
+}  // namespace
+}  // namespace talus
