@@ -1,6 +1,41 @@
 #include "contact/overlap.hpp"
 
+#include <algorithm>
+
 namespace talus {
+namespace {
+
+constexpr double one_place = 1e-9;      // of the perimeter: two corners that are nearer are one
+constexpr double least_sector = 1e-12;  // of the area: what rounding leaves of a sliver's
+
+/// Area and centroid; a polygon without an area is left empty. Measured from one corner: far from the origin nothing is
+/// lost.
+Vec2 measure(OverlapPolygon& p) {
+  const Vec2 origin = p.corners[0];
+  Vec2 sum = Vec2::Zero();
+  double twice_area = 0;
+  for (int i = 1; i + 1 < p.count; ++i) {
+    const Vec2 a = p.corners[i] - origin, b = p.corners[i + 1] - origin;
+    twice_area += cross(a, b);
+    sum += cross(a, b) * (a + b) / 3;
+  }
+  p.area = twice_area / 2;
+  if (!(p.area > 0)) p.count = 0;
+  return origin + sum / twice_area;
+}
+
+void drop_doubled_corners(OverlapPolygon& p) {
+  double perimeter = 0;
+  for (int i = 0; i < p.count; ++i) perimeter += (p.corners[(i + 1) % p.count] - p.corners[i]).norm();
+  const auto doubled = [&](const Vec2& a, const Vec2& b) { return !((a - b).norm() > one_place * perimeter); };
+  int kept = 0;
+  for (int i = 0; i < p.count; ++i)
+    if (kept == 0 || !doubled(p.corners[i], p.corners[kept - 1])) p.corners[kept++] = p.corners[i];
+  while (kept > 1 && doubled(p.corners[kept - 1], p.corners[0])) --kept;
+  p.count = kept;
+}
+
+}  // namespace
 
 OverlapPolygon overlap(const Triangle2& a, const Triangle2& b) {
   OverlapPolygon p;
@@ -23,33 +58,27 @@ OverlapPolygon overlap(const Triangle2& a, const Triangle2& b) {
 }
 
 void share_area(OverlapPolygon& p) {
-  std::array<double, 9> along{};  // a corner's part of the perimeter
-  double perimeter = 0;
-  for (int i = 0; i < p.count; ++i) {
-    const int j = (i + 1) % p.count;
-    const double length = (p.corners[j] - p.corners[i]).norm();
-    along[i] += length / 2;
-    along[j] += length / 2;
-    perimeter += length;
-  }
-  if (p.count < 3 || !(perimeter > 0)) {
-    p.count = 0;
+  const Vec2 centroid = measure(p);
+  if (p.count == 0) return;
+  drop_doubled_corners(p);
+  if (p.count < 3) {  // a sliver that is hardly there
+    p.weights.fill(p.area / p.count);
     return;
   }
-  Vec2 centre = Vec2::Zero();
-  for (int i = 0; i < p.count; ++i) centre += (along[i] / perimeter) * (p.corners[i] - p.corners[0]);
-  centre += p.corners[0];
-  p.area = 0;
-  p.weights.fill(0);
+  std::array<double, 9> sector{};  // twice the area between the centroid and the side that follows a corner
   for (int i = 0; i < p.count; ++i) {
-    const int j = (i + 1) % p.count;
-    const double sector = cross(p.corners[i] - centre, p.corners[j] - centre) / 2;
-    p.area += sector;
-    p.weights[i] += sector / 3;
-    p.weights[j] += sector / 3;
+    const Vec2 &corner = p.corners[i], &next = p.corners[(i + 1) % p.count];
+    sector[i] = std::max(cross(corner - centroid, next - centroid), least_sector * p.area);
   }
-  for (int i = 0; i < p.count; ++i) p.weights[i] += along[i] / perimeter * p.area / 3;
-  if (!(p.area > 0)) p.count = 0;
+  double sum = 0;
+  for (int i = 0; i < p.count; ++i) {
+    const int before = (i + p.count - 1) % p.count, after = (i + 1) % p.count;
+    const Vec2& corner = p.corners[i];
+    const double tip = std::max(0.0, cross(corner - p.corners[before], p.corners[after] - corner));
+    p.weights[i] = tip / sector[before] * (p.area / sector[i]);
+    sum += p.weights[i];
+  }
+  for (int i = 0; i < p.count; ++i) p.weights[i] *= p.area / sum;
 }
 
 }  // namespace talus

@@ -21,9 +21,10 @@ struct OverlapPolygon {
 /// Overlap of two counter-clockwise triangles.
 OverlapPolygon overlap(const Triangle2& a, const Triangle2& b);
 
-/// Gives the corners their shares of the area: Σ wᵢ f(Pᵢ) is the integral of f for every linear f. A fan about the
-/// centroid of the perimeter, so that shares stay continuous when corners merge, part or slip along an edge. A polygon
-/// without an area is left empty.
+/// Gives the corners their shares of the area: Σ wᵢ f(Pᵢ) is the integral of f for every linear f. They are the
+/// barycentric coordinates of the centroid (Wachspress 1975): a corner where the outline runs straight on has no share,
+/// so that shares stay continuous when corners merge, part or slip along an edge, and a sliver that rounding cuts off
+/// changes nothing. Corners in one place are merged; a polygon without an area is left empty.
 void share_area(OverlapPolygon& polygon);
 
 }  // namespace talus
