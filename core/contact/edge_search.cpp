@@ -20,6 +20,21 @@ bool may_be_a_ridge(const StepGeometry& step, const ContactEdge& e, double toler
   return below < 0 && below * below * length > 0.9 * tolerance * tolerance * (r.squaredNorm() * length - along * along);
 }
 
+/// Is the normal that of two facets beside the edges that face each other? Then these have the contact. Either facet
+/// may be within the facing angle of the normal though the two are not of each other.
+bool lies_between_facing(const StepGeometry& step, const ContactEdge& a, const ContactEdge& b, const Vec3& n) {
+  const double facing = std::cos(radians(step.settings.facing_angle));
+  for (const int f : a.facets) {
+    const Vec3 of_a = step.fresh_normal(f);
+    if (!(-n.dot(of_a) > facing)) continue;
+    for (const int g : b.facets) {
+      const Vec3 of_b = step.fresh_normal(g);
+      if (n.dot(of_b) > facing && of_a.dot(of_b) < -facing) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexSearch& vertices,
@@ -78,10 +93,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   }
   const double gap = -n.dot(r);
   if (!(gap <= step.reach) || (gap < 0 && gap < -step.depth(fa.body, fb.body))) return;
-  const double facing = std::cos(radians(step.settings.facing_angle));
-  const bool a_faces = std::max(-n.dot(step.normals[a.facets[0]]), -n.dot(step.fresh_normal(a.facets[1]))) > facing;
-  const bool b_faces = std::max(n.dot(step.normals[b.facets[0]]), n.dot(step.fresh_normal(b.facets[1]))) > facing;
-  if (a_faces && b_faces) return;  // the facing facets have it
+  if (lies_between_facing(step, a, b, n)) return;
 
   FoundPoint p{};
   p.key = edge_key(edge_a, edge_b);

@@ -89,6 +89,30 @@ TEST(Point, EdgeAcrossEdgeTouchesOnceWhereverTheMeshRuns) {
   }
 }
 
+TEST(Point, AnEdgeOverARimIsHeldWhetherItsFaceFacesTheOtherOrNot) {
+  // A bar lies across another, inclined along itself and rolled onto one edge: its lower face is up to 4.2° from the
+  // face below while the normal of the crossing edges is never farther than 3° from either.
+  for (const double incline : {1.0, 1.9, 2.9}) {
+    for (const double roll : {1.0, 2.0, 2.3, 2.5, 2.7, 2.9, 3.5}) {
+      const Mat3 r =
+          (Eigen::AngleAxisd(radians(incline), Vec3::UnitX()) * Eigen::AngleAxisd(radians(roll), Vec3::UnitY()))
+              .matrix();
+      const Vec3 lowest = r * Vec3(0.1, 0, 0), along = r.col(1);
+      const Vec3 over_rim = lowest + along * ((-0.1 - lowest.y()) / along.y());  // where its edge crosses y = −0.1
+      Scene scene;
+      scene.add(box({-1, -0.1, -0.2}, {1, 0.1, 0}), true);
+      scene.add(mapped(box({-0.1, -1, 0}, {0.1, 1, 0.2}),
+                       [&](const Vec3& p) { return Vec3(r * p - Vec3(0, 0, over_rim.z() + 1e-5)); }));
+      double deepest = 0;
+      for (const ContactPoint& p : scene.detect(reach).points) {
+        EXPECT_GT(-p.normal.z(), 0.99);
+        deepest = std::max(deepest, -p.gap);
+      }
+      EXPECT_NEAR(deepest, 1e-5, 2e-8) << incline << " " << roll;
+    }
+  }
+}
+
 TEST(Point, EdgesThatCrossBeyondTheirEndsDoNotTouch) {
   Scene scene;
   scene.add(turned(box({0, 0, 0}, {1, 1, 1}, {1, 3, 3}), 45, Vec3::UnitX(), {0, 0, -std::sqrt(2.0)}), true);
