@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "contact/body_width.hpp"
 #include "contact/broad_phase.hpp"
 #include "contact/contact_memory.hpp"
 #include "contact/contact_points.hpp"
@@ -61,6 +62,7 @@ struct ContactDetector::State {
   Coupling coupling;
   std::vector<char> asleep;         // a body
   std::vector<double> penetration;  // m, a movable body: the deepest of the last step
+  std::vector<double> widths;       // m, a body, as it was seen first
   std::vector<int> pressed;         // bodies whose penetration the next step may change
   std::vector<char> moved;          // a body: it took part in a step and neither was fixed nor asleep
   bool all_have_moved = false;      // that are free to
@@ -120,8 +122,10 @@ void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, s
 }
 
 void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
+  if (widths.empty())
+    for (const ContactBody& body : bodies) widths.push_back(least_width(body, x));
   keep_near_pairs(broad.find(x, reach), x, reach);
-  const StepGeometry step{features, broad, x, broad.normals(), penetration, settings, reach, moved};
+  const StepGeometry step{features, broad, x, broad.normals(), penetration, widths, settings, reach, moved};
   found.clear();
   if (settings.model == ContactModel::facet_wise) {
     facet_wise.find(step, near, found);

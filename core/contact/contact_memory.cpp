@@ -77,10 +77,14 @@ const ContactMemory::Memo* ContactMemory::nearest_facing(const FoundPoint& point
 
 void ContactMemory::add_forces(const Memo& memo, const FoundPoint& point, Recollection& sum) {
   const double share = memo.area > 0 && point.area > 0 ? point.area / memo.area : 1;  // tractions stay
-  const double length = memo.shear.norm();
-  const Vec3 turned = memo.shear - point.normal * point.normal.dot(memo.shear);
-  const double left = turned.norm();
-  if (left > 1e-6 * length) sum.shear += turned * (share * length / left);
+  if (memo.normal == point.normal) {  // to the bit: else rounding would make what sticks at its strength slip some day
+    sum.shear += share * memo.shear;
+  } else {
+    const double length = memo.shear.norm();
+    const Vec3 turned = memo.shear - point.normal * point.normal.dot(memo.shear);
+    const double left = turned.norm();
+    if (left > 1e-6 * length) sum.shear += turned * (share * length / left);
+  }
   sum.multiplier += share * memo.multiplier;
   sum.spring_force += share * std::max(0.0, memo.normal_force - memo.multiplier);
 }

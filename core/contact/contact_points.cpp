@@ -99,7 +99,8 @@ double StepGeometry::rim(int body_a, int body_b) const {
 }
 
 double StepGeometry::depth(int body_a, int body_b) const {
-  const double most = settings.depth * broad.scale(body_a, body_b).size;
+  const double most =
+      std::min(settings.depth * broad.scale(body_a, body_b).size, std::min(widths[body_a], widths[body_b]) / 2);
   return begun(body_a, body_b) ? std::min(reach + depth_per_penetration * deepest(body_a, body_b), most) : most;
 }
 

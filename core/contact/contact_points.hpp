@@ -70,6 +70,7 @@ struct StepGeometry {
   std::span<const Vec3> x;
   std::span<const Vec3> normals;        ///< a facet; up to date for those in the pairs that are searched
   std::span<const double> penetration;  ///< m, a body: the deepest of the last step
+  std::span<const double> widths;       ///< m, a body: where it is thinnest
   const ContactSettings& settings;
   double reach;
   std::span<const char> moved;  ///< a body: it took part in a step and was not fixed
@@ -81,7 +82,8 @@ struct StepGeometry {
   /// How near the rim of a convex crease a contact is left to the facet beyond. [m]
   double rim(int body_a, int body_b) const;
   /// How deep two bodies' features can lie in each other: what the last step left and this one may add, and never more
-  /// than the settings allow. A feature that seems to lie deeper came past from outside, beside the other body. [m]
+  /// than the settings allow, nor than the middle of the thinner: beyond it a feature belongs to the far side. A
+  /// feature that seems to lie deeper came past from outside, beside the other body. [m]
   double depth(int body_a, int body_b) const;
   /// Do all these points lie beyond a convex crease of the facet, or below the facet there by less than `rim`? What
   /// slides along that one has come past the crease from outside, however far it reaches behind this one. Only creases

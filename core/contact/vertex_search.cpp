@@ -58,6 +58,13 @@ bool beside_the_body(const StepGeometry& step, int facet, const Vec3& p) {
   });
 }
 
+/// Whether a facet at the node looks against `normal`. The edges around a vertex amid a flat face rise neither way: on
+/// a plate it would else touch what is beyond the plate too.
+bool looks_against(const StepGeometry& step, int node, const Vec3& normal) {
+  const auto facets = step.features.facets_at(node);
+  return std::any_of(facets.begin(), facets.end(), [&](int f) { return step.fresh_normal(f).dot(normal) < 0; });
+}
+
 /// The facet at a node that looks most against `normal`, or the one there with the facet's joint.
 struct OwnSide {
   int facet;
@@ -138,7 +145,7 @@ void VertexSearch::touch(const StepGeometry& step, int node, int facet, bool nod
 
   const std::uint64_t key = vertex_key(node, f.patch);
   if (std::binary_search(taken_.begin(), taken_.end(), key)) return;
-  if (rise(step, node, n) < -cone_tolerance(step.settings)) return;
+  if (rise(step, node, n) < -cone_tolerance(step.settings) || !looks_against(step, node, n)) return;
   if (gap < 0 && beside_the_body(step, facet, step.x[node])) return;
   const double rim = step.rim(f.body, other);
   // An edge that reaches back over the facet lies on it, though it ends at the crease.

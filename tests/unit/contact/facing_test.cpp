@@ -75,6 +75,19 @@ TEST(Facing, AreaWeightsCarryALinearPressureAndTheMomentOfAUniformOne) {
   EXPECT_LT(moment.norm(), 1e-12);
 }
 
+TEST(Facing, PlatesThinnerThanTheDepthTouchOnOneSide) {
+  // Nodes amid the lower face of a plate lie 0.03 m above the lower face of the next: within the depth of a contact.
+  Scene scene;
+  scene.add(box({0, 0, 0}, {1, 0.6, 0.03}, {4, 2, 1}));
+  scene.add(box({0.07, 0.01, 0.03 - 1e-6}, {1.07, 0.61, 0.06 - 1e-6}, {4, 2, 1}));
+  const ContactSet& contacts = scene.detect(1e-3);
+  EXPECT_NEAR(total_area(contacts), 0.93 * 0.59, 1e-9);
+  for (const ContactPoint& p : contacts.points) {
+    EXPECT_NEAR(p.gap, -1e-6, 1e-12);
+    EXPECT_LT((p.normal - Vec3(0, 0, -1)).norm(), 1e-9);
+  }
+}
+
 TEST(Facing, StencilsTurnARotationIntoTheRightGaps) {
   // Small tilts of the block about an axis in the joint: the gap at a point is the tilt times its arm.
   Scene scene = block_on_slab({1.234, 0.777, 0});
