@@ -33,6 +33,7 @@ void ContactFeatures::add_body(const ContactBody& body, int number) {
     ContactEdge edge;
     const auto place = std::lower_bound(distinct.begin(), distinct.end(), creases[i]) - distinct.begin();
     edge.crease = crease_count_ + static_cast<int>(place);
+    edge.parts = creases[i].first != creases[i].second;
     for (int k = 0; k < 2; ++k) {
       const SurfaceTriangle& t = s.triangles[e.triangles[k]];
       const auto& opposite = s.triangle_edges[e.triangles[k]];

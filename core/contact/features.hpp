@@ -25,6 +25,7 @@ struct ContactEdge {
   std::array<int, 2> facets;
   std::array<int, 2> opposite;  ///< the third node of each facet
   int crease;                   ///< edges between the same two patches are one crease
+  bool parts;                   ///< … of two different ones; else it is but the mesh's
 };
 
 /// The surface features of all bodies, numbered through. Nodes carry their global numbers.

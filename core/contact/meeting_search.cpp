@@ -16,13 +16,9 @@ constexpr double deepest_core = 10;          // roundnesses below the tip of a n
 constexpr double least_core_distance = 0.1;  // of the roundness: where cores meet there is no direction between them
 constexpr double same_place = 1e-3;          // of the size: two contacts there with one normal are one
 constexpr double seen_to_move = 1e-7;        // of the size: a way that tells a direction
+constexpr std::size_t most_faces = 16;       // around a corner, mostly
 constexpr double flush_angle = 10.0;         // degrees within which one surface goes on as another
 constexpr int corner_bit = 1 << 30;          // of a key: a corner's node, else a crease
-
-/// Where a crease divides two patches.
-bool is_crease(const ContactFeatures& features, const ContactEdge& e) {
-  return features.facets[e.facets[0]].patch != features.facets[e.facets[1]].patch;
-}
 
 bool is_convex(const StepGeometry& step, const ContactEdge& e) {
   return step.fresh_normal(e.facets[0]).dot(step.x[e.opposite[1]] - step.x[e.nodes[0]]) < 0;
@@ -65,27 +61,35 @@ int body_of(const StepGeometry& step, int node) { return step.features.facets[st
 
 }  // namespace
 
+MeetingSearch::MeetingSearch() {
+  corner_.faces.reserve(most_faces);
+  other_.faces.reserve(most_faces);
+}
+
 void MeetingSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs,
                          const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found) {
   meetings_.clear();
   seen_.clear();
-  for (const FacetPair& pair : pairs) {
-    const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
+  list_facing(found);
+  const ContactFeatures& features = step.features;
+  const auto corner = [&](const ContactFacet& f, int k) { return f.owns_node[k] && features.corner[f.nodes[k]]; };
+  const auto crease = [&](const ContactFacet& f, int k) { return f.owns_edge[k] && features.edges[f.edges[k]].parts; };
+  const auto meet_all = [&](const ContactFacet& with_corners, const ContactFacet& with_creases, bool is_first) {
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        if (a.owns_node[i] && b.owns_edge[j]) meet(step, a.nodes[i], b.edges[j], true);
-        if (b.owns_node[i] && a.owns_edge[j]) meet(step, b.nodes[i], a.edges[j], false);
-      }
+      if (!corner(with_corners, i)) continue;
+      for (int j = 0; j < 3; ++j)
+        if (crease(with_creases, j)) meet(step, with_corners.nodes[i], with_creases.edges[j], is_first);
     }
+  };
+  for (const FacetPair& pair : pairs) {
+    const ContactFacet &a = features.facets[pair.a], &b = features.facets[pair.b];
+    meet_all(a, b, true);
+    meet_all(b, a, false);
   }
   if (meetings_.empty()) return;
   std::sort(meetings_.begin(), meetings_.end(), [](const Encounter& p, const Encounter& q) {
     return p.key != q.key ? p.key < q.key : p.apart != q.apart ? p.apart < q.apart : p.edge < q.edge;
   });
-  facing_.clear();
-  for (const FoundPoint& p : found.points)
-    if (p.kind == PointKind::facing) facing_.push_back(p.family);
-  std::sort(facing_.begin(), facing_.end());
   list_pressures(step, found);
   for (std::size_t i = 0; i < meetings_.size(); ++i)
     if (i == 0 || meetings_[i].key != meetings_[i - 1].key) add(step, meetings_[i], remembered, found);
@@ -95,12 +99,12 @@ void MeetingSearch::find(const StepGeometry& step, std::span<const FacetPair> pa
 void MeetingSearch::meet(const StepGeometry& step, int node, int edge, bool node_is_first) {
   const ContactFeatures& features = step.features;
   const ContactEdge& e = features.edges[edge];
-  if (!features.corner[node] || !is_crease(features, e)) return;
   const Vec3 &v = step.x[node], &p = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - p;
   const int own = body_of(step, node), other = features.facets[e.facets[0]].body;
   const double r = roundness(step, own, other), far = step.reach + 3 * deepest_core * r;
   const double nearest = std::clamp((v - p).dot(along) / along.squaredNorm(), 0.0, 1.0);
   if (!((v - p - nearest * along).squaredNorm() < far * far) || !is_convex(step, e)) return;
+  if (facing_have_it(features, features.facets_at(node), e.facets, node_is_first)) return;
 
   const Vec3 core = v + r * towards_core(step, node);
   const Vec3 from = p + r * towards_core(step, e.nodes[0]);
@@ -114,6 +118,15 @@ void MeetingSearch::meet(const StepGeometry& step, int node, int edge, bool node
     const int first = node_is_first ? node : end, second = node_is_first ? end : node;
     meetings_.push_back({meeting_key(first, corner_bit | second), first, second, -1, 0, apart, true});
   }
+}
+
+void MeetingSearch::list_facing(const FoundPoints& found) {
+  facing_.clear();
+  for (const FoundPoint& p : found.points) {
+    if (p.kind == PointKind::facing && (facing_.empty() || facing_.back() != p.family)) facing_.push_back(p.family);
+  }
+  std::sort(facing_.begin(), facing_.end());
+  facing_.erase(std::unique(facing_.begin(), facing_.end()), facing_.end());
 }
 
 void MeetingSearch::list_pressures(const StepGeometry& step, const FoundPoints& found) {
@@ -160,6 +173,7 @@ void MeetingSearch::add(const StepGeometry& step, const Encounter& m,
                         const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found) {
   const ContactFeatures& features = step.features;
   const bool corners = m.other_node >= 0;
+  if (corners && facing_have_it(features, features.facets_at(m.node), features.facets_at(m.other_node), true)) return;
   const int own = body_of(step, m.node);
   const int other = corners ? body_of(step, m.other_node) : features.facets[features.edges[m.edge].facets[0]].body;
   const double r = roundness(step, own, other);
@@ -173,7 +187,6 @@ void MeetingSearch::add(const StepGeometry& step, const Encounter& m,
   const Vec3 n = (corner_.core - other_.core) / m.apart;
   const double gap = n.dot(corner_.place - other_.place);
   if (!(gap <= step.reach) || gap < -step.depth(own, other) || !are_nearest(step, m, n)) return;
-  if (facing_have_it(corner_, other_, m.node_is_first)) return;
   if (lies_flush(corner_, other_) || lies_flush(other_, corner_)) return;
   if (passes(step, m, corner_, other_, remembered(m.key))) return;
   if (!stands_for_others(step, corner_, other_, n, m.node_is_first, found)) return;
@@ -205,11 +218,14 @@ bool MeetingSearch::are_nearest(const StepGeometry& step, const Encounter& m, co
 }
 
 /// Where patches around both features face each other and overlap, these points hold the place too.
-bool MeetingSearch::facing_have_it(const Feature& corner, const Feature& other, bool corner_is_first) const {
-  for (const auto& [patch, normal] : corner.faces) {
-    for (const auto& [beyond, ignored] : other.faces) {
-      const auto family = corner_is_first ? patch_family(patch, beyond) : patch_family(beyond, patch);
-      if (std::binary_search(facing_.begin(), facing_.end(), family)) return true;
+bool MeetingSearch::facing_have_it(const ContactFeatures& features, std::span<const int> facets,
+                                   std::span<const int> others, bool are_first) const {
+  if (facing_.empty()) return false;
+  for (const int f : facets) {
+    for (const int g : others) {
+      const int a = features.facets[f].patch, b = features.facets[g].patch;
+      if (std::binary_search(facing_.begin(), facing_.end(), are_first ? patch_family(a, b) : patch_family(b, a)))
+        return true;
     }
   }
   return false;

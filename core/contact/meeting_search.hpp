@@ -17,6 +17,8 @@ namespace talus {
 /// at the ends of what they share. Points of all other kinds must be there already.
 class MeetingSearch {
  public:
+  MeetingSearch();
+
   /// `remembered` tells of a key whether its contact was closed at the end of the last step.
   void find(const StepGeometry& step, std::span<const FacetPair> pairs,
             const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found);
@@ -56,11 +58,13 @@ class MeetingSearch {
   };
 
   void meet(const StepGeometry& step, int node, int edge, bool node_is_first);
+  void list_facing(const FoundPoints& found);
   void list_pressures(const StepGeometry& step, const FoundPoints& found);
   void add(const StepGeometry& step, const Encounter& m, const std::function<bool(std::uint64_t)>& remembered,
            FoundPoints& found);
   bool are_nearest(const StepGeometry& step, const Encounter& m, const Vec3& normal) const;
-  bool facing_have_it(const Feature& corner, const Feature& other, bool corner_is_first) const;
+  bool facing_have_it(const ContactFeatures& features, std::span<const int> facets, std::span<const int> others,
+                      bool are_first) const;
   bool lies_flush(const Feature& own, const Feature& other) const;
   bool passes(const StepGeometry& step, const Encounter& m, const Feature& corner, const Feature& other,
               bool remembered);
