@@ -70,26 +70,13 @@ void FoundPoints::add_vertex(FoundPoint p, const std::array<int, 3>& facet_nodes
   points.push_back(p);
 }
 
-void FoundPoints::add_crossing(FoundPoint p, const ContactEdge& a, double s, const ContactEdge& b, double t,
-                               const ContactFeatures& features, std::span<const Vec3> x) {
+void FoundPoints::add_between(FoundPoint p, const std::array<int, 2>& of_first, double s,
+                              const std::array<int, 2>& of_second, double t, const ContactFeatures& features,
+                              std::span<const Vec3> x) {
   p.stencil_begin = static_cast<int>(nodes.size());
-  nodes.insert(nodes.end(), {a.nodes[0], a.nodes[1], b.nodes[0], b.nodes[1]});
+  nodes.insert(nodes.end(), {of_first[0], of_first[1], of_second[0], of_second[1]});
   weights.insert(weights.end(), {1 - s, s, -(1 - t), -t});
   close_stencil(p, features, x, 2);
-  points.push_back(p);
-}
-
-void FoundPoints::add_meeting(FoundPoint p, const std::array<int, 2>& ends, double t, bool node_is_first,
-                              const ContactFeatures& features, std::span<const Vec3> x) {
-  p.stencil_begin = static_cast<int>(nodes.size());
-  if (node_is_first) {
-    nodes.insert(nodes.end(), {p.node, ends[0], ends[1]});
-    weights.insert(weights.end(), {1, -(1 - t), -t});
-  } else {
-    nodes.insert(nodes.end(), {ends[0], ends[1], p.node});
-    weights.insert(weights.end(), {1 - t, t, -1});
-  }
-  close_stencil(p, features, x, node_is_first ? 1 : 2);
   points.push_back(p);
 }
 

@@ -51,13 +51,14 @@ struct FoundPoints {
   /// Adds a point with the stencil of a vertex on a facet; `shares` are the place's on the facet's nodes.
   void add_vertex(FoundPoint point, const std::array<int, 3>& facet_nodes, const std::array<double, 3>& shares,
                   bool node_is_first, const ContactFeatures& features, std::span<const Vec3> x);
-  /// Adds a point with the stencil of two crossing edges: at the share s of the first and t of the second.
-  void add_crossing(FoundPoint point, const ContactEdge& a, double s, const ContactEdge& b, double t,
-                    const ContactFeatures& features, std::span<const Vec3> x);
-  /// Adds a point with the stencil of a vertex on an edge between two nodes, at the share t of it.
-  void add_meeting(FoundPoint point, const std::array<int, 2>& ends, double t, bool node_is_first,
-                   const ContactFeatures& features, std::span<const Vec3> x);
+  /// Adds a point with the stencil of a place between two nodes of each body, at the shares s and t of the way; a place
+  /// at a node is between this and itself.
+  void add_between(FoundPoint point, const std::array<int, 2>& of_first, double s, const std::array<int, 2>& of_second,
+                   double t, const ContactFeatures& features, std::span<const Vec3> x);
 };
+
+/// |a×b|² of |a|²|b|²: below it the direction across two edges is not that of their cross product alone.
+inline constexpr double nearly_parallel = 1e-3;
 
 /// Of the rim: what lies deeper than this, one and a half times as deep as anything in the last step, may have come
 /// past a crease.

@@ -9,7 +9,6 @@
 namespace talus {
 namespace {
 
-constexpr double parallel = 1e-3;    // |a×b|² of |a|²|b|²: below it two edges have no normal of their own
 constexpr double past_end = 1e-9;    // of an edge, so that nothing falls between two
 constexpr double same_place = 1e-3;  // of the size: two contacts there with one normal are one
 
@@ -62,7 +61,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
   const Vec3 u = step.x[a.nodes[1]] - a0, w = step.x[b.nodes[1]] - b0, c = u.cross(w), r = b0 - a0;
   const double squared = c.squaredNorm();
-  if (!(squared > parallel * u.squaredNorm() * w.squaredNorm())) return;
+  if (!(squared > nearly_parallel * u.squaredNorm() * w.squaredNorm())) return;
   const double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
   if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return;
 
@@ -109,7 +108,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   p.normal = n;
   p.position = a0 + s * u;
   if (found_before(p, std::min({s * la, (1 - s) * la, t * lb, (1 - t) * lb}), same_place * size, step, found)) return;
-  found.add_crossing(p, a, s, b, t, step.features, step.x);
+  found.add_between(p, a.nodes, s, b.nodes, t, step.features, step.x);
 }
 
 /// At the end of an edge the next edge, or a vertex, may have found the same contact.

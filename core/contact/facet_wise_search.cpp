@@ -53,7 +53,7 @@ void FacetWiseSearch::find(const StepGeometry& step, std::span<const FacetPair> 
     p.normal = t.normal;
     if (t.node < 0) {
       const ContactEdge &a = step.features.edges[t.edges[0]], &b = step.features.edges[t.edges[1]];
-      found.add_crossing(p, a, t.shares[0], b, t.shares[1], step.features, step.x);
+      found.add_between(p, a.nodes, t.shares[0], b.nodes, t.shares[1], step.features, step.x);
     } else {
       const auto& own = facets[t.facets.a].nodes;
       const bool node_is_first = std::find(own.begin(), own.end(), t.node) != own.end();

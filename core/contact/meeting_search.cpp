@@ -62,7 +62,7 @@ int body_of(const StepGeometry& step, int node) { return step.features.facets[st
 }  // namespace
 
 MeetingSearch::MeetingSearch() {
-  corner_.faces.reserve(most_faces);
+  own_.faces.reserve(most_faces);
   other_.faces.reserve(most_faces);
 }
 
@@ -85,10 +85,15 @@ void MeetingSearch::find(const StepGeometry& step, std::span<const FacetPair> pa
     const ContactFacet &a = features.facets[pair.a], &b = features.facets[pair.b];
     meet_all(a, b, true);
     meet_all(b, a, false);
+    for (int i = 0; i < 3; ++i) {
+      if (!crease(a, i)) continue;
+      for (int j = 0; j < 3; ++j)
+        if (crease(b, j)) meet_across(step, a.edges[i], b.edges[j]);
+    }
   }
   if (meetings_.empty()) return;
   std::sort(meetings_.begin(), meetings_.end(), [](const Encounter& p, const Encounter& q) {
-    return p.key != q.key ? p.key < q.key : p.apart != q.apart ? p.apart < q.apart : p.edge < q.edge;
+    return p.key != q.key ? p.key < q.key : p.apart != q.apart ? p.apart < q.apart : p.other.edge < q.other.edge;
   });
   list_pressures(step, found);
   for (std::size_t i = 0; i < meetings_.size(); ++i)
@@ -113,11 +118,36 @@ void MeetingSearch::meet(const StepGeometry& step, int node, int edge, bool node
   const double apart = (core - from - share * core_along).norm();
   const int end = share == 0 ? e.nodes[0] : share == 1 ? e.nodes[1] : -1;
   if (end < 0 || !features.corner[end]) {
-    meetings_.push_back({meeting_key(node, e.crease), node, -1, edge, share, apart, node_is_first});
+    meetings_.push_back({meeting_key(node, e.crease), {node, -1, 0}, {-1, edge, share}, apart, node_is_first});
   } else {  // of two corners the first body's comes first
     const int first = node_is_first ? node : end, second = node_is_first ? end : node;
-    meetings_.push_back({meeting_key(first, corner_bit | second), first, second, -1, 0, apart, true});
+    meetings_.push_back({meeting_key(first, corner_bit | second), {first, -1, 0}, {second, -1, 0}, apart, true});
   }
+}
+
+/// Two edges that cross at an angle so small that which way their normal points hangs by a hair; but where their ends
+/// part by less than the rim, these hold them.
+void MeetingSearch::meet_across(const StepGeometry& step, int edge_a, int edge_b) {
+  const ContactFeatures& features = step.features;
+  const ContactEdge &a = features.edges[edge_a], &b = features.edges[edge_b];
+  const Vec3 u = step.x[a.nodes[1]] - step.x[a.nodes[0]], w = step.x[b.nodes[1]] - step.x[b.nodes[0]];
+  const double uu = u.squaredNorm(), ww = w.squaredNorm(), squared = u.cross(w).squaredNorm();
+  if (squared > nearly_parallel * uu * ww) return;
+  const int own = features.facets[a.facets[0]].body, other = features.facets[b.facets[0]].body;
+  const double rim = step.rim(own, other);
+  if (!(squared > rim * rim * std::max(uu, ww)) || !is_convex(step, a) || !is_convex(step, b)) return;
+  if (facing_have_it(features, a.facets, b.facets, true)) return;
+
+  const double r = roundness(step, own, other);
+  const auto core = [&](int node) { return Vec3(step.x[node] + r * towards_core(step, node)); };
+  const Vec3 p = core(a.nodes[0]), along_a = core(a.nodes[1]) - p;
+  const Vec3 q = core(b.nodes[0]), along_b = core(b.nodes[1]) - q;
+  const Vec3 across = along_a.cross(along_b), between = q - p;
+  const double s = between.cross(along_b).dot(across) / across.squaredNorm();
+  const double t = between.cross(along_a).dot(across) / across.squaredNorm();
+  if (!(s > 0 && s < 1 && t > 0 && t < 1)) return;
+  const double apart = (between + t * along_b - s * along_a).norm();
+  meetings_.push_back({edge_key(edge_a, edge_b), {-1, edge_a, s}, {-1, edge_b, t}, apart, true});
 }
 
 void MeetingSearch::list_facing(const FoundPoints& found) {
@@ -139,82 +169,79 @@ void MeetingSearch::list_pressures(const StepGeometry& step, const FoundPoints& 
   std::sort(pressures_.begin(), pressures_.end());
 }
 
-void MeetingSearch::take_corner(const StepGeometry& step, int node, double r, Feature& feature) const {
-  const auto facets = step.features.facets_at(node);
-  feature.facet = facets[0];
-  feature.body = step.features.facets[facets[0]].body;
-  feature.nodes = {node, -1};
-  feature.place = step.x[node];
-  feature.core = step.x[node] + r * towards_core(step, node);
-  feature.faces.clear();
-  add_faces(step, facets, feature.faces);
+std::span<const int> MeetingSearch::facets_at(const ContactFeatures& features, const Place& place) {
+  if (place.node >= 0) return features.facets_at(place.node);
+  return features.edges[place.edge].facets;
 }
 
-void MeetingSearch::take_crease(const StepGeometry& step, int edge, double share, double r, double rim,
-                                Feature& feature) const {
-  const ContactEdge& e = step.features.edges[edge];
-  const auto between = [&](const Vec3& p, const Vec3& q) { return Vec3(p + share * (q - p)); };
-  const Vec3 &p = step.x[e.nodes[0]], &q = step.x[e.nodes[1]];
-  feature.facet = e.facets[0];
-  feature.body = step.features.facets[e.facets[0]].body;
+std::array<int, 2> MeetingSearch::ends_of(const ContactFeatures& features, const Place& place) {
+  return place.node >= 0 ? std::array{place.node, place.node} : features.edges[place.edge].nodes;
+}
+
+/// Whether a direction from the other body into this one is opposite to one of the feature's normal cone.
+bool MeetingSearch::in_cone(const StepGeometry& step, const Place& place, const Vec3& inwards) {
+  const double tolerance = cone_tolerance(step.settings);
+  if (place.node >= 0) return rise(step, place.node, inwards) >= -tolerance;
+  const auto into = into_facets(step, step.features.edges[place.edge]);
+  return into[0].dot(inwards) >= -tolerance && into[1].dot(inwards) >= -tolerance;
+}
+
+void MeetingSearch::take(const StepGeometry& step, const Place& place, double r, double rim, Feature& feature) {
+  const auto ends = ends_of(step.features, place);
+  const auto facets = facets_at(step.features, place);
+  const auto core = [&](int node) { return Vec3(step.x[node] + r * towards_core(step, node)); };
+  feature.body = step.features.facets[facets[0]].body;
+  feature.place = step.x[ends[0]] + place.share * (step.x[ends[1]] - step.x[ends[0]]);
+  feature.core = core(ends[0]) + place.share * (core(ends[1]) - core(ends[0]));
   feature.nodes = {-1, -1};
-  feature.place = between(p, q);
-  feature.core = between(p + r * towards_core(step, e.nodes[0]), q + r * towards_core(step, e.nodes[1]));
   feature.faces.clear();
-  add_faces(step, e.facets, feature.faces);
+  add_faces(step, facets, feature.faces);
   for (int k = 0; k < 2; ++k) {
-    if ((step.x[e.nodes[k]] - feature.place).norm() > rim) continue;
-    feature.nodes[k] = e.nodes[k];
-    add_faces(step, step.features.facets_at(e.nodes[k]), feature.faces);
+    if ((step.x[ends[k]] - feature.place).norm() > rim) continue;
+    feature.nodes[k] = ends[k];
+    add_faces(step, step.features.facets_at(ends[k]), feature.faces);
   }
 }
 
 void MeetingSearch::add(const StepGeometry& step, const Encounter& m,
                         const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found) {
   const ContactFeatures& features = step.features;
-  const bool corners = m.other_node >= 0;
-  if (corners && facing_have_it(features, features.facets_at(m.node), features.facets_at(m.other_node), true)) return;
-  const int own = body_of(step, m.node);
-  const int other = corners ? body_of(step, m.other_node) : features.facets[features.edges[m.edge].facets[0]].body;
-  const double r = roundness(step, own, other);
-  take_corner(step, m.node, r, corner_);
-  if (corners) {
-    take_corner(step, m.other_node, r, other_);
-  } else {
-    take_crease(step, m.edge, m.share, r, step.rim(own, other), other_);
-  }
+  const auto own_facets = facets_at(features, m.own), other_facets = facets_at(features, m.other);
+  const bool corners = m.own.node >= 0 && m.other.node >= 0;
+  if (corners && facing_have_it(features, own_facets, other_facets, true)) return;
+  const int own = features.facets[own_facets[0]].body, other = features.facets[other_facets[0]].body;
+  const double r = roundness(step, own, other), rim = step.rim(own, other);
+  take(step, m.own, r, rim, own_);
+  take(step, m.other, r, rim, other_);
   if (!(m.apart > least_core_distance * r)) return;
-  const Vec3 n = (corner_.core - other_.core) / m.apart;
-  const double gap = n.dot(corner_.place - other_.place);
-  if (!(gap <= step.reach) || gap < -step.depth(own, other) || !are_nearest(step, m, n)) return;
-  if (lies_flush(corner_, other_) || lies_flush(other_, corner_)) return;
-  if (passes(step, m, corner_, other_, remembered(m.key))) return;
-  if (!stands_for_others(step, corner_, other_, n, m.node_is_first, found)) return;
+  const Vec3 n = (own_.core - other_.core) / m.apart;
+  const double gap = n.dot(own_.place - other_.place);
+  if (!(gap <= step.reach) || gap < -step.depth(own, other)) return;
+  // Two features are nearest each other where the direction between them lies in the normal cones of both.
+  if (!in_cone(step, m.own, n) || !in_cone(step, m.other, -n)) return;
+  if (lies_flush(own_, other_) || lies_flush(other_, own_) || passes(step, m.key, remembered(m.key))) return;
+  if (!stands_for_others(step, n, m.own_is_first, found)) return;
 
   FoundPoint p{};
   p.key = m.key;
   p.family = m.key;
   p.kind = PointKind::meeting;
-  p.facets = m.node_is_first ? std::array{corner_.facet, other_.facet} : std::array{other_.facet, corner_.facet};
+  p.facets = {own_facets[0], other_facets[0]};
   p.patches = {-1, -1};
-  p.node = m.node;
+  p.node = m.own.node;
   p.joint = -1;
-  const auto around = corners ? features.facets_at(m.other_node) : std::span(features.edges[m.edge].facets);
-  for (const int f : features.facets_at(m.node)) {
-    for (const int g : around) p.joint = std::max(p.joint, step.common_joint(f, g));
+  for (const int f : own_facets) {
+    for (const int g : other_facets) p.joint = std::max(p.joint, step.common_joint(f, g));
   }
-  p.normal = m.node_is_first ? n : Vec3(-n);
-  const std::array<int, 2> ends = corners ? std::array{m.other_node, m.other_node} : features.edges[m.edge].nodes;
-  found.add_meeting(p, ends, m.share, m.node_is_first, features, step.x);
-}
-
-/// Two features are nearest each other where the direction between them lies in the normal cones of both.
-bool MeetingSearch::are_nearest(const StepGeometry& step, const Encounter& m, const Vec3& normal) const {
-  const double tolerance = cone_tolerance(step.settings);
-  if (rise(step, m.node, normal) < -tolerance) return false;
-  if (m.other_node >= 0) return rise(step, m.other_node, -normal) >= -tolerance;
-  const auto into = into_facets(step, step.features.edges[m.edge]);
-  return normal.dot(into[0]) <= tolerance && normal.dot(into[1]) <= tolerance;
+  p.normal = n;
+  Place first = m.own, second = m.other;
+  if (!m.own_is_first) {
+    std::swap(first, second);
+    std::swap(p.facets[0], p.facets[1]);
+    p.normal = -n;
+  }
+  found.add_between(p, ends_of(features, first), first.share, ends_of(features, second), second.share, features,
+                    step.x);
 }
 
 /// Where patches around both features face each other and overlap, these points hold the place too.
@@ -248,36 +275,35 @@ bool MeetingSearch::lies_flush(const Feature& own, const Feature& other) const {
 
 /// Bodies whose faces lie in one plane slide past each other there though their corners meet. Where such faces are, a
 /// corner must have come from outside of all of them, or been there already, to be held.
-bool MeetingSearch::passes(const StepGeometry& step, const Encounter& m, const Feature& corner, const Feature& other,
-                           bool remembered) {
-  const double facing = -std::cos(radians(step.settings.facing_angle)), rim = step.rim(corner.body, other.body);
-  const Vec3 offset = corner.place - other.place;
-  const auto former = std::lower_bound(former_.begin(), former_.end(), m.key,
-                                       [](const Sight& s, std::uint64_t key) { return s.key < key; });
-  const bool known = former != former_.end() && former->key == m.key;
+bool MeetingSearch::passes(const StepGeometry& step, std::uint64_t key, bool remembered) {
+  const double facing = -std::cos(radians(step.settings.facing_angle)), rim = step.rim(own_.body, other_.body);
+  const Vec3 offset = own_.place - other_.place;
+  const auto former =
+      std::lower_bound(former_.begin(), former_.end(), key, [](const Sight& s, std::uint64_t k) { return s.key < k; });
+  const bool known = former != former_.end() && former->key == key;
   const Vec3 way = known ? Vec3(offset - former->from_feature) : Vec3(Vec3::Zero());
-  const double length = way.norm(), least = seen_to_move * step.broad.scale(corner.body, other.body).size;
+  const double length = way.norm(), least = seen_to_move * step.broad.scale(own_.body, other_.body).size;
   const bool moved = length > least;
   bool flush = false, comes_in = moved;
-  for (const auto& [patch, normal] : corner.faces) {
-    for (const auto& [beyond, outward] : other.faces) {
+  for (const auto& [patch, normal] : own_.faces) {
+    for (const auto& [beyond, outward] : other_.faces) {
       if (!(normal.dot(outward) < facing) || !(std::abs(outward.dot(offset)) < rim)) continue;
       flush = true;
       comes_in = comes_in && outward.dot(way) < -cone_tolerance(step.settings) * length;
     }
   }
   const bool solid = !flush || remembered || (known && former->is_solid) || comes_in;
-  seen_.push_back({m.key, known && !moved ? former->from_feature : offset, solid});
+  seen_.push_back({key, known && !moved ? former->from_feature : offset, solid});
   return !solid;
 }
 
 /// Whether the meeting is a contact of its own: if another point of these features has its normal, that one is the
 /// contact. Those with other normals make way for it.
-bool MeetingSearch::stands_for_others(const StepGeometry& step, const Feature& corner, const Feature& other,
-                                      const Vec3& normal, bool corner_is_first, FoundPoints& found) const {
+bool MeetingSearch::stands_for_others(const StepGeometry& step, const Vec3& normal, bool own_is_first,
+                                      FoundPoints& found) const {
   const double same_normal = std::cos(radians(step.settings.facing_angle));
   const double near =
-      same_place * step.broad.scale(corner.body, other.body).size + 2 * (corner.place - other.place).norm();
+      same_place * step.broad.scale(own_.body, other_.body).size + 2 * (own_.place - other_.place).norm();
   const auto is_of = [](const Feature& feature, int patch) {
     return std::any_of(feature.faces.begin(), feature.faces.end(),
                        [&](const auto& face) { return face.first == patch; });
@@ -287,17 +313,17 @@ bool MeetingSearch::stands_for_others(const StepGeometry& step, const Feature& c
   };
   const auto rivals = [&](const FoundPoint& q) {
     if (q.dropped || q.kind == PointKind::facing) return false;
-    const int first = corner_is_first ? 0 : 1;
-    if (q.bodies[first] != corner.body || q.bodies[1 - first] != other.body) return false;
-    if ((q.position - corner.place).norm() > near) return false;
+    const int first = own_is_first ? 0 : 1;
+    if (q.bodies[first] != own_.body || q.bodies[1 - first] != other_.body) return false;
+    if ((q.position - own_.place).norm() > near) return false;
     if (q.kind != PointKind::vertex) return true;
     const int patch_of_other = q.patches[1 - first], patch_of_own = q.patches[first];
-    return (has_node(corner, q.node) && is_of(other, patch_of_other)) ||
-           (has_node(other, q.node) && is_of(corner, patch_of_own)) ||
-           q.normal.dot(corner_is_first ? normal : Vec3(-normal)) > same_normal;
+    return (has_node(own_, q.node) && is_of(other_, patch_of_other)) ||
+           (has_node(other_, q.node) && is_of(own_, patch_of_own)) ||
+           q.normal.dot(own_is_first ? normal : Vec3(-normal)) > same_normal;
   };
   for (const FoundPoint& q : found.points) {
-    if (rivals(q) && q.normal.dot(corner_is_first ? normal : Vec3(-normal)) > same_normal) return false;
+    if (rivals(q) && q.normal.dot(own_is_first ? normal : Vec3(-normal)) > same_normal) return false;
     if (q.kind == PointKind::meeting && rivals(q)) return false;
   }
   for (FoundPoint& q : found.points) q.dropped = q.dropped || rivals(q);

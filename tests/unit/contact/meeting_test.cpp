@@ -86,6 +86,29 @@ TEST(Meeting, EdgesAlongEachOtherMeetAtTheEndsOfWhatTheyShare) {
   }
 }
 
+TEST(Meeting, EdgesThatCrossAtASmallAngleMeetWhereTheyCross) {
+  for (const double degrees : {0.02, 0.1, 0.5, 1.0, 1.7, 1.9, 5.0}) {
+    for (const double gap : {2e-3, 0.0, -1e-6}) {
+      SCOPED_TRACE(::testing::Message() << "turned by " << degrees << "°, gap " << gap);
+      Scene scene;
+      scene.add(roof(), true);
+      const Mat3 r =
+          (Eigen::AngleAxisd(radians(degrees), Vec3::UnitZ()) * Eigen::AngleAxisd(radians(180), Vec3::UnitY()))
+              .matrix();
+      const Vec3 steeper(0.6, 0.9, 0.9);
+      scene.add(mapped(roof(), [&](const Vec3& p) { return Vec3(r * p.cwiseProduct(steeper) + Vec3(0, 0.1, gap)); }));
+      int in_the_middle = 0;
+      for (const ContactPoint& p : scene.detect(reach).points) {
+        if ((p.position - Vec3(0, 0.1, 0)).norm() > 0.05) continue;  // corners beside it, over the flanks
+        ++in_the_middle;
+        EXPECT_LT((p.normal - Vec3(0, 0, -1)).norm(), 1e-6) << p.normal.transpose();
+        EXPECT_NEAR(p.gap, gap, 1e-9);
+      }
+      EXPECT_EQ(in_the_middle, 1);
+    }
+  }
+}
+
 /// Two cubes whose upright edges meet, as two of the four blocks around a joint crossing do: one beyond the other's
 /// corner in x and in y.
 struct TwoCubes {
