@@ -167,7 +167,7 @@ std::vector<StabilityScene> standing_crowds() {
           pyramid(10),
           dry_stone_wall(4, 4),
           dry_stone_wall(10, 8),
-          domino_row(8),
+          domino_row(5),
           domino_row(50),
           standing_slope(3),
           standing_slope(10),
