@@ -168,7 +168,7 @@ std::vector<StabilityScene> standing_crowds() {
           dry_stone_wall(4, 4),
           dry_stone_wall(10, 8),
           domino_row(5),
-          domino_row(50),
+          domino_row(20),
           standing_slope(3),
           standing_slope(10),
           sliding_slope(3),

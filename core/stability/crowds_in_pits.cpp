@@ -90,7 +90,6 @@ StabilityScene packed(int count) {
   return {.name = "packed_" + std::to_string(count),
           .group = crowd_group,
           .title = std::to_string(count) + " Voronoi pieces packed in a pit",
-          .takes_long = count > 30,
           .expected = {all_rest(-1, 1e-5)},
           .build = [=] {
             CaseScene scene = pit_scene(2, 30);
