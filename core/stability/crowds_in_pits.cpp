@@ -60,8 +60,8 @@ Demand slow_at_end(double speed) {
           }};
 }
 
-/// Steps of 1 ms are thirty times as long as a contact of 60 kg would take to throw a pebble back: what strikes hardly
-/// rebounds, and all lie within a second of the last fall, though one may still roll.
+/// A blow is over in a tenth of a step, which leaves little of its rebound: a second after the last has come down all
+/// lie, though one may still roll.
 StabilityScene poured(int count, double width, double duration) {
   return {.name = "poured_" + std::to_string(count),
           .group = crowd_group,

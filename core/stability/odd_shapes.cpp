@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -40,6 +39,7 @@ TetMesh needle(double length, double width, int cells) {
   return box_mesh({-length / 2, -width / 2, 0}, {length / 2, width / 2, width}, cells, 1, 1);
 }
 
+/// Each is some ten steps of motion thick, and thinner than the mesh size that its long faces give it.
 StabilityScene needles(int count) {
   return {.name = "needles_fall_" + std::to_string(count),
           .group = group,
@@ -93,7 +93,7 @@ TetMesh cube_with_slivers() {
   return grid_mesh(lines, lines, {0, 0.5 * std::tan(radians(1)), 0.5, 1}, [](int, int, int) { return true; });
 }
 
-/// A cone of a hundred flanks: as many tetrahedra meet in its tip, and two hundred in the middle.
+/// A cone of a hundred flanks: as many tetrahedra meet in its tip, and 198 in its middle.
 TetMesh cone(double radius, double height) {
   constexpr int flanks = 100;
   std::vector<Vec3> corners;

@@ -34,6 +34,7 @@ CaseScene two_cubes(const Material& lower, const Material& upper, double side, B
   const TetMesh mesh = box_mesh(Vec3(-0.5, -0.5, 0) * side, Vec3(0.5, 0.5, 1) * side, cells, cells, cells);
   scene.add_block("lower", mesh, body, below);
   scene.add_block("upper", placed(mesh, {0, 0, side}), body, above);
+  scene.project.solver.sleep_tolerance = 0;  // they are to rest by themselves
   scene.project.stages = {settling(0.1, 100), motion(2e-3, 1)};
   return scene;
 }
@@ -123,6 +124,7 @@ StabilityScene cube_on_grains() {
               scene.add_block("grain " + std::to_string(i + 1), placed(cube(grain), place), BodyKind::rigid);
             }
             scene.add_block("cube", placed(cube(1), {0, 0, 0.5 + grain}), BodyKind::rigid, foam);
+            scene.project.solver.sleep_tolerance = 0;
             scene.project.stages = {settling(0.01, 50), motion(1e-3, 1)};
             return scene;
           }};
