@@ -12,6 +12,8 @@ namespace {
 /// still does: where the bodies creep steadily. Anywhere else it may lead past the strength of contacts that would
 /// hold, and a wedge between joints that dilate has a second balance there, sliding.
 constexpr double creeping = 0.01;
+/// A guess is better if it leaves less than this share: a residual that rounding made less keeps blocks awake.
+constexpr double better = 1 - 1e-6;
 
 }  // namespace
 
@@ -34,7 +36,7 @@ void FirstGuess::choose(OpenClose& open_close, const BodySet& bodies, const Step
   if (step.dynamic_factor == 0) best *= creeping;
   const auto offer = [&](const Increment& guess) {
     const double residual = open_close.residual_at(guess);
-    if (!(residual < best)) return;
+    if (!(residual < better * best)) return;
     best = residual;
     d = guess;
   };

@@ -9,7 +9,8 @@ namespace talus {
 
 /// Bodies on which the push of others has just come or gone. An integrator that goes on with the acceleration of the
 /// last step, β ≠ ½, takes a blow for lasting: it holds −(β − ½)Δ²a₀ of it into the next step, which throws a block
-/// that has landed up again, with energy from nothing. What such a body goes on with is the acceleration of a free fall.
+/// that has landed up again, with energy from nothing. What such a body goes on with is the acceleration of a free
+/// fall.
 class Shocks {
  public:
   explicit Shocks(const BodySet& set) : pushes_(set.bodies.size(), Vec3::Zero()), before_(pushes_) {}
