@@ -9,17 +9,17 @@ namespace {
 /// A push that changes by more than this share of the larger is a blow.
 constexpr double sudden = 0.5;
 
-void fall_freely(BodySet& set, int index, const Vec3& gravity) {
+void let_go(BodySet& set, int index) {
   const Body& body = set.bodies[index];
   if (body.rigid >= 0) {
     RigidBody& rigid = set.rigid[body.rigid];
-    set.nodes.acceleration[rigid.centre] = gravity;
+    set.nodes.acceleration[rigid.centre].setZero();
     rigid.moment.setZero();
     return;
   }
   const int first = body.first_carrier >= 0 ? body.first_carrier : body.first_node;
   const int count = body.first_carrier >= 0 ? 4 : body.node_count;
-  std::fill_n(set.nodes.acceleration.begin() + first, count, gravity);
+  std::fill_n(set.nodes.acceleration.begin() + first, count, Vec3::Zero());
 }
 
 }  // namespace
@@ -37,10 +37,10 @@ void Shocks::look(const BodySet& set, const ContactSet& contacts, const std::vec
   }
 }
 
-void Shocks::forget(BodySet& set, const Vec3& gravity) const {
+void Shocks::forget(BodySet& set) const {
   for (const int b : set.moving) {
     const double change = (pushes_[b] - before_[b]).norm();
-    if (change > sudden * std::max(pushes_[b].norm(), before_[b].norm())) fall_freely(set, b, gravity);
+    if (change > sudden * std::max(pushes_[b].norm(), before_[b].norm())) let_go(set, b);
   }
 }
 

@@ -259,8 +259,7 @@ void Simulation::accept(StepReport& report) {
     for (const auto& effect : s.composition.effects) effect->accept(s.increment);
     s.detector.accept(s.contacts, s.outcomes.outcomes());
     s.shocks.look(s.bodies, s.contacts, s.outcomes.outcomes());
-    if (s.context.dynamic_factor > 0 && s.context.integration.holds_on_to_blows())
-      s.shocks.forget(s.bodies, s.project.gravity);
+    if (s.context.dynamic_factor > 0 && s.context.integration.holds_on_to_blows()) s.shocks.forget(s.bodies);
   }
   s.bodies.move(s.increment);
   for (const int b : s.bodies.moving)
