@@ -1,6 +1,7 @@
 #include "trial_text.hpp"
 
 #include "list_of_runs.hpp"
+#include "stability/shortfalls.hpp"
 #include "table.hpp"
 
 namespace talus::cli {
@@ -52,10 +53,13 @@ std::string group_text(const std::string& group, const std::vector<Trial>& trial
   return text + '\n';
 }
 
+std::string in_brackets(const std::string& words) { return words.empty() ? "" : " (" + words + ')'; }
+
 std::string faults_text(const std::vector<Trial>& trials) {
   std::string text;
   for (const Trial& trial : trials)
-    for (const std::string& fault : faults(trial)) text += "- **" + trial.name + "**: " + fault + '\n';
+    for (const std::string& fault : faults(trial))
+      text += "- **" + trial.name + "**: " + fault + in_brackets(known_shortfall(trial.name)) + '\n';
   return text.empty() ? text : "### What does not hold\n\n" + text + '\n';
 }
 
@@ -66,6 +70,8 @@ std::string trial_columns() { return row_text(columns); }
 std::string trial_text(const Trial& trial) {
   std::string text = row_text(cells_of(trial));
   for (const std::string& fault : faults(trial)) text += paragraph("– " + fault, 4);
+  if (const std::string why = known_shortfall(trial.name); !why.empty() && !trial.passed())
+    text += paragraph("– known: " + why, 4);
   return text;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "stability/shortfalls.hpp"
+
 namespace talus {
 
 namespace {
@@ -34,6 +36,7 @@ Json json_of(const Trial& trial) {
           {"least_volume", trial.least_volume},
           {"intrusion", trial.intrusion},
           {"faults", faults(trial)},
+          {"known_shortfall", known_shortfall(trial.name)},
           {"repetitions", repetitions}};
 }
 

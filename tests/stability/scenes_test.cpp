@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "stability/all_scenes.hpp"
+#include "stability/shortfalls.hpp"
 #include "stability/trial.hpp"
 
 // Compiled twice: for the scenes that are quick, and (TALUS_LONG_SCENES) for the others.
@@ -17,10 +18,21 @@ std::vector<StabilityScene> scenes_of_this_program() {
 
 class StabilityOf : public testing::TestWithParam<StabilityScene> {};
 
-/// Quick ones once more on one thread and on two, which must give the same bits.
+/// Quick ones once more on one thread and on two, which must give the same bits. Those that are known to fall short are
+/// run as well, and must go on falling short, finite and the same every time.
 TEST_P(StabilityOf, IsHeld) {
   NoProgress progress;
-  EXPECT_THAT(faults(run_trial(GetParam(), {1, !TALUS_LONG_SCENES}, progress)), testing::IsEmpty());
+  const Trial trial = run_trial(GetParam(), {1, !TALUS_LONG_SCENES}, progress);
+  const std::string shortfall = known_shortfall(trial.name);
+  if (shortfall.empty()) {
+    EXPECT_THAT(faults(trial), testing::IsEmpty());
+    return;
+  }
+  EXPECT_THAT(faults(trial), testing::Not(testing::IsEmpty())) << "holds now: take it off shortfalls.cpp";
+  EXPECT_TRUE(trial.finite);
+  EXPECT_NE(trial.ending, TrialEnding::broken_off) << trial.reason;
+  EXPECT_GT(trial.least_volume, 0);
+  for (const TrialRepetition& repetition : trial.repetitions) EXPECT_EQ(repetition.difference, "");
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StabilityOf);
