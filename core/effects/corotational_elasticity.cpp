@@ -41,6 +41,16 @@ void CorotationalElasticity::add_couplings(std::vector<std::pair<int, int>>& cou
   set_.add_couplings(couplings);
 }
 
+void CorotationalElasticity::begin_step(const StepContext& step) {
+  start_.clear();
+  if (step.dynamic_factor == 0 || step.integration.alpha_f > 0) return;
+  start_.resize(set_.elements.size());
+  in_parallel(static_cast<int>(start_.size()), grain, [&](int first, int last) {
+    for (int e = first; e < last; ++e)
+      start_[e] = rotation_of(deformation_gradient(set_, set_.elements[e], set_.shapes[e]));
+  });
+}
+
 double CorotationalElasticity::energy_of(std::size_t e, const Mat3& f) const {
   const Elastic& elastic = set_.bodies[set_.elements[e].body].elastic;
   const Mat3 r = rotation_of(f);
@@ -67,7 +77,9 @@ double CorotationalElasticity::stored_energy() const {
 CorotationalElasticity::Forces CorotationalElasticity::forces(std::size_t e, const Increment& d) const {
   const ElementShape& shape = set_.shapes[e];
   const Mat3 f = deformation_gradient(set_, set_.elements[e], shape, d);
-  const Mat3 stress = shape.volume * piola_stress(set_.bodies[set_.elements[e].body].elastic, f, rotation_of(f));
+  const Mat3 r = rotation_of(f);
+  Mat3 stress = shape.volume * piola_stress(set_.bodies[set_.elements[e].body].elastic, f, r);
+  if (!start_.empty()) stress = 0.5 * (stress + start_[e] * (r.transpose() * stress));
   Forces forces;
   for (int a = 0; a < 4; ++a) forces[a] = stress * shape.gradient[a];
   return forces;

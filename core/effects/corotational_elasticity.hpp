@@ -7,8 +7,11 @@ namespace talus {
 /// Strain energy measured from the undeformed shape in the rotated frame (METHOD §2). With the deformation gradient
 /// F = R S of an element and E = S − I:
 ///   Π = Σ_e V [μ E:E + λ/2 (tr E)²]  [J],   P = ∂Π/∂F = R [2μE + λ tr(E) I]
-/// A block that only turns neither grows nor gains stress. The Hessian is the exact one (dR from (tr S I − S)⁻¹;
-/// e.g. McAdams et al. 2011) but for the part of compressed elements that would be negative.
+/// A block that only turns neither grows nor gains stress. In dynamic steps whose forces are taken at the end, P acts
+/// along the mean rotation of the step, ½(R₀ + R₁) Rᵀ₁ P₁: along the end's alone it would do work on the chord of a
+/// stressed block that turns, and brake its spin; strains stay those of the end, which takes energy from vibrations.
+/// The Hessian is the exact one (dR from (tr S I − S)⁻¹; e.g. McAdams et al. 2011) but for the part of compressed
+/// elements that would be negative.
 class CorotationalElasticity final : public Effect {
  public:
   explicit CorotationalElasticity(const BodySet& set) : set_(set) {}
@@ -16,6 +19,7 @@ class CorotationalElasticity final : public Effect {
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool quadratic() const override { return false; }
   bool smooth() const override { return true; }
+  void begin_step(const StepContext& step) override;
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
@@ -30,6 +34,7 @@ class CorotationalElasticity final : public Effect {
   Stiffness stiffness(std::size_t element, const Increment& d) const;
   double energy_of(std::size_t element, const Mat3& gradient) const;
   const BodySet& set_;
+  std::vector<Mat3> start_;  ///< R₀ of each element, where the mean rotation is asked for; else none
   // Computed an element by itself, on several threads, then summed up in order.
   mutable std::vector<Forces> forces_;
   mutable std::vector<Stiffness> stiffness_;

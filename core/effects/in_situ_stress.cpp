@@ -59,11 +59,16 @@ double InSituStresses::energy(const Increment& d) const {
 
 double InSituStresses::stored_energy() const { return energy(Increment::Zero(set_.unknowns())); }
 
+void InSituStresses::begin_step(const StepContext& step) {
+  end_share_ = step.dynamic_factor == 0 || step.integration.alpha_f > 0 ? 1 : 0.5;
+}
+
 void InSituStresses::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+  const Increment at = end_share_ * d;
   for (std::size_t e = 0; e < set_.elements.size(); ++e) {
     const ElementShape& shape = set_.shapes[e];
     const Mat3 p =
-        shape.volume * deformation_gradient(set_, set_.elements[e], shape, d) * stress_[set_.elements[e].number];
+        shape.volume * deformation_gradient(set_, set_.elements[e], shape, at) * stress_[set_.elements[e].number];
     for (int a = 0; a < 4; ++a) sum.segment<3>(3 * set_.elements[e].freedoms[a]) += p * shape.gradient[a];
   }
 }
@@ -74,8 +79,8 @@ void InSituStresses::add_hessian(const Increment&, SymmetricBlocks& sum) const {
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b <= a; ++b)
         sum.add(set_.elements[e].freedoms[a], set_.elements[e].freedoms[b],
-                shape.volume * shape.gradient[a].dot(pulling_[set_.elements[e].number] * shape.gradient[b]) *
-                    Mat3::Identity());
+                end_share_ * shape.volume *
+                    shape.gradient[a].dot(pulling_[set_.elements[e].number] * shape.gradient[b]) * Mat3::Identity());
   }
 }
 

@@ -15,6 +15,7 @@ class InSituStresses final : public Effect {
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool smooth() const override { return true; }
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
+  void begin_step(const StepContext& step) override;
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
@@ -23,6 +24,8 @@ class InSituStresses final : public Effect {
 
  private:
   const BodySet& set_;
+  double end_share_ =
+      1;  ///< of the increment at which the deformation bears the stress along: ½ does the work of Π exactly
   std::vector<Mat3> stress_, pulling_;  ///< Pa, by Element::number: σ₀ and its positive part
 };
 
