@@ -77,6 +77,10 @@ struct BodySet {
 
   BodySet(const Project& project, const BlockSystem& system);
 
+  /// Moments on rigid bodies are taken with the mean arm of the step, by which a force does the work of its way exactly
+  /// (docs/theory.md, "Turning under load"); else with that at its end.
+  bool mean_arms = false;
+
   int unknowns() const { return 3 * nodes.movable; }
   /// Shapes at the current positions: incremental strain calls for it at the start of every step.
   void update_shapes();

@@ -60,8 +60,16 @@ const Vec3& Attachments::way_of(const Turn& turn, const Increment& d) {
   const auto unknowns = d.segment<3>(3 * turn.freedom);
   if (unknowns == turn.unknowns) return turn.way;
   turn.unknowns = unknowns;
-  turn.way = turn_of(turn.unknowns / turn.radius, turn.arm);
+  const Vec3 theta = turn.unknowns / turn.radius;
+  const double angle = theta.norm();
+  turn.way = turn_of(theta, turn.arm);
+  turn.stretch = angle > 0 ? cayley_vector(theta).norm() / angle : 1;
   return turn.way;
+}
+
+Vec3 Attachments::lever_at(const Turn& turn, const Increment& d) const {
+  const Vec3& way = way_of(turn, d);
+  return set_.mean_arms ? Vec3(turn.stretch * (turn.arm + 0.5 * way)) : Vec3(turn.arm + way);
 }
 
 Vec3 Attachments::increment(int index, const Increment& d) const {
@@ -78,7 +86,7 @@ void Attachments::add_force(int index, const Increment& d, const Vec3& force, Ei
   for (int i = point.share_begin; i < point.share_end; ++i)
     sum.segment<3>(3 * shares_[i].freedom) += shares_[i].weight * force;
   for (int i = point.turn_begin; i < point.turn_end; ++i)
-    sum.segment<3>(3 * turns_[i].freedom) += arm_at(turns_[i], d).cross(force) / turns_[i].radius;
+    sum.segment<3>(3 * turns_[i].freedom) += lever_at(turns_[i], d).cross(force) / turns_[i].radius;
 }
 
 void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const {

@@ -26,8 +26,8 @@ class Attachments {
 
   /// u(D) [m].
   Vec3 increment(int point, const Increment& d) const;
-  /// sum += Jᵀ force with J = ∂u/∂D, in which rotations turn the body on from D (BodySet::advance): a force on the
-  /// point, as forces and moments on the bodies [N].
+  /// sum += Jᵀ force with J = ∂u/∂D, or its mean over the step (BodySet::mean_arms), in which rotations turn the body
+  /// on from D (BodySet::advance): a force on the point, as forces and moments on the bodies [N].
   void add_force(int point, const Increment& d, const Vec3& force, Eigen::VectorXd& sum) const;
   /// sum += Jᵀ spring J [N/m]; `spring` is symmetric.
   void add_spring(int point, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const;
@@ -52,6 +52,7 @@ class Attachments {
     // Every contact effect asks for the same few D one after the other: the last one's answer is kept.
     mutable Vec3 unknowns = Vec3::Zero();  // radius·θ
     mutable Vec3 way = Vec3::Zero();       // (exp(θ̂) − 1) arm
+    mutable double stretch = 1;            // tan(|θ|/2) over |θ|/2
   };
   struct Point {
     int share_begin, share_end, turn_begin, turn_end;
@@ -61,6 +62,8 @@ class Attachments {
   void add_turn(int first, const RigidBody& rigid, int node, double weight);
   static const Vec3& way_of(const Turn& turn, const Increment& d);
   static Vec3 arm_at(const Turn& turn, const Increment& d) { return turn.arm + way_of(turn, d); }
+  /// With which a force turns the body.
+  Vec3 lever_at(const Turn& turn, const Increment& d) const;
 
   const BodySet& set_;
   std::vector<Point> points_;

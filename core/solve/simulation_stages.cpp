@@ -93,6 +93,7 @@ void Simulation::begin_stage() {
   s.context.integration = TimeIntegration::of(s.project.solver);
   if (stage.kind == StageKind::static_ && s.context.integration.alpha_f > 0)
     s.context.integration = TimeIntegration::newmark();
+  s.bodies.mean_arms = stage.kind == StageKind::dynamic && s.context.integration.alpha_f == 0;
   s.accelerations_wanted = stage.kind == StageKind::dynamic;
   if (stage.kind == StageKind::dynamic && !s.velocities_given) {
     give_initial_velocities(s.project, s.system, s.bodies);
