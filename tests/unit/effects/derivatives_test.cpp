@@ -106,6 +106,31 @@ TEST_F(Derivatives, corotational_elasticity_of_squeezed_blocks_leaves_out_what_i
   EXPECT_GT(eigenvalues.minCoeff(), -1e-10 * eigenvalues.maxCoeff());
 }
 
+/// What its forces do on the way of a step in which the blocks only turn.
+double work_of_turning(const Effect& effect, const BodySet& set) {
+  const Mat3 rotation = Eigen::AngleAxisd(0.05, Vec3(2, -1, 1).normalized()).toRotationMatrix();
+  Increment d(set.unknowns());
+  for (const int n : set.nodes.free)
+    d.segment<3>(3 * set.nodes.freedom[n]) = (rotation - Mat3::Identity()) * set.nodes.position[n];
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.size());
+  effect.add_gradient(d, gradient);
+  return gradient.dot(d);
+}
+
+TEST_F(Derivatives, stressed_rock_that_turns_does_no_work) {
+  Project project = Derivatives::project();
+  project.in_situ.emplace_back();
+  project.in_situ[0].stress << 3e6, 2e6, 4e6, 5e5, -4e5, 2e5;
+  turn_and_stretch(1.05);
+  CorotationalElasticity elasticity(set_);
+  InSituStresses in_situ(project, system(), set_);
+  for (Effect* effect : std::initializer_list<Effect*>{&elasticity, &in_situ}) {
+    const double at_the_end = work_of_turning(*effect, set_);
+    effect->begin_step({0, 0.01, 1});
+    EXPECT_LT(std::abs(work_of_turning(*effect, set_)), 1e-9 * std::abs(at_the_end)) << effect->name();
+  }
+}
+
 TEST_F(Derivatives, in_situ_stress_that_pulls) {
   Project project = Derivatives::project();
   project.in_situ.emplace_back();

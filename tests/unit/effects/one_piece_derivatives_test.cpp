@@ -124,6 +124,19 @@ TEST_F(OnePieceDerivatives, a_load_out_of_the_centroid_turns_the_rigid_block) {
   EXPECT_LT((moment + arm.cross(Vec3(1e4, 2e4, -3e4))).norm(), 1e-9);
 }
 
+TEST_F(OnePieceDerivatives, a_force_does_the_work_of_its_way_with_mean_arms) {
+  set_.mean_arms = true;
+  const Vec3 force(3e4, -2e4, 5e4);
+  PointLoads load(set_, {{inside(), force}});
+  load.begin_step({});
+  const RigidBody& rigid = set_.rigid[0];
+  d_.segment<3>(3 * rigid.rotation_freedom) = rigid.radius * Vec3(0.3, -0.2, 0.4);
+  const Vec3 before = inside().at(set_.nodes.position);
+  const double work = -gradient(load, d_).dot(d_);
+  set_.move(d_);
+  EXPECT_NEAR(work, force.dot(inside().at(set_.nodes.position) - before), 1e-9 * std::abs(work));
+}
+
 TEST_F(OnePieceDerivatives, displacement_constraint) {
   DisplacementConstraints constraints(set_, {{inside(), {{0.01, std::nullopt, -0.02}}, 1e9}});
   constraints.begin_step({});
