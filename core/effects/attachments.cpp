@@ -121,11 +121,25 @@ void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, 
                   (turns_[a].radius * turns_[b].radius));
 }
 
+void Attachments::add_lever_difference(int index, const Increment& d, const Mat3& spring,
+                                       UnsymmetricBlocks& sum) const {
+  if (!set_.mean_arms) return;
+  const Point& point = points_[index];
+  for (int a = point.turn_begin; a < point.turn_end; ++a) {
+    const Turn& turn = turns_[a];
+    const Mat3 left = cross_matrix(lever_at(turn, d) - arm_at(turn, d)) * spring / turn.radius;
+    for (int b = point.share_begin; b < point.share_end; ++b)
+      sum.add(turn.freedom, shares_[b].freedom, shares_[b].weight * left);
+    for (int b = point.turn_begin; b < point.turn_end; ++b)
+      sum.add(turn.freedom, turns_[b].freedom, -left * cross_matrix(arm_at(turns_[b], d)) / turns_[b].radius);
+  }
+}
+
 void Attachments::add_turning(int index, const Increment& d, const Vec3& force, UnsymmetricBlocks& sum) const {
   const Point& point = points_[index];
   for (int i = point.turn_begin; i < point.turn_end; ++i) {
     const Turn& turn = turns_[i];
-    const Vec3 arm = arm_at(turn, d);
+    const Vec3 arm = (set_.mean_arms ? 0.5 * turn.stretch : 1) * arm_at(turn, d);
     sum.add(turn.freedom, turn.freedom,
             (arm * force.transpose() - arm.dot(force) * Mat3::Identity()) / (turn.radius * turn.radius));
   }

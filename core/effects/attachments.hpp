@@ -35,6 +35,8 @@ class Attachments {
   void add_spring(int point, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const;
   /// sum += ∂/∂D of what add_force adds, at a constant force: the arms of turning bodies change [N/m].
   void add_turning(int point, const Increment& d, const Vec3& force, UnsymmetricBlocks& sum) const;
+  /// With mean arms: what sum += Jᵀ spring J of a spring at the point lacks, since Jᵀ has other arms than J [N/m].
+  void add_lever_difference(int point, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const;
   /// Whether some point lies on a rigid body: else add_turning adds nothing.
   bool any_turns() const { return !turns_.empty(); }
   /// force·u₀ [J].

@@ -36,6 +36,8 @@ void NormalContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) 
     const ContactPoint& point = links_.point(i);
     const double force = normal_force(point, links_.gap(i, d));
     if (force != 0) links_.moves().add_turning(i, d, -force * point.normal, sum);
+    if (resists_elastically(point, links_.gap(i, d)))
+      links_.moves().add_lever_difference(i, d, point.normal_stiffness * point.normal * point.normal.transpose(), sum);
   }
 }
 

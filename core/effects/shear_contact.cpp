@@ -40,20 +40,28 @@ void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
     const ContactPoint& point = links_.point(i);
     const bool set_down = strength_[i] == 0 && touching_ > 0 && touches(point, links_.gap(i, d), touching_);
     if (strength_[i] == 0 && !set_down) continue;
-    Mat3 spring = Mat3::Identity() - point.normal * point.normal.transpose();
-    const Vec3 trial = spring_force(i, d);
-    const double length = trial.norm();
-    if (length > strength_[i] && !set_down)
-      spring = strength_[i] / length * (spring - trial * trial.transpose() / (length * length));
-    links_.moves().add_spring(i, d, point.shear_stiffness * spring, sum);
+    const Mat3 stuck = point.shear_stiffness * (Mat3::Identity() - point.normal * point.normal.transpose());
+    links_.moves().add_spring(i, d, set_down ? stuck : spring_at(i, d), sum);
   }
+}
+
+Mat3 ShearContact::spring_at(int i, const Increment& d) const {
+  const ContactPoint& point = links_.point(i);
+  const Mat3 stuck = point.shear_stiffness * (Mat3::Identity() - point.normal * point.normal.transpose());
+  const Vec3 trial = spring_force(i, d);
+  const double length = trial.norm();
+  if (length <= strength_[i]) return stuck;
+  return strength_[i] / length * (stuck - point.shear_stiffness * trial * trial.transpose() / (length * length));
 }
 
 void ShearContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
     if (strength_[i] == 0) continue;
-    if (links_.moves().any_turns()) links_.moves().add_turning(i, d, -force(i, d), sum);
+    if (links_.moves().any_turns()) {
+      links_.moves().add_turning(i, d, -force(i, d), sum);
+      links_.moves().add_lever_difference(i, d, spring_at(i, d), sum);
+    }
     const Vec3 trial = spring_force(i, d);
     const double length = trial.norm();
     if (length <= strength_[i] || !resists_elastically(point, links_.gap(i, d))) continue;

@@ -50,6 +50,9 @@ class ShearContact final : public Effect {
   double strength(int point) const { return strength_[point]; }
 
  private:
+  /// By how much the force falls as the point moves, in stick or in slip, its strength held [N/m].
+  Mat3 spring_at(int point, const Increment& d) const;
+
   const ContactLinks& links_;
   const std::vector<int>& points_;
   std::vector<double> strength_;  ///< N, a point of the contact set; zero where it does not resist shear

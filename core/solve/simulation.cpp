@@ -24,6 +24,11 @@ constexpr int augmentation_limit = 10;
 /// A static stage is in equilibrium no sooner than after this many steps.
 constexpr int fewest_static_steps = 2;
 
+std::string place_text(const Vec3& place) {
+  return " at (" + std::to_string(place.x()) + ", " + std::to_string(place.y()) + ", " + std::to_string(place.z()) +
+         ") m";
+}
+
 }  // namespace
 
 Simulation::Simulation(const Project& project, const BlockSystem& system)
@@ -176,13 +181,14 @@ const ContactSet& Simulation::look_for_contacts() {
   return s.contacts;
 }
 
-bool Simulation::inverts_an_element() const {
+int Simulation::inverted_element() const {
   const State& s = *state_;
-  return std::any_of(s.bodies.elements.begin(), s.bodies.elements.end(), [&](const Element& element) {
+  const auto found = std::find_if(s.bodies.elements.begin(), s.bodies.elements.end(), [&](const Element& element) {
     Corners corners = s.bodies.corner_increments(element, s.increment);
     for (int i = 0; i < 4; ++i) corners[i] += s.bodies.nodes.position[element.nodes[i]];
     return !(element_shape(corners).volume > 0);
   });
+  return found == s.bodies.elements.end() ? -1 : static_cast<int>(found - s.bodies.elements.begin());
 }
 
 bool Simulation::settle(StepReport& report) {
@@ -195,13 +201,18 @@ bool Simulation::settle(StepReport& report) {
     report.iterations += result.iterations;
   }
   report.unbalanced_force = result.residual;
-  if (result.settled && !inverts_an_element()) return true;
   if (result.settled) {
-    failure_ = "a tetrahedron turned inside out at t = " + std::to_string(time()) + " s";
+    const int inverted = inverted_element();
+    if (inverted < 0) return true;
+    const Element& element = s.bodies.elements[inverted];
+    failure_ = "a tetrahedron of block " + s.system.blocks[element.body].name +
+               " turned inside out at t = " + std::to_string(time()) + " s" +
+               place_text(s.bodies.nodes.position[element.nodes[0]]) +
+               "; a finer mesh, a shorter step or stiffer rock keeps its shape";
     return false;
   }
   failure_ = "the open-close iteration did not settle at t = " + std::to_string(time()) + " s";
-  failure_ += where_it_struggles(result.worst_node);
+  failure_ += where_it_struggles(result.worst_node) + "; a shorter time_step usually helps";
   return false;
 }
 
@@ -222,10 +233,8 @@ std::string Simulation::where_it_struggles(int freedom) const {
   const ContactPoint& nearest =
       *std::min_element(s.contacts.points.begin(), s.contacts.points.end(),
                         [&](const ContactPoint& a, const ContactPoint& b) { return distance(a) < distance(b); });
-  const auto coordinate = [&](int k) { return std::to_string(nearest.position[k]); };
   std::string where = ": contact " + s.system.blocks[nearest.bodies[0]].name + " - " +
-                      s.system.blocks[nearest.bodies[1]].name + " at (" + coordinate(0) + ", " + coordinate(1) + ", " +
-                      coordinate(2) + ") m";
+                      s.system.blocks[nearest.bodies[1]].name + place_text(nearest.position);
   if (!s.project.joints.empty()) where += ", joint " + s.project.joints[nearest.joint].name;
   return where;
 }

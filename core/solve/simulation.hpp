@@ -66,7 +66,8 @@ class Simulation {
   void let_sleep_and_wake();
   /// Contacts have been sought for those that are awake now: what they hold is what the energy ledger goes on with.
   void account_for_the_awake();
-  bool inverts_an_element() const;
+  /// The first element that the increment turns inside out; −1: none.
+  int inverted_element() const;
   void accept(StepReport& report);
   std::vector<Voigt> present_stress() const;
   /// Of a body's own elements, from those of all that move.
