@@ -13,7 +13,7 @@ namespace {
 /// Springs may push out what penetrates in this many steps, but no faster.
 constexpr double steps_to_part = 10;
 /// Of what the contact's push alone does to its speed in a step: less is left alone, …
-constexpr double negligible = 1e-3;
+constexpr double negligible = 1e-9;
 /// … and this is how well the impulses are found, in so many sweeps at most.
 constexpr double exactness = 1e-9;
 constexpr int sweep_limit = 500;

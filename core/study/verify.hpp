@@ -49,12 +49,11 @@ struct CaseResult {
 struct VerifyOptions {
   CaseOptions run;
   /// Also once more on two threads (on one, where `run` has several), which must give the same bits, and at a tenth of
-  /// the scale, which must give the same relative numbers: within `same_at_any_scale`, or, where zero is expected,
-  /// within `noise_about_zero` of the tolerance, since round-off does not scale.
+  /// the scale, which must give the same relative numbers: within the case's `same_at_any_scale`, or, where zero is
+  /// expected, within `noise_about_zero` of the tolerance, since round-off does not scale.
   bool repeat = false;
 };
 inline constexpr double repeated_scale = 0.1;
-inline constexpr double same_at_any_scale = 1e-6;
 inline constexpr double noise_about_zero = 1e-2;
 
 /// Runs a case. Whatever it throws is its failure; only Cancelled goes on to the caller. A case whose answer belongs to
