@@ -55,10 +55,7 @@ struct KnownCase {
   std::string title;   ///< a line for tables
   std::string source;  ///< of the expected numbers
   bool takes_long = false;
-  bool scales = true;  ///< the answer is the same, in relative terms, at any scale
-  /// How far relative numbers may part at another scale. Rounding alone parts them, and grows only where elastic blocks
-  /// go on hitting each other: a case that says more than the usual says why.
-  double same_at_any_scale = 1e-6;
+  bool scales = true;        ///< the answer is the same, in relative terms, at any scale
   bool of_any_body = false;  ///< rigid and affine blocks must come to the same answer: it asks for no strain
   std::function<CaseOutcome(const CaseOptions&, Progress&)> run;
 };

@@ -64,11 +64,11 @@ void InSituStresses::begin_step(const StepContext& step) {
 }
 
 void InSituStresses::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
-  const Increment at = end_share_ * d;
+  at_ = end_share_ * d;
   for (std::size_t e = 0; e < set_.elements.size(); ++e) {
     const ElementShape& shape = set_.shapes[e];
     const Mat3 p =
-        shape.volume * deformation_gradient(set_, set_.elements[e], shape, at) * stress_[set_.elements[e].number];
+        shape.volume * deformation_gradient(set_, set_.elements[e], shape, at_) * stress_[set_.elements[e].number];
     for (int a = 0; a < 4; ++a) sum.segment<3>(3 * set_.elements[e].freedoms[a]) += p * shape.gradient[a];
   }
 }

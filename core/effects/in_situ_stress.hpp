@@ -24,8 +24,9 @@ class InSituStresses final : public Effect {
 
  private:
   const BodySet& set_;
-  double end_share_ =
-      1;  ///< of the increment at which the deformation bears the stress along: ½ does the work of Π exactly
+  /// Of the increment, at which the deformation bears the stress along: ½ does the work of Π exactly.
+  double end_share_ = 1;
+  mutable Increment at_;                ///< m, there
   std::vector<Mat3> stress_, pulling_;  ///< Pa, by Element::number: σ₀ and its positive part
 };
 

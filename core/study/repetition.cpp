@@ -33,7 +33,7 @@ bool is_about_zero(const Finding& finding) { return finding.expected == 0 && fin
 
 }  // namespace
 
-Repetition compared(const CaseResult& first, const CaseResult& second, double same_at_any_scale) {
+Repetition compared(const CaseResult& first, const CaseResult& second) {
   Repetition repetition;
   repetition.options = second.options;
   repetition.failure = second.failure;

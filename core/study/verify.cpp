@@ -49,7 +49,7 @@ Repetition repeated(const CaseResult& first, const KnownCase& known, const CaseO
   CaseResult second;
   second.options = options;
   run_into(second, known, progress);
-  return compared(first, second, known.same_at_any_scale);
+  return compared(first, second);
 }
 
 CaseOptions on_other_threads(CaseOptions options) {

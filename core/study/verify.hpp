@@ -54,6 +54,7 @@ struct VerifyOptions {
   bool repeat = false;
 };
 inline constexpr double repeated_scale = 0.1;
+inline constexpr double same_at_any_scale = 1e-6;
 inline constexpr double noise_about_zero = 1e-2;
 
 /// Runs a case. Whatever it throws is its failure; only Cancelled goes on to the caller. A case whose answer belongs to
