@@ -1,16 +1,14 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <optional>
 #include <string>
 
+#include "base/child_process.hpp"
 #include "geometry/mesher_job.hpp"
 
 namespace talus {
 
-/// The program talus-mesher, running. It is started afresh (spawned, not forked: the window's threads and its graphics
-/// must not be copied) and spoken to through a socket; destroying this kills it.
+/// The program talus-mesher, running, and spoken to in messages; destroying this kills it.
 /// Looked for at the path in TALUS_MESHER, beside the running program, in ../libexec/talus from there, and where it
 /// was built. Throws std::runtime_error when it is nowhere or does not start.
 class MesherProcess {
@@ -21,22 +19,18 @@ class MesherProcess {
   };
 
   MesherProcess();
-  ~MesherProcess();
-  MesherProcess(const MesherProcess&) = delete;
-  MesherProcess& operator=(const MesherProcess&) = delete;
 
   /// Nothing is thrown when it has died: the next wait() tells.
   void send(MessageKind kind, const std::string& bytes);
 
   /// Whether something has come, or it has died, within the time.
-  bool wait(int milliseconds) const;
+  bool wait(int milliseconds) const { return process_.wait(milliseconds); }
 
   /// The next message, after wait(); nothing once it has ended or died.
   std::optional<Message> receive();
 
  private:
-  pid_t process_ = -1;
-  int socket_ = -1;
+  ChildProcess process_;
 };
 
 }  // namespace talus
