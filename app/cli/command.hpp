@@ -26,6 +26,7 @@ void add_render(CLI::App& program, Invocation& invocation);
 void add_animate(CLI::App& program, Invocation& invocation);
 void add_plot(CLI::App& program, Invocation& invocation);
 void add_verify(CLI::App& program, Invocation& invocation);
+void add_study(CLI::App& program, Invocation& invocation);
 void add_info(CLI::App& program, Invocation& invocation);
 void add_export(CLI::App& program, Invocation& invocation);
 

@@ -6,9 +6,11 @@
 #include "command.hpp"
 #include "effect_text.hpp"
 #include "project_choice.hpp"
+#include "report_text.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
 #include "solve/effect_costs.hpp"
+#include "study/forecast.hpp"
 #include "table.hpp"
 #include "terminal.hpp"
 
@@ -19,8 +21,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Material& material) {
-  return {
-      {"name", material.name}, {"density", material.density}, {"young", material.young}, {"poisson", material.poisson}};
+  return {{"name", material.name},
+          {"density", material.density},
+          {"young", material.young},
+          {"poisson", material.poisson},
+          {"law", to_string(material.law)}};
 }
 
 Json json_of(const Joint& joint) {
@@ -113,9 +118,9 @@ Json json_of_project(const Project& project, const BlockSystem& system, const st
 void print_project(const Json& info, const BlockSystem& system, const std::vector<EffectCost>& costs) {
   std::cout << info["project"].get<std::string>() << "\n\n";
   print_blocks(info["blocks"], system);
-  Table materials({"Material", "Density [kg/m³]", "Young's modulus [Pa]", "Poisson's ratio"}, "lrrr");
+  Table materials({"Material", "Density [kg/m³]", "Young's modulus [Pa]", "Poisson's ratio", "Law"}, "lrrrl");
   for (const Json& m : info["materials"])
-    materials.add({m["name"], number(m["density"]), number(m["young"]), number(m["poisson"])});
+    materials.add({m["name"], number(m["density"]), number(m["young"]), number(m["poisson"]), m["law"]});
   Table joints({"Joint", "Friction angle [°]", "Cohesion [Pa]", "Tensile strength [Pa]"}, "lrrr");
   for (const Json& j : info["joints"])
     joints.add({j["name"], number(j["friction_angle"]), number(j["cohesion"]), number(j["tensile_strength"])});
@@ -130,17 +135,48 @@ void print_project(const Json& info, const BlockSystem& system, const std::vecto
             << info["monitors"].size() << " monitors, " << info["expectations"] << " expectations\n";
 }
 
-ExitCode inform_of_project(const ProjectChoice& choice, bool json) {
+/// Seconds that a forecast may take, for each of its two ways through the run.
+constexpr double forecast_budget = 3;
+
+Json json_of(const Forecast& forecast) {
+  return {{"seconds", forecast.seconds},
+          {"memory", forecast.memory},
+          {"steps", forecast.steps},
+          {"share_seen", forecast.share_seen},
+          {"error", forecast.error ? Json(*forecast.error) : Json()}};
+}
+
+std::string text_of(const Forecast& forecast) {
+  std::string text = "This run: about " + number(forecast.seconds, 2) + " s of solving for " +
+                     std::to_string(forecast.steps) + " steps, " + number(forecast.memory / 1e6, 2) + " MB.\n";
+  text += forecast.error ? "Its time steps leave out about " + number(100 * *forecast.error, 2) +
+                               " % of the way that blocks go (step doubling).\n"
+                         : "What its time steps leave out is not known: try study accuracy.\n";
+  if (forecast.share_seen < 1)
+    text += "From the first " + number(100 * forecast.share_seen, 2) + " % of the model time, in " +
+            number(forecast.pilot_seconds, 2) + " s.\n";
+  return text;
+}
+
+ExitCode inform_of_project(const ProjectChoice& choice, bool with_forecast, bool json) {
   catch_interrupts();
   const Project project = read(choice);
   const BlockSystem system = build(project, choice);
   const SceneSize size = about(choice.file, [&] { return scene_size(project, system); });
   const std::vector<EffectCost> costs = effect_costs(project, system, size);
-  const Json info = json_of_project(project, system, costs);
-  if (json)
+  Json info = json_of_project(project, system, costs);
+  std::optional<Forecast> ahead;
+  if (with_forecast && !project.stages.empty()) {
+    TerminalProgress progress;
+    ahead = about(choice.file, [&] { return forecast(project, system, forecast_budget, progress); });
+    info["forecast"] = json_of(*ahead);
+  }
+  if (json) {
     std::cout << info.dump(2) << '\n';
-  else
-    print_project(info, system, costs);
+    return done;
+  }
+  print_project(info, system, costs);
+  if (ahead) std::cout << '\n' << text_of(*ahead);
   return done;
 }
 
@@ -162,6 +198,7 @@ Json json_of_results(const ResultReader& results, const std::optional<RunReport>
           {"motions", motions_of(results)},
           {"effects", of_report("effects")},
           {"work", report ? summary["work"] : Json()},
+          {"struggles", of_report("struggles")},
           {"events", of_report("events")}};
 }
 
@@ -181,6 +218,7 @@ void print_results(const Json& info, const BlockSystem& system, const std::optio
   if (report) std::cout << '\n' << profile_text(*report) << '\n';
   for (const Json& event : info["events"])
     std::cout << event["time"] << " s  " << event["what"].get<std::string>() << '\n';
+  if (report) std::cout << struggles_text(report->struggles);
 }
 
 ExitCode inform_of_results(const std::filesystem::path& folder, bool json) {
@@ -200,11 +238,13 @@ void add_info(CLI::App& program, Invocation& invocation) {
   auto* command = program.add_subcommand(
       "info", "Say what is in a project, which effects it calls for and why; or what is in results");
   auto choice = std::make_shared<ProjectChoice>();
+  auto no_forecast = std::make_shared<bool>(false);
   add_project(*command, *choice, "PROJECT|RESULTS", "Project file (.talus) or results folder");
-  command->callback([&invocation, choice] {
-    invocation.run = [&invocation, choice] {
+  command->add_flag("--no-forecast", *no_forecast, "Leave out the pilot run that says what a run will cost");
+  command->callback([&invocation, choice, no_forecast] {
+    invocation.run = [&invocation, choice, no_forecast] {
       return std::filesystem::is_directory(choice->file) ? inform_of_results(choice->file, invocation.json)
-                                                         : inform_of_project(*choice, invocation.json);
+                                                         : inform_of_project(*choice, !*no_forecast, invocation.json);
     };
   });
 }

@@ -108,6 +108,7 @@ void add_look(CLI::App& command, Look& look) {
       ->type_name("N")
       ->capture_default_str();
   command.add_flag("--contacts", look.contacts, "Show contact points: open grey, stick blue, slip orange");
+  command.add_flag("--struggles", look.struggles, "Mark the contacts at which steps were cut or took many iterations");
   add_theme(command, look.theme);
 }
 
@@ -120,6 +121,11 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
   settings.title = results.project_name();
   if (!look.field.empty()) settings.field = field_named(look.field);
   return settings;
+}
+
+void mark_struggles(const Look& look, const ResultReader& results, Scene& scene) {
+  if (!look.struggles) return;
+  if (const auto report = results.report()) scene.set_struggles(report->struggles);
 }
 
 void point_camera(const Look& look, const ResultReader& results, Scene& scene) {

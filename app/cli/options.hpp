@@ -36,12 +36,14 @@ struct Look {
   std::string field, view = "auto";
   Theme theme = Theme::light;
   Edges edges = Edges::blocks;
-  bool contacts = false;
+  bool contacts = false, struggles = false;
   double scale = 1;
 };
 void add_look(CLI::App& command, Look& look);
 /// Throws InputError for a field or a view there is not.
 SceneSettings scene_settings(const Look& look, const ResultReader& results);
+/// Marks where the run was hard, if that was asked for; of a run that was killed nothing is known.
+void mark_struggles(const Look& look, const ResultReader& results, Scene& scene);
 /// Points the camera of a scene that shows `results`. Throws InputError for a view there is not.
 void point_camera(const Look& look, const ResultReader& results, Scene& scene);
 

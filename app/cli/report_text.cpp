@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "effect_text.hpp"
+#include "model/number_text.hpp"
 #include "table.hpp"
 #include "terminal.hpp"
 
@@ -45,7 +46,18 @@ std::string report_text(const RunReport& report) {
           profile_text(report) + '\n';
   for (const Event& event : report.events) text += number(event.time) + " s  " + event.what + "\n";
   if (!report.expect.empty()) text += expectations_text(report.expect);
-  return text;
+  return text + struggles_text(report.struggles);
+}
+
+std::string struggles_text(const std::vector<Struggle>& struggles) {
+  if (struggles.empty()) return "";
+  Table table({"Contact", "Joint", "Place", "Time [s]", "Steps cut", "Iterations", "What to change"}, "lllrrrl");
+  for (const Struggle& struggle : struggles)
+    table.add({struggle.blocks[0].empty() ? "no place" : contact_text(struggle), struggle.joint,
+               position_text(struggle), number(struggle.time, 4), std::to_string(struggle.cuts),
+               count_text(struggle.iterations), struggle.advice});
+  const bool ended = struggles.front().ended_run;
+  return std::string("\nWhere it was hard") + (ended ? "; the run ended at the first place\n" : "\n") + table.text();
 }
 
 std::string expectations_text(const std::vector<ExpectationOutcome>& outcomes) {

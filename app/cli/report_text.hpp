@@ -8,8 +8,12 @@
 
 namespace talus::cli {
 
-/// What a run came to, for a reader: status, cost, blocks, profile, events and expectations.
+/// What a run came to, for a reader: status, cost, blocks, profile, events, expectations, and
+/// where it was hard.
 std::string report_text(const RunReport& report);
+
+/// Where the run was hard: contact, joint, place, what it took and what to change; nothing where it was easy.
+std::string struggles_text(const std::vector<Struggle>& struggles);
 
 /// Expected against computed.
 std::string expectations_text(const std::vector<ExpectationOutcome>& outcomes);

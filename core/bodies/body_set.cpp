@@ -20,6 +20,7 @@ Body make_body(const Block& block, const Material& material) {
   body.density = material.density;
   body.young = material.young;
   body.elastic = Elastic::of(material);
+  body.law = material.law;
   return body;
 }
 
@@ -149,8 +150,12 @@ void BodySet::number_freedoms() {
     rigid[body.rigid].rotation_freedom = nodes.movable++;
     turning.push_back(body.rigid);
   }
-  for (Element& element : elements)
-    for (int i = 0; i < 4; ++i) element.freedoms[i] = nodes.freedom[element.nodes[i]];
+  linear.clear();
+  neo_hookean.clear();
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (int i = 0; i < 4; ++i) elements[e].freedoms[i] = nodes.freedom[elements[e].nodes[i]];
+    (bodies[elements[e].body].law == MaterialLaw::linear ? linear : neo_hookean).push_back(static_cast<int>(e));
+  }
 }
 
 void BodySet::hold(const std::vector<bool>& held) {
@@ -325,12 +330,11 @@ void BodySet::carry_velocities() {
   }
 }
 
-Vec3 BodySet::place_of(int freedom) const {
-  for (const int r : turning)
-    if (rigid[r].rotation_freedom == freedom) return nodes.position[rigid[r].centre];
-  for (const int n : nodes.free)
-    if (nodes.freedom[n] == freedom) return nodes.position[n];
-  return Vec3::Zero();
+int BodySet::node_of(int freedom) const {
+  const auto turns =
+      std::find_if(turning.begin(), turning.end(), [&](int r) { return rigid[r].rotation_freedom == freedom; });
+  if (turns != turning.end()) return rigid[*turns].centre;
+  return *std::find_if(nodes.free.begin(), nodes.free.end(), [&](int n) { return nodes.freedom[n] == freedom; });
 }
 
 void BodySet::give_accelerations(const Eigen::VectorXd& accelerations) {

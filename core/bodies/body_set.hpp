@@ -50,6 +50,7 @@ struct Body {
   double density = 0;                         ///< kg/m³
   double young = 0;                           ///< Pa
   Elastic elastic;
+  MaterialLaw law = MaterialLaw::linear;
   double reference_volume = 0;  ///< m³, of the mesh
   double way = 0;               ///< m, of the node that went furthest when the body moved last
 
@@ -68,6 +69,7 @@ struct BodySet {
   std::vector<int> moving;  ///< bodies that are not fixed now
   std::vector<int> driven;  ///< fixed bodies that are moved by prescription in this stage
   std::vector<Element> elements;
+  std::vector<int> linear, neo_hookean;  ///< numbers of the elements whose rock has this law, ascending
   std::vector<ElementShape>
       shapes;                 ///< an element: before the run, or at the start of the step if update_shapes says so
   std::vector<Voigt> stress;  ///< Pa, an element: what the paper's incremental strain has summed up
@@ -101,8 +103,8 @@ struct BodySet {
   void move(const Increment& d);
   /// Velocities of the nodes of affine and rigid bodies from those of their carriers and their angular momentum.
   void carry_velocities();
-  /// Where a freedom is: its node, or the centroid that it turns about [m].
-  Vec3 place_of(int freedom) const;
+  /// The node of a freedom, or that of the centroid that it turns about.
+  int node_of(int freedom) const;
   /// Takes over accelerations [m/s²] of all freedoms.
   void give_accelerations(const Eigen::VectorXd& accelerations);
   /// No node moves faster than this [m/s].

@@ -19,7 +19,11 @@ Mat3 deformation_gradient(const BodySet& set, const Element& element, const Elem
 }
 
 Mat3 deformation_gradient(const BodySet& set, const Element& element, const ElementShape& shape, const Increment& d) {
-  return deformation_gradient(set, element, shape) + gradient_of(shape, set.corner_increments(element, d));
+  return deformation_gradient(set, element, shape) + change_of_gradient(set, element, shape, d);
+}
+
+Mat3 change_of_gradient(const BodySet& set, const Element& element, const ElementShape& shape, const Increment& d) {
+  return gradient_of(shape, set.corner_increments(element, d));
 }
 
 Voigt voigt(const Mat3& t) {

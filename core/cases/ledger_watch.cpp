@@ -1,5 +1,7 @@
 #include "cases/ledger_watch.hpp"
 
+#include "results/energy_moved.hpp"
+
 namespace talus {
 
 LedgerWatch::LedgerWatch(const CaseScene& scene) {
@@ -13,9 +15,7 @@ LedgerWatch::LedgerWatch(const CaseScene& scene) {
 }
 
 void LedgerWatch::look(const EnergyLedger& e) {
-  for (const double energy : {e.kinetic, e.elastic, e.potential, e.contact, e.friction_dissipated, e.damping_dissipated,
-                              e.constraint_work, e.integration_loss})
-    moved_ = std::max(moved_, std::abs(energy));
+  moved_ = std::max(moved_, largest_account(e));
   const double dissipated = e.friction_dissipated + e.damping_dissipated + e.integration_loss;
   growth_ = std::max(growth_, dissipated_ - dissipated);
   dissipated_ = std::max(dissipated_, dissipated);

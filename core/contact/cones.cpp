@@ -15,6 +15,19 @@ double rise(const StepGeometry& step, int node, const Vec3& normal) {
   return least;
 }
 
+bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal, double tolerance) {
+  for (const int facet : step.features.facets_at(node))
+    for (const int number : step.features.facets[facet].edges) {
+      const ContactEdge& e = step.features.edges[number];
+      if (!e.parts || (e.nodes[0] != node && e.nodes[1] != node)) continue;
+      const Vec3 along = (step.x[e.nodes[1]] - step.x[e.nodes[0]]).stableNormalized();
+      if (std::abs(along.dot(normal)) > tolerance) continue;
+      const std::array<Vec3, 2> into = into_facets(step, e);
+      if (into[0].dot(normal) >= -tolerance && into[1].dot(normal) >= -tolerance) return true;
+    }
+  return false;
+}
+
 std::array<Vec3, 2> into_facets(const StepGeometry& step, const ContactEdge& e) {
   const Vec3 origin = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - origin).stableNormalized();
   std::array<Vec3, 2> into;

@@ -10,6 +10,7 @@
 #include "contact/coupling.hpp"
 #include "contact/features.hpp"
 #include "contact/meeting_search.hpp"
+#include "contact/turned_normals.hpp"
 
 namespace talus {
 namespace {
@@ -182,6 +183,7 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) 
     p.overlap = past->overlap;
     p.hardening = past->hardening;
     p.normal_stiffness *= p.hardening;
+    p.shear_stiffness *= p.hardening;
     // A vertex is stiffer than the corner of an area that it was: the same gap would push harder all of a sudden.
     if (past->lost_area) p.overlap = std::max(p.overlap, -f.gap - past->spring_force / p.normal_stiffness);
   } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {
@@ -242,10 +244,12 @@ void ContactDetector::State::write(double reach, ContactSet& contacts) {
                             found.weights.begin() + f.stencil_end);
     p.stencil_end = static_cast<int>(contacts.nodes.size());
     if (kept < i) contacts.points[kept] = p;
+    origins[kept] = origins[i];
     ++kept;
     families.push_back(f.family);
   }
   contacts.points.resize(kept);
+  origins.resize(kept);
   contacts.sort_out();
   work.points += static_cast<long>(kept);
 }
@@ -256,6 +260,13 @@ void ContactDetector::detect(std::span<const Vec3> x, double reach, ContactSet& 
   s.find_points(x, std::max(reach, s.bond_reach()));
   s.write(reach, contacts);
   s.coupling.cover(s.found);
+}
+
+ContactDetector::Turned ContactDetector::turned(int point, const std::function<Vec3(int)>& start,
+                                                const std::function<Vec3(int)>& end) const {
+  const FoundPoint& found = state_->found.points[state_->origins[point].found];
+  const Vec3 normal = turned_normal(state_->features, found, start, end);
+  return {normal, normal.dot(found.normal) * found.gap};
 }
 
 void ContactDetector::moved(int body, double way) { state_->broad.moved(body, way); }

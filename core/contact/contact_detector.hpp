@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -46,6 +47,14 @@ class ContactDetector {
   /// called again with other positions before accept(): nothing is remembered but by that.
   /// What this costs follows what moves: bodies that are apart are not looked at until they may have come near.
   void detect(std::span<const Vec3> x, double reach, ContactSet& contacts);
+
+  /// A contact as it is once its features have turned.
+  struct Turned {
+    Vec3 normal;
+    double gap;  ///< m, at the positions of detect(), along that normal; what the point leaves out of account is in it
+  };
+  /// Of a point of what detect() gave last, when the nodes will be at `end` [m].
+  Turned turned(int point, const std::function<Vec3(int node)>& start, const std::function<Vec3(int node)>& end) const;
 
   /// No node of the body moved by more than `way` [m] since this was said last, or since the start: for settings with
   /// `motion_told`, once for every body that moved at all before detect() sees its new positions. Fixed bodies may move

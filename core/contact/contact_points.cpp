@@ -122,6 +122,11 @@ std::uint64_t edge_key(int edge_a, int edge_b) {
   return std::uint64_t{3} << 62 | static_cast<std::uint64_t>(edge_a) << 31 | static_cast<std::uint64_t>(edge_b);
 }
 
+std::array<int, 2> edges_of(const FoundPoint& crossing) {
+  constexpr std::uint64_t number = 0x7fffffff;
+  return {static_cast<int>(crossing.key >> 31 & number), static_cast<int>(crossing.key & number)};
+}
+
 std::uint64_t patch_family(int patch_a, int patch_b) { return vertex_key(patch_a, patch_b); }
 std::uint64_t crease_family(int crease_a, int crease_b) { return edge_key(crease_a, crease_b); }
 

@@ -118,6 +118,8 @@ double cone_tolerance(const ContactSettings& settings);
 std::uint64_t vertex_key(int node, int patch);
 std::uint64_t crossing_key(const ContactFeatures& features, int edge_a, int patch_a, int edge_b, int patch_b);
 std::uint64_t edge_key(int edge_a, int edge_b);
+/// The edges of a point where two cross.
+std::array<int, 2> edges_of(const FoundPoint& crossing);
 std::uint64_t patch_family(int patch_a, int patch_b);
 std::uint64_t crease_family(int crease_a, int crease_b);
 

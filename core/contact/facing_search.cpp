@@ -12,6 +12,7 @@ namespace {
 
 constexpr double least_area = 1e-14;   // of the size squared: no overlap
 constexpr double vertex_snap = 1e-3;   // a corner with this share of a vertex missing is still that vertex's
+constexpr double seen_tilt = 1e-4;     // rad between facets: what is less misleads nobody, and may be rounding
 constexpr double least_facet = 1e-12;  // of the longest side squared: a needle has no projection
 
 /// A facet in the common plane, counter-clockwise there.
@@ -162,17 +163,23 @@ void FacingSearch::place_corners(const StepGeometry& step, std::size_t first) {
   }
 }
 
-/// The features whose meeting the corner is.
+/// The features whose meeting the corner is. A vertex that lies amid a facet slides along this one: by the plane
+/// between both it would rise or sink by half the angle between them.
 void FacingSearch::name(const StepGeometry& step, Corner& c, FoundPoints& found) {
   const ContactFacet &fa = step.features.facets[c.facets.a], &fb = step.features.facets[c.facets.b];
   const auto a = c.shares.begin(), b = a + 3, end = c.shares.end();
   const auto va = std::max_element(a, b) - a, vb = std::max_element(b, end) - b;
   const bool at_a = a[va] > 1 - vertex_snap, at_b = b[vb] > 1 - vertex_snap;
+  const bool tilted = (step.normals[c.facets.a] + step.normals[c.facets.b]).norm() > seen_tilt;
   if (at_a) {
     c.key = vertex_key(fa.nodes[va], fb.patch);
-    if (at_b) found.covered.push_back({vertex_key(fb.nodes[vb], fa.patch), fb.nodes[vb], c.facets.a, -c.normal});
+    if (at_b)
+      found.covered.push_back({vertex_key(fb.nodes[vb], fa.patch), fb.nodes[vb], c.facets.a, -c.normal});
+    else if (tilted)
+      c.normal = step.normals[c.facets.b];
   } else if (at_b) {
     c.key = vertex_key(fb.nodes[vb], fa.patch);
+    if (tilted) c.normal = -step.normals[c.facets.a];
   } else {
     const auto ea = std::min_element(a, b) - a, eb = std::min_element(b, end) - b;
     c.key = crossing_key(step.features, fa.edges[ea], fa.patch, fb.edges[eb], fb.patch);

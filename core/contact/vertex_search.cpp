@@ -58,6 +58,12 @@ bool beside_the_body(const StepGeometry& step, int facet, const Vec3& p) {
   });
 }
 
+/// Whether the node, or an edge that ends there, may lie on a facet of this normal.
+bool bears(const StepGeometry& step, int node, const Vec3& normal) {
+  const double tolerance = cone_tolerance(step.settings);
+  return rise(step, node, normal) >= -tolerance || an_edge_lies_along(step, node, normal, tolerance);
+}
+
 /// Whether a facet at the node looks against `normal`. The edges around a vertex amid a flat face rise neither way: on
 /// a plate it would else touch what is beyond the plate too.
 bool looks_against(const StepGeometry& step, int node, const Vec3& normal) {
@@ -145,7 +151,7 @@ void VertexSearch::touch(const StepGeometry& step, int node, int facet, bool nod
 
   const std::uint64_t key = vertex_key(node, f.patch);
   if (std::binary_search(taken_.begin(), taken_.end(), key)) return;
-  if (rise(step, node, n) < -cone_tolerance(step.settings) || !looks_against(step, node, n)) return;
+  if (!bears(step, node, n) || !looks_against(step, node, n)) return;
   if (gap < 0 && beside_the_body(step, facet, step.x[node])) return;
   const double rim = step.rim(f.body, other);
   // An edge that reaches back over the facet lies on it, though it ends at the crease.
@@ -209,10 +215,11 @@ bool VertexSearch::beyond_rim(const StepGeometry& step, const FoundPoint& p, con
   return drop;
 }
 
-/// Of two facets of one body that meet convexly, a vertex that is inside both has come through the nearer one.
+/// Of two facets of one body that meet convexly, a vertex that is inside both has come through the nearer one; one at
+/// which only edges bear may have an edge on each.
 bool VertexSearch::deeper(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
                           const FoundPoints& found) const {
-  if (!(p.gap < 0)) return false;
+  if (!(p.gap < 0) || rise(step, p.node, h.normal) < -cone_tolerance(step.settings)) return false;
   const int facet = facet_below(step, p);
   for (const Held& other : group) {
     if (other.point < 0 || other.point == h.point || other.body != h.body) continue;

@@ -10,6 +10,7 @@
 #include "effects/in_situ_stress.hpp"
 #include "effects/inertia.hpp"
 #include "effects/initial_stress.hpp"
+#include "effects/neo_hookean_elasticity.hpp"
 #include "effects/point_load.hpp"
 #include "model/stage_changes.hpp"
 
@@ -27,6 +28,12 @@ std::string count(std::size_t n, const std::string& one, const std::string& many
 }
 
 bool deforms(const Block& block) { return block.body == BodyKind::affine || block.body == BodyKind::tetrahedra; }
+
+std::size_t deforming_blocks(const Project& project, const BlockSystem& system, MaterialLaw law) {
+  return static_cast<std::size_t>(std::count_if(system.blocks.begin(), system.blocks.end(), [&](const Block& block) {
+    return deforms(block) && project.materials[block.material].law == law;
+  }));
+}
 
 double block_size(const Block& block) { return std::cbrt(block.volume); }
 
@@ -101,7 +108,9 @@ std::vector<double> damping_rates(const Project& project, const BlockSystem& sys
 std::vector<EffectStatus> called_effects(const Project& project, const BlockSystem& system) {
   const auto movable = static_cast<std::size_t>(std::count_if(
       system.blocks.begin(), system.blocks.end(), [](const Block& b) { return b.body != BodyKind::fixed; }));
-  const auto deformable = static_cast<std::size_t>(std::count_if(system.blocks.begin(), system.blocks.end(), deforms));
+  const std::size_t linear = deforming_blocks(project, system, MaterialLaw::linear);
+  const std::size_t neo_hookean = deforming_blocks(project, system, MaterialLaw::neo_hookean);
+  const std::size_t deformable = linear + neo_hookean;
   const bool touching = movable > 0 && system.blocks.size() > 1;
   const bool corotational = project.solver.strain == Strain::corotational;
   std::vector<EffectStatus> list;
@@ -114,7 +123,10 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
   const std::string frame = corotational ? ", measured in the rotated frame" : ", summed up step by step";
   const std::string still = "every block is fixed";
   const std::string stiff = movable == 0 ? still : "every block that moves is rigid";
-  add("elasticity", deformable > 0, count(deformable, "block deforms", "blocks deform") + frame, stiff);
+  add("elasticity", linear > 0, count(linear, "block deforms", "blocks deform") + frame,
+      deformable == 0 ? stiff : "every block that deforms is neo-Hookean");
+  add("neo-Hookean elasticity", neo_hookean > 0, count(neo_hookean, "block deforms", "blocks deform") + " by that law",
+      "no material that deforms asks for it");
   add("initial stress", deformable > 0 && (!corotational || !project.in_situ.empty()),
       corotational ? "stress in situ" : "stress is carried from step to step",
       deformable == 0 ? stiff : "no stress in situ; corotational strain carries none from step to step");
@@ -157,6 +169,7 @@ Composition compose(const Project& project, const BlockSystem& system, int stage
     if (!status.active) continue;
     if (status.name == "elasticity" && corotational) add(std::make_unique<CorotationalElasticity>(set));
     if (status.name == "elasticity" && !corotational) add(std::make_unique<Elasticity>(set));
+    if (status.name == "neo-Hookean elasticity") add(std::make_unique<NeoHookeanElasticity>(set));
     if (status.name == "initial stress" && corotational) add(std::make_unique<InSituStresses>(project, system, set));
     if (status.name == "initial stress" && !corotational) add(std::make_unique<InitialStress>(set));
     if (status.name == "inertia") composition.inertia = add(std::make_unique<Inertia>(set));

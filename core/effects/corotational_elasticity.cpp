@@ -2,9 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <numeric>
 
-#include "base/parallel.hpp"
 #include "bodies/deformation.hpp"
 #include "bodies/finite_rotation.hpp"
 #include "bodies/polar.hpp"
@@ -12,8 +10,6 @@
 namespace talus {
 
 namespace {
-
-constexpr int grain = 64;  ///< elements, some 20 µs of work
 
 /// R [2μE + λ tr(E) I], with E = S − I: Piola's stress [Pa].
 Mat3 piola_stress(const Elastic& elastic, const Mat3& f, const Mat3& r) {
@@ -45,13 +41,15 @@ void CorotationalElasticity::begin_step(const StepContext& step) {
   start_.clear();
   if (step.dynamic_factor == 0 || step.integration.alpha_f > 0) return;
   start_.resize(set_.elements.size());
-  in_parallel(static_cast<int>(start_.size()), grain, [&](int first, int last) {
-    for (int e = first; e < last; ++e)
+  in_parallel(static_cast<int>(set_.linear.size()), ElementSums::grain, [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const int e = set_.linear[i];
       start_[e] = rotation_of(deformation_gradient(set_, set_.elements[e], set_.shapes[e]));
+    }
   });
 }
 
-double CorotationalElasticity::energy_of(std::size_t e, const Mat3& f) const {
+double CorotationalElasticity::energy_of(int e, const Mat3& f) const {
   const Elastic& elastic = set_.bodies[set_.elements[e].body].elastic;
   const Mat3 r = rotation_of(f);
   const double trace = (r.transpose() * f).trace() - 3;
@@ -59,47 +57,38 @@ double CorotationalElasticity::energy_of(std::size_t e, const Mat3& f) const {
 }
 
 double CorotationalElasticity::energy(const Increment& d) const {
-  double sum = 0;
-  for (std::size_t e = 0; e < set_.elements.size(); ++e)
-    sum += energy_of(e, deformation_gradient(set_, set_.elements[e], set_.shapes[e], d));
-  return sum;
+  return sums_.energy(set_.linear, [&](int e) {
+    return energy_of(e, deformation_gradient(set_, set_.elements[e], set_.shapes[e], d));
+  });
 }
 
 double CorotationalElasticity::stored_energy() const {
-  energies_.resize(set_.elements.size());
-  in_parallel(static_cast<int>(energies_.size()), grain, [&](int first, int last) {
-    for (int e = first; e < last; ++e)
-      energies_[e] = energy_of(e, deformation_gradient(set_, set_.elements[e], set_.shapes[e]));
-  });
-  return std::accumulate(energies_.begin(), energies_.end(), 0.0);
+  return sums_.energy(
+      set_.linear, [&](int e) { return energy_of(e, deformation_gradient(set_, set_.elements[e], set_.shapes[e])); });
 }
 
-CorotationalElasticity::Forces CorotationalElasticity::forces(std::size_t e, const Increment& d) const {
+ElementSums::Forces CorotationalElasticity::forces(int e, const Increment& d) const {
   const ElementShape& shape = set_.shapes[e];
   const Mat3 f = deformation_gradient(set_, set_.elements[e], shape, d);
   const Mat3 r = rotation_of(f);
   Mat3 stress = shape.volume * piola_stress(set_.bodies[set_.elements[e].body].elastic, f, r);
   if (!start_.empty()) stress = 0.5 * (stress + start_[e] * (r.transpose() * stress));
-  Forces forces;
+  ElementSums::Forces forces;
   for (int a = 0; a < 4; ++a) forces[a] = stress * shape.gradient[a];
   return forces;
 }
 
 void CorotationalElasticity::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
-  forces_.resize(set_.elements.size());
-  in_parallel(static_cast<int>(forces_.size()), grain, [&](int first, int last) {
-    for (int e = first; e < last; ++e) forces_[e] = forces(e, d);
-  });
-  for (std::size_t e = 0; e < forces_.size(); ++e)
-    for (int a = 0; a < 4; ++a) sum.segment<3>(3 * set_.elements[e].freedoms[a]) += forces_[e][a];
+  sums_.add_gradient(
+      set_.linear, [&](int e) { return forces(e, d); }, sum);
 }
 
-CorotationalElasticity::Stiffness CorotationalElasticity::stiffness(std::size_t e, const Increment& d) const {
+ElementSums::Stiffness CorotationalElasticity::stiffness(int e, const Increment& d) const {
   const Elastic& elastic = set_.bodies[set_.elements[e].body].elastic;
   ElementShape turned = set_.shapes[e];
   const Mat3 f = deformation_gradient(set_, set_.elements[e], turned, d), r = rotation_of(f);
   const Mat3 twist = turned.volume * r * twist_stiffness(elastic, r.transpose() * f) * r.transpose();
-  Stiffness blocks;
+  ElementSums::Stiffness blocks;
   auto block = blocks.begin();
   for (int a = 0; a < 4; ++a) turned.gradient[a] = r * turned.gradient[a];
   for (int a = 0; a < 4; ++a) {
@@ -111,20 +100,12 @@ CorotationalElasticity::Stiffness CorotationalElasticity::stiffness(std::size_t 
 }
 
 void CorotationalElasticity::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  stiffness_.resize(set_.elements.size());
-  in_parallel(static_cast<int>(stiffness_.size()), grain, [&](int first, int last) {
-    for (int e = first; e < last; ++e) stiffness_[e] = stiffness(e, d);
-  });
-  for (std::size_t e = 0; e < stiffness_.size(); ++e) {
-    const std::array<int, 4>& freedoms = set_.elements[e].freedoms;
-    auto block = stiffness_[e].begin();
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b <= a; ++b) sum.add(freedoms[a], freedoms[b], *block++);
-  }
+  sums_.add_hessian(
+      set_.linear, [&](int e) { return stiffness(e, d); }, sum);
 }
 
 void CorotationalElasticity::add_stress(std::vector<Voigt>& stress) const {
-  for (std::size_t e = 0; e < set_.elements.size(); ++e) {
+  for (const int e : set_.linear) {
     const Mat3 f = deformation_gradient(set_, set_.elements[e], set_.shapes[e]);
     const Mat3 p = piola_stress(set_.bodies[set_.elements[e].body].elastic, f, rotation_of(f));
     stress[e] += voigt(p * f.transpose() / f.determinant());

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "effects/effect.hpp"
+#include "effects/element_sums.hpp"
 
 namespace talus {
 
-/// Strain energy measured from the undeformed shape in the rotated frame (METHOD §2). With the deformation gradient
-/// F = R S of an element and E = S − I:
+/// Strain energy of linear rock, measured from the undeformed shape in the rotated frame (METHOD §2). With the
+/// deformation gradient F = R S of an element and E = S − I:
 ///   Π = Σ_e V [μ E:E + λ/2 (tr E)²]  [J],   P = ∂Π/∂F = R [2μE + λ tr(E) I]
 /// A block that only turns neither grows nor gains stress. In dynamic steps whose forces are taken at the end, P acts
 /// along the mean rotation of the step, ½(R₀ + R₁) Rᵀ₁ P₁: along the end's alone it would do work on the chord of a
@@ -14,7 +15,7 @@ namespace talus {
 /// elements that would be negative.
 class CorotationalElasticity final : public Effect {
  public:
-  explicit CorotationalElasticity(const BodySet& set) : set_(set) {}
+  explicit CorotationalElasticity(const BodySet& set) : set_(set), sums_(set) {}
   std::string_view name() const override { return "elasticity"; }
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool quadratic() const override { return false; }
@@ -28,17 +29,12 @@ class CorotationalElasticity final : public Effect {
   void add_stress(std::vector<Voigt>& stress) const override;
 
  private:
-  using Forces = std::array<Vec3, 4>;      ///< N, a corner
-  using Stiffness = std::array<Mat3, 10>;  ///< N/m, lower triangle of the corners' blocks, row by row
-  Forces forces(std::size_t element, const Increment& d) const;
-  Stiffness stiffness(std::size_t element, const Increment& d) const;
-  double energy_of(std::size_t element, const Mat3& gradient) const;
+  ElementSums::Forces forces(int element, const Increment& d) const;
+  ElementSums::Stiffness stiffness(int element, const Increment& d) const;
+  double energy_of(int element, const Mat3& gradient) const;
   const BodySet& set_;
-  std::vector<Mat3> start_;  ///< R₀ of each element, where the mean rotation is asked for; else none
-  // Computed an element by itself, on several threads, then summed up in order.
-  mutable std::vector<Forces> forces_;
-  mutable std::vector<Stiffness> stiffness_;
-  mutable std::vector<double> energies_;
+  ElementSums sums_;
+  std::vector<Mat3> start_;  ///< R₀ of each element of linear rock, where the mean rotation is asked for; else none
 };
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,7 +19,8 @@ struct StepContext {
   double dynamic_factor = 1;      ///< share of the velocity that enters the step: 0 static, 1 dynamic
   TimeIntegration integration{};  ///< of this step; in static stages all forces are taken at its end
   double extent = 0;              ///< m, largest coordinate: where a step begins is rounded to 1e-16 of it
-  double mesh_size = 0;           ///< m, largest: a deformation gradient is rounded to 1e-16, an edge to this times it
+  double reach = std::numeric_limits<double>::infinity();  ///< m, beyond which no iteration leads at once
+  double mesh_size = 0;  ///< m, largest: a deformation gradient is rounded to 1e-16, an edge to this times it
 };
 
 /// The column of the energy ledger that an effect's energy belongs to.
@@ -48,6 +50,8 @@ class Effect {
   virtual void add_hessian(const Increment&, SymmetricBlocks&) const {}
   /// What the derivative of the gradient has beyond the Hessian [N/m].
   virtual void add_unsymmetric(const Increment&, UnsymmetricBlocks&) const {}
+  /// Of a smooth effect: the share of `change`, 0 to 1, by which D may go on and the energy stay a number.
+  virtual double longest_share(const Increment&, const Increment& /*change*/) const { return 1; }
   /// The step is taken; the bodies' positions have not moved yet.
   virtual void accept(const Increment&) {}
 

@@ -62,6 +62,7 @@ Material material_from(const std::string& name, const OrderedJson& value) {
   read(value, "young", material.young);
   read(value, "poisson", material.poisson);
   read(value, "damping", material.damping);
+  read_word(value, "law", material.law, {MaterialLaw::linear, MaterialLaw::neo_hookean});
   return material;
 }
 

@@ -26,6 +26,7 @@ void write_word_unless_usual(OrderedJson& object, const char* key, Word value, W
 OrderedJson json_from(const Material& material) {
   OrderedJson json{{"density", material.density}, {"young", material.young}, {"poisson", material.poisson}};
   write_unless_usual(json, "damping", material.damping, 0.0);
+  write_word_unless_usual(json, "law", material.law, MaterialLaw::linear);
   return json;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/units.hpp"
+#include "mesh/mesh_size.hpp"
 
 namespace talus {
 namespace {
@@ -111,17 +112,16 @@ Surface make_surface(std::span<const Vec3> nodes, std::vector<SurfaceTriangle> t
 
   std::vector<Vec3> normals;
   normals.reserve(surface.triangles.size());
-  double area = 0, volume = 0;
+  double volume = 0;
   const Vec3 origin = nodes[surface.triangles[0].nodes[0]];
   for (const SurfaceTriangle& t : surface.triangles) {
     const Vec3 p = nodes[t.nodes[0]];
     const Vec3 twice = (nodes[t.nodes[1]] - p).cross(nodes[t.nodes[2]] - p);
-    area += twice.norm() / 2;
     volume += twice.dot(p - origin) / 6;
     normals.push_back(twice.stableNormalized());
   }
   if (!(volume > 0)) throw std::invalid_argument("surface is inside out, or it encloses nothing");
-  surface.size = std::sqrt(2 * area / static_cast<double>(surface.triangles.size()));
+  surface.size = mesh_size(nodes, surface.triangles);
   flood_patches(normals, surface);
   find_rings_and_corners(nodes, surface);
   return surface;

@@ -36,12 +36,20 @@ constexpr std::string_view to_string(BodyKind kind) {
   return "tetrahedra";
 }
 
+/// How stress follows strain: in proportion, measured in the rotated frame; or by Simo's neo-Hookean energy, which no
+/// stress squeezes to nothing.
+enum class MaterialLaw { linear, neo_hookean };
+
+/// The word the project file uses.
+constexpr std::string_view to_string(MaterialLaw law) { return law == MaterialLaw::linear ? "linear" : "neo-hookean"; }
+
 struct Material {
   std::string name;
   double density = 0;  ///< kg/m³
   double young = 0;    ///< Pa
   double poisson = 0;
   double damping = 0;  ///< 1/s, of the mass: a force density −damping·ρ·v
+  MaterialLaw law = MaterialLaw::linear;
   bool operator==(const Material&) const = default;
 };
 

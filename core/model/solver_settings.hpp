@@ -51,9 +51,12 @@ struct SolverSettings {
   Integrator integrator = Integrator::newmark;
   double spectral_radius = 0.8;  ///< of generalized_alpha at infinite frequency, 0 … 1
   ContactModel contact = ContactModel::area;
-  double contact_stiffness = 10;                ///< normal penalty in units of E*/h (METHOD §3), dimensionless
-  std::optional<double> penetration_tolerance;  ///< of the mesh size: augmented Lagrangian rounds until it is met
-  int open_close_limit = 160;                   ///< iterations before the step is cut
+  double contact_stiffness = 10;  ///< normal penalty in units of E*/h (METHOD §3), dimensionless
+  /// Of the mesh size: augmented Lagrangian rounds in static stages, harder springs in dynamic ones until it is met.
+  /// Empty: springs as they are in static stages, 5e-4 in dynamic ones, where no joint has a normal stiffness of its
+  /// own.
+  std::optional<double> penetration_tolerance;
+  int open_close_limit = 160;  ///< iterations before the step is cut
   double sleep_tolerance =
       1e-9;  ///< 1/s: blocks slower than this times their mesh size sleep in dynamic stages; 0: none
   TimeStepControl time_step_control = TimeStepControl::fixed;

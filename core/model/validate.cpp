@@ -31,6 +31,16 @@ void check(const Material& material) {
           "Poisson's ratio must lie between -1 and 0.5, is " + number_text(material.poisson),
           "rock has 0.1 to 0.35; use 0.49 for nearly incompressible");
   require_not_negative(material.damping, place / "damping", "damping", "1/s");
+  require(material.law == MaterialLaw::linear || material.poisson >= 0, place / "poisson",
+          "a neo-hookean material needs a Poisson's ratio of at least 0, is " + number_text(material.poisson),
+          "squeezed to nothing it would give energy; give it another ratio, or the linear law");
+}
+
+void check_law(const Material& material, const SolverSettings& solver) {
+  require(material.law == MaterialLaw::linear || solver.strain == Strain::corotational,
+          Place() / "materials" / material.name / "law",
+          "a neo-hookean material is strained from its undeformed shape, which incremental strain does not know",
+          "set solver.strain to corotational, or the law to linear");
 }
 
 void check_shape(const BoxShape& box, const Place& solid) {
@@ -129,7 +139,10 @@ void check_each(const Things& things, const char* list) {
 void validate(const Project& project) {
   require_finite(project.gravity, Place() / "gravity");
   validate_names(project);
-  for (const auto& material : project.materials) check(material);
+  for (const auto& material : project.materials) {
+    check(material);
+    check_law(material, project.solver);
+  }
   for (const auto& joint : project.joints) check(joint, Place() / "joints" / joint.name);
   require(!project.solids.empty(), Place() / "solids", "the project has no solid", "add a box, a polyhedron or a file");
   check_each(project.solids, "solids");

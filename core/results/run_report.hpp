@@ -8,6 +8,7 @@
 #include "base/vector.hpp"
 #include "model/project.hpp"
 #include "results/motion_class.hpp"
+#include "results/struggle.hpp"
 
 namespace talus {
 
@@ -138,6 +139,7 @@ struct RunReport {
   Phases phases;
   std::vector<EffectOutcome> effects;
   RunWork work;
+  std::vector<Struggle> struggles;  ///< the hardest places, the hardest first
   std::vector<Event> events;
   std::vector<ExpectationOutcome> expect;
 };

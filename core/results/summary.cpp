@@ -78,6 +78,19 @@ void for_each_field(Either<RunWork> auto& work, auto field) {
   field("stress_recoveries", work.stress_recoveries);
 }
 
+/// Those that are numbers, words or yes and no.
+void for_each_plain_field(Either<Struggle> auto& struggle, auto field) {
+  field("joint", struggle.joint);
+  field("time", struggle.time);
+  field("step", struggle.step);
+  field("relative_penetration", struggle.relative_penetration);
+  field("iterations", struggle.iterations);
+  field("most_iterations", struggle.most_iterations);
+  field("cuts", struggle.cuts);
+  field("ended_run", struggle.ended_run);
+  field("advice", struggle.advice);
+}
+
 void for_each_field(Either<Event> auto& event, auto field) {
   field("time", event.time);
   field("what", event.what);
@@ -92,6 +105,17 @@ template <Listed Thing>
 Json json(const Thing& thing) {
   Json object = Json::object();
   for_each_field(thing, [&](const char* name, const auto& value) { object[name] = value; });
+  return object;
+}
+
+Json json(const Struggle& struggle) {
+  Json object = {{"blocks", Json::array()},
+                 {"cause", to_string(struggle.cause)},
+                 {"position", json(struggle.position)},
+                 {"rest_position", json(struggle.rest_position)}};
+  for (const std::string& block : struggle.blocks)
+    if (!block.empty()) object["blocks"].push_back(block);
+  for_each_plain_field(struggle, [&](const char* name, const auto& value) { object[name] = value; });
   return object;
 }
 
@@ -157,6 +181,39 @@ void take(const Json& object, const char* name, std::vector<Thing>& things) {
   }
 }
 
+/// Calls take_item(number, item) for the first `most` of a list, where there is one.
+void for_each_item(const Json& object, const char* name, int most, const auto& take_item) {
+  const auto found = object.find(name);
+  if (found == object.end() || !found->is_array()) return;
+  int number = 0;
+  for (const Json& item : *found)
+    if (number < most) take_item(number++, item);
+}
+
+void take(const Json& object, Struggle& struggle) {
+  for_each_plain_field(struggle, [&](const char* name, auto& value) { take(object, name, value); });
+  std::string word;
+  take(object, "cause", word);
+  for (const StruggleCause cause :
+       {StruggleCause::many_iterations, StruggleCause::not_settled, StruggleCause::inverted})
+    if (word == to_string(cause)) struggle.cause = cause;
+  for_each_item(object, "blocks", 2, [&](int i, const Json& block) {
+    if (block.is_string()) struggle.blocks[static_cast<std::size_t>(i)] = block;
+  });
+  for (const auto& [name, place] :
+       {std::pair("position", &struggle.position), std::pair("rest_position", &struggle.rest_position)})
+    for_each_item(object, name, 3, [place = place](int i, const Json& number) {
+      if (number.is_number()) (*place)[i] = number;
+    });
+}
+
+void take(const Json& object, const char* name, std::vector<Struggle>& struggles) {
+  const auto found = object.find(name);
+  if (found == object.end() || !found->is_array()) return;
+  for (const Json& entry : *found)
+    if (entry.is_object()) take(entry, struggles.emplace_back());
+}
+
 std::optional<RunStatus> status_named(const Json& summary) {
   std::string word;
   take(summary, "status", word);
@@ -183,6 +240,7 @@ std::string summary_json(const RunReport& report) {
                         {"effects", json(report.effects)},
                         {"work", json(report.work)},
                         {"phases", json(report.phases)},
+                        {"struggles", json(report.struggles)},
                         {"events", json(report.events)},
                         {"expect", json(report.expect)}};
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -206,6 +264,7 @@ std::optional<RunReport> read_summary(const std::filesystem::path& file) {
   take(summary, "effects", report.effects);
   take(summary, "work", report.work);
   take(summary, "phases", report.phases);
+  take(summary, "struggles", report.struggles);
   take(summary, "events", report.events);
   return report;
 }

@@ -11,8 +11,10 @@ namespace {
 constexpr double opening_tolerance = 2e-4;
 /// A contact that goes too deep gets a spring so many times as stiff …
 constexpr double hardening_factor = 10;
-/// … until it is that of a contact without penetration, for all that doubles tell.
-constexpr double hardest = 1e8;
+/// … and not because of what is in already: its spring must give by more than this share of the tolerance …
+constexpr double springy = 0.02;
+/// … and no more than this: beyond it, what rounding does to a gap would be a force.
+constexpr double hardest = 1e6;
 
 }  // namespace
 
@@ -56,13 +58,15 @@ void ContactOutcomes::add_to(StepReport& report) const {
   report.max_relative_penetration = std::max(report.max_relative_penetration, max_relative_penetration_);
 }
 
-bool harden(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance) {
+bool harden(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance,
+            std::span<const Joint> as_given) {
   bool any = false;
   for (int i = 0; i < links.moves().size(); ++i) {
     ContactPoint& point = contacts.points[i];
-    const double way = links.gap(i, d) - point.gap;
-    const bool too_deep = point.overlap - point.gap - way > tolerance * point.size && way < 0;
+    const double gap = links.gap(i, d), limit = tolerance * point.size;
+    const bool too_deep = point.overlap - gap > limit && gap < point.gap && -gap > springy * limit;
     if (!too_deep || point.bonded || point.hardening >= hardest) continue;
+    if (!as_given.empty() && as_given[point.joint].normal_stiffness) continue;
     if (point.gap < 0) {
       const double left = point.gap / hardening_factor;  // at which the harder spring pushes as much
       point.overlap += left - point.gap;
@@ -70,6 +74,7 @@ bool harden(ContactSet& contacts, const ContactLinks& links, const Increment& d,
     }
     point.hardening *= hardening_factor;
     point.normal_stiffness *= hardening_factor;
+    point.shear_stiffness *= hardening_factor;
     any = true;
   }
   return any;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "effects/compose.hpp"
 #include "results/frame.hpp"
 #include "results/run_report.hpp"
@@ -36,9 +38,11 @@ double multiplier_error(const ContactLinks& links, const Increment& d);
 /// penetration, λ ← max(0, λ − k_n gap).
 void adapt_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d);
 
-/// Hardens points that penetrate by more than `tolerance` of their mesh size at D and by more than at the start of the
-/// step (the penalty × 10 of Shi's programs): the force at the start stays what it is, what it is deep by then stays
-/// out of account. Whether any was.
-bool harden(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance);
+/// Hardens points, against shear too, that penetrate by more than `tolerance` of their mesh size at D and by more than
+/// at the start of the step (the penalty × 10 of Shi's programs): the force at the start stays what it is, what it is
+/// deep by then stays out of account. Not where that alone is too deep, and the spring hardly gives. Where `as_given`
+/// has joints, points of one with a normal stiffness of its own keep that. Whether any was hardened.
+bool harden(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance,
+            std::span<const Joint> as_given);
 
 }  // namespace talus

@@ -21,6 +21,7 @@ namespace {
 /// increment.
 namespace unit_cost {
 constexpr double corotational_element = 1.9e-6;
+constexpr double neo_hookean_element = 1.3e-6;  // 0.45 to 0.8 of a corotational one in the same scene
 constexpr double incremental_element = 0.9e-6;
 constexpr double stress_in_situ_of_element = 0.45e-6;
 constexpr double carried_stress_of_element = 0.19e-6;
@@ -57,15 +58,18 @@ long held_points(const Project& project) {
                        [](const Constraint& c) { return c.at.has_value(); });
 }
 
-std::vector<Items> bodies(const SceneSize& size, double of_element, double of_rigid) {
-  return {{size.tetrahedra, "tetrahedron", "tetrahedra", of_element},
-          {size.affine_blocks, "affine block", "affine blocks", of_element},
-          {size.rigid_blocks, "rigid block", "rigid blocks", of_rigid}};
+std::vector<Items> elements(long tetrahedra, long affine_blocks, double of_element) {
+  return {{tetrahedra, "tetrahedron", "tetrahedra", of_element},
+          {affine_blocks, "affine block", "affine blocks", of_element}};
 }
 
-std::vector<Items> elements(const SceneSize& size, double of_element) {
-  std::vector<Items> items = bodies(size, of_element, 0);
-  items.pop_back();
+std::vector<Items> all_elements(const SceneSize& size, double of_element) {
+  return elements(size.tetrahedra, size.affine_blocks, of_element);
+}
+
+std::vector<Items> bodies(const SceneSize& size, double of_element, double of_rigid) {
+  std::vector<Items> items = all_elements(size, of_element);
+  items.push_back({size.rigid_blocks, "rigid block", "rigid blocks", of_rigid});
   return items;
 }
 
@@ -76,9 +80,13 @@ std::vector<Items> points(long count, double unit) {
 std::vector<Items> items_of(const std::string& effect, const Project& project, const SceneSize& size) {
   using namespace unit_cost;
   const bool corotational = project.solver.strain == Strain::corotational;
-  if (effect == "elasticity") return elements(size, corotational ? corotational_element : incremental_element);
+  const long soft = size.neo_hookean_tetrahedra, soft_affine = size.neo_hookean_affine_blocks;
+  if (effect == "elasticity")
+    return elements(size.tetrahedra - soft, size.affine_blocks - soft_affine,
+                    corotational ? corotational_element : incremental_element);
+  if (effect == "neo-Hookean elasticity") return elements(soft, soft_affine, neo_hookean_element);
   if (effect == "initial stress")
-    return elements(size, corotational ? stress_in_situ_of_element : carried_stress_of_element);
+    return all_elements(size, corotational ? stress_in_situ_of_element : carried_stress_of_element);
   if (effect == "inertia") return bodies(size, inertia_of_element, inertia_of_rigid);
   if (effect == "body force") return bodies(size, weight, weight);
   if (effect == "damping") return bodies(size, damping_of_element, damping_of_rigid);
@@ -97,8 +105,12 @@ std::vector<Items> items_of(const std::string& effect, const Project& project, c
 SceneSize scene_size(const Project& project, const BlockSystem& system) {
   SceneSize size;
   for (const Block& block : system.blocks) {
-    if (block.body == BodyKind::tetrahedra) size.tetrahedra += static_cast<long>(block.mesh.tetrahedra.size());
+    const bool neo_hookean = project.materials[block.material].law == MaterialLaw::neo_hookean;
+    const auto tetrahedra = static_cast<long>(block.mesh.tetrahedra.size());
+    if (block.body == BodyKind::tetrahedra) size.tetrahedra += tetrahedra;
+    if (block.body == BodyKind::tetrahedra && neo_hookean) size.neo_hookean_tetrahedra += tetrahedra;
     if (block.body == BodyKind::affine) ++size.affine_blocks;
+    if (block.body == BodyKind::affine && neo_hookean) ++size.neo_hookean_affine_blocks;
     if (block.body == BodyKind::rigid) ++size.rigid_blocks;
   }
   if (project.stages.empty()) return size;

@@ -101,6 +101,7 @@ void OpenClose::begin_step(const StepContext& step) {
   const Stopwatch watch(times_.assemble);
   share_ = step.integration.smooth_share();
   mesh_size_ = step.mesh_size;
+  reach_ = step.reach;
   tolerance_ = step.dynamic_factor > 0 ? settings_.tolerance : settings_.static_tolerance;
   extent_ = step.extent;
   assemble_constant(step);
@@ -197,6 +198,19 @@ void OpenClose::find_direction(const Increment& d, Friction friction) {
     for (const auto& effect : composition_->effects) effect->add_unsymmetric(d, beyond_);
   }
   linear_.solve(matrix_, beyond_, gradient_, negligible_share * tolerance_ * force_scale_, direction_);
+  shorten_direction(d);
+}
+
+void OpenClose::shorten_direction(const Increment& d) {
+  double longest = 0;
+  for (Eigen::Index n = 0; n < direction_.size(); n += 3)
+    longest = std::max(longest, direction_.segment<3>(n).squaredNorm());
+  double share = longest > reach_ * reach_ ? reach_ / std::sqrt(longest) : 1;
+  scaled_ = share_ * d;
+  part_ = -share_ * direction_;
+  for (const auto& effect : composition_->effects)
+    if (effect->smooth()) share = std::min(share, effect->longest_share(scaled_, part_));
+  direction_ *= share;
 }
 
 double OpenClose::slope_at(double share, Increment& d, Friction friction) {
@@ -263,6 +277,7 @@ Settling OpenClose::settle(Increment& d) {
     const bool stands = result.iterations == 0 && result.residual <= rounding_of_positions_ && d.isZero(0);
     result.settled = result.residual <= tolerance_ * force_scale_ || stalled || stands;
     if (result.settled || result.iterations >= settings_.iteration_limit) break;
+    if (result.iterations >= settings_.slow && result.worst_freedom < 0) result.worst_freedom = worst_freedom();
     last = result.residual;
     if (in_vain == settings_.patience) {
       in_vain = 0;
@@ -274,12 +289,15 @@ Settling OpenClose::settle(Increment& d) {
     move(d);
     ++in_vain;
   }
-  if (!result.settled && gradient_.size() > 0) {
-    Eigen::Index worst = 0;
-    gradient_.cwiseAbs().maxCoeff(&worst);
-    result.worst_node = static_cast<int>(worst / 3);
-  }
+  if (!result.settled) result.worst_freedom = worst_freedom();
   return result;
+}
+
+int OpenClose::worst_freedom() const {
+  if (gradient_.size() == 0) return -1;
+  Eigen::Index worst = 0;
+  gradient_.cwiseAbs().maxCoeff(&worst);
+  return static_cast<int>(worst / 3);
 }
 
 int OpenClose::settle_with_care(Increment& d, int limit) {

@@ -19,12 +19,15 @@ struct Settling {
   int iterations = 0;
   double residual = 0;     ///< N, norm of what is out of balance
   double force_scale = 0;  ///< N, what it is measured against
-  int worst_node = -1;     ///< movable node with the largest part of the residual
+  /// Freedom with the largest part of the residual: of a step that was slow when it became so, of one that did not
+  /// settle at its end; −1: it was easy, or what is out of balance is not a number.
+  int worst_freedom = -1;
 };
 
 /// Settings of the open–close iteration; each with its consequence.
 struct OpenCloseSettings {
   int iteration_limit = 160;        ///< then the step is cut
+  int slow = 25;                    ///< iterations after which a step counts as hard; most take two to six
   double tolerance = 1e-10;         ///< residual over force scale at which a dynamic step has settled …
   double static_tolerance = 1e-11;  ///< … and a static one, in which forces hardly do any work
   double round_off = 1e-9;  ///< a residual below this that no longer falls is round-off, and has settled too …
@@ -78,12 +81,15 @@ class OpenClose {
   void assemble_constant(const StepContext& step);
   void assemble(const Increment& d, double touching);
   void find_direction(const Increment& d, Friction friction);
+  /// To what smooth effects bear, and no further than contacts were sought.
+  void shorten_direction(const Increment& d);
   void move(Increment& d);
   void prepare(const Increment& d, double touching);
   /// Where Newton's method goes round in circles: strengths are held while the potential that there is then falls to
   /// its floor, which it does from anywhere; then they are taken anew, until a coupled step leads on. Returns the
   /// iterations that took.
   int settle_with_care(Increment& d, int limit);
+  int worst_freedom() const;
   /// Takes a coupled step from D if it brings the residual down by much.
   bool coupled_step_is_worthwhile(Increment& d);
   double slope_at(double share, Increment& d, Friction friction);
@@ -105,6 +111,7 @@ class OpenClose {
   bool pattern_changed_ = false;       ///< since constant_ was assembled
   double tolerance_ = 0;               ///< of this step
   double mesh_size_ = 0, extent_ = 0;  ///< m, largest
+  double reach_ = 0;                   ///< m, that an iteration may lead
   double rounding_ = 0;                ///< N, that the rounding of deformations alone may leave in the residual
   double rounding_of_positions_ = 0;   ///< N, that the rounding of where a step begins may leave
   double force_scale_ = 0, momentum_scale_ = 0;

@@ -95,6 +95,7 @@ class Recording {
         write_frame();
         next_frame_ = project_.output.every * (std::floor(simulation_.time() / project_.output.every + 1e-9) + 1);
       }
+      observer_.on_bodies(step, simulation_.bodies());
       observer_.on_step(step, row, simulation_.time() / simulation_.end_time());
     }
     writer_.add_step(step);
@@ -102,6 +103,7 @@ class Recording {
     if (step.equilibrium)
       stage_events_.push_back({step.time, "stage " + project_.stages[step.stage].name + " in equilibrium"});
     add_step(report_, step);
+    note_struggles();
   }
 
   /// `wall`: seconds spent, without pauses.
@@ -119,6 +121,7 @@ class Recording {
     report_.names = motion_names(system_);
     report_.effects = simulation_.effects();
     report_.work = simulation_.work();
+    report_.struggles = struggles_.hardest();
     report_.events = merged(merged(events_.events(), motions_.events()), stage_events_);
     report_.expect = expectations_.outcomes();
     writer_.finish(report_);
@@ -126,6 +129,12 @@ class Recording {
   }
 
  private:
+  void note_struggles() {
+    if (simulation_.struggles().empty()) return;
+    for (const Struggle& struggle : simulation_.struggles()) struggles_.add(struggle);
+    observer_.on_struggles(struggles_.hardest());
+  }
+
   void write_frame() {
     const auto frame = std::make_shared<Frame>(simulation_.frame(report_.frames++));
     frame->motions = motions_.classes(simulation_.bodies());
@@ -141,6 +150,7 @@ class Recording {
   EventWatch events_;
   MotionWatch motions_;
   std::vector<Event> stage_events_;
+  StruggleList struggles_;
   ExpectationWatch expectations_;
   ResultWriter writer_;
   double next_frame_;  ///< s

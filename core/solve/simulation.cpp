@@ -5,6 +5,7 @@
 
 #include "solve/simulation_state.hpp"
 #include "solve/stopwatch.hpp"
+#include "solve/turning_contacts.hpp"
 
 namespace talus {
 
@@ -21,13 +22,10 @@ constexpr double reach_share = 1e-3;
 /// Rounds of the augmented Lagrangian in a step; each brings penetration down by about the contact's over the rock's
 /// stiffness.
 constexpr int augmentation_limit = 10;
+/// Of the mesh size: in dynamic stages contacts whose stiffness nobody has given go no deeper.
+constexpr double usual_tolerance = 5e-4;
 /// A static stage is in equilibrium no sooner than after this many steps.
 constexpr int fewest_static_steps = 2;
-
-std::string place_text(const Vec3& place) {
-  return " at (" + std::to_string(place.x()) + ", " + std::to_string(place.y()) + ", " + std::to_string(place.z()) +
-         ") m";
-}
 
 }  // namespace
 
@@ -52,6 +50,7 @@ StepReport Simulation::step() {
   State& s = *state_;
   if (s.clock.stage_begins() && s.step > 0) begin_stage();
   StepReport report;
+  struggles_.clear();
   report.step = ++s.step;
   report.stage = s.clock.stage();
   const double start = s.clock.time();
@@ -85,11 +84,10 @@ void Simulation::take_fixed_step(StepReport& report) {
       left -= trial;
       s.trial_length = std::min(trial * cut_factor, length);
     } else if (trial / cut_factor < shortest_share * length) {
-      return;
+      return give_up();
     } else {
-      failure_.clear();
       s.trial_length = trial / cut_factor;
-      ++report.cuts;
+      note_cut(report);
     }
   }
   s.clock.advance();
@@ -108,10 +106,12 @@ void Simulation::take_adaptive_step(StepReport& report) {
       s.clock.advance_by(length);
       return;
     }
-    if (!settled && !s.control.may_be_shorter(length)) return;
-    failure_.clear();
+    if (!settled && !s.control.may_be_shorter(length)) return give_up();
     s.control.refused(measure, length);
-    ++report.cuts;
+    if (settled)
+      ++report.cuts;
+    else
+      note_cut(report);
   }
 }
 
@@ -143,8 +143,9 @@ void Simulation::seek_contacts(double length) {
     prescribed = std::max(prescribed, s.bodies.nodes.prescribed[s.bodies.bodies[b].first_node].norm());
   const double way =
       s.context.dynamic_factor * s.bodies.top_speed() * length + 0.5 * s.project.gravity.norm() * length * length;
-  s.detector.detect(s.bodies.nodes.position, reach_factor * (way + prescribed) + reach_share * s.smallest_size,
-                    s.contacts);
+  const double reach = reach_factor * (way + prescribed);
+  s.context.reach = reach + s.smallest_size;
+  s.detector.detect(s.bodies.nodes.position, reach + reach_share * s.smallest_size, s.contacts);
   s.links.connect();
 }
 
@@ -194,54 +195,44 @@ int Simulation::inverted_element() const {
 bool Simulation::settle(StepReport& report) {
   State& s = *state_;
   Settling result = s.open_close.settle(s.increment);
-  report.iterations += result.iterations;
-  for (int round = 0; result.settled && s.augmented() && round < augmentation_limit; ++round) {
-    if (!press_apart(*s.project.solver.penetration_tolerance)) break;
+  int iterations = result.iterations, hard = result.worst_freedom;
+  for (int round = 0; result.settled && round < augmentation_limit && press_apart(); ++round) {
     result = s.open_close.settle(s.increment);
-    report.iterations += result.iterations;
+    iterations += result.iterations;
+    hard = std::max(hard, result.worst_freedom);
   }
+  report.iterations += iterations;
   report.unbalanced_force = result.residual;
-  if (result.settled) {
-    const int inverted = inverted_element();
-    if (inverted < 0) return true;
-    const Element& element = s.bodies.elements[inverted];
-    failure_ = "a tetrahedron of block " + s.system.blocks[element.body].name +
-               " turned inside out at t = " + std::to_string(time()) + " s" +
-               place_text(s.bodies.nodes.position[element.nodes[0]]) +
-               "; a finer mesh, a shorter step or stiffer rock keeps its shape";
-    return false;
-  }
-  failure_ = "the open-close iteration did not settle at t = " + std::to_string(time()) + " s";
-  failure_ += where_it_struggles(result.worst_node) + "; a shorter time_step usually helps";
-  return false;
+  const int node = hard < 0 ? -1 : s.bodies.node_of(hard);
+  const int inverted = result.settled ? inverted_element() : -1;
+  if (!result.settled)
+    note_struggle(StruggleCause::not_settled, node, iterations);
+  else if (inverted >= 0)
+    note_struggle(StruggleCause::inverted, s.bodies.elements[inverted].nodes[0], iterations);
+  else if (node >= 0)
+    note_struggle(StruggleCause::many_iterations, node, iterations);
+  return result.settled && inverted < 0;
 }
 
-bool Simulation::press_apart(double tolerance) {
+bool Simulation::press_apart() {
   State& s = *state_;
+  const std::optional<double>& asked = s.project.solver.penetration_tolerance;
   // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
-  if (s.context.dynamic_factor > 0) return harden(s.contacts, s.links, s.increment, tolerance);
-  if (multiplier_error(s.links, s.increment) <= tolerance) return false;
+  if (s.context.dynamic_factor > 0) {
+    const double tolerance = asked.value_or(usual_tolerance);
+    const auto start = [&](int node) { return s.bodies.nodes.position[node]; };
+    const auto end = [&](int node) { return Vec3(start(node) + s.bodies.node_increment(node, s.increment)); };
+    const auto turned = [&](int point) { return s.detector.turned(point, start, end); };
+    return follow_turning(s.contacts, s.links, turned, s.increment, tolerance) ||
+           harden(s.contacts, s.links, s.increment, tolerance, asked ? std::span<const Joint>() : s.project.joints);
+  }
+  if (!asked || multiplier_error(s.links, s.increment) <= *asked) return false;
   adapt_multipliers(s.contacts, s.links, s.increment);
   return true;
 }
 
-std::string Simulation::where_it_struggles(int freedom) const {
-  const State& s = *state_;
-  if (freedom < 0 || s.contacts.points.empty()) return "";
-  const Vec3 where_it_is = s.bodies.place_of(freedom);
-  const auto distance = [&](const ContactPoint& point) { return (point.position - where_it_is).squaredNorm(); };
-  const ContactPoint& nearest =
-      *std::min_element(s.contacts.points.begin(), s.contacts.points.end(),
-                        [&](const ContactPoint& a, const ContactPoint& b) { return distance(a) < distance(b); });
-  std::string where = ": contact " + s.system.blocks[nearest.bodies[0]].name + " - " +
-                      s.system.blocks[nearest.bodies[1]].name + place_text(nearest.position);
-  if (!s.project.joints.empty()) where += ", joint " + s.project.joints[nearest.joint].name;
-  return where;
-}
-
 bool Simulation::try_step(double start, double length, StepReport& report) {
   State& s = *state_;
-  failure_.clear();
   s.context.time = start;
   s.context.length = length;
   s.motion->begin_step(s.bodies, start + length);

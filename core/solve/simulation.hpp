@@ -8,6 +8,7 @@
 #include "mesh/block.hpp"
 #include "results/frame.hpp"
 #include "results/run_report.hpp"
+#include "results/struggle.hpp"
 #include "solve/step_control.hpp"
 
 namespace talus {
@@ -21,11 +22,14 @@ class Simulation {
 
   bool finished() const;     ///< all stages are done, or the last step did not converge
   bool stage_ended() const;  ///< the last step was the last of its stage
-  bool converged() const { return failure_.empty(); }
-  const std::string& failure() const { return failure_; }  ///< contact, place and joint where the last step failed
-  int stage() const;                                       ///< index into Project::stages, of the last step
-  double time() const;                                     ///< s
-  double end_time() const;                                 ///< s
+  bool converged() const { return struggles_.empty() || !struggles_.back().ended_run; }
+  /// What went wrong in the last step, when, where and what to change; empty where the run has converged.
+  std::string failure() const { return converged() ? "" : failure_text(struggles_.back()); }
+  /// The hard trial steps of the last step: each that was cut, and each that settled slowly. Mostly none.
+  const std::vector<Struggle>& struggles() const { return struggles_; }
+  int stage() const;        ///< index into Project::stages, of the last step
+  double time() const;      ///< s
+  double end_time() const;  ///< s
   long total_steps() const;
 
   /// One step: of the stage's length, cut into shorter ones where the open–close iteration does not settle; or as long
@@ -41,6 +45,7 @@ class Simulation {
   std::vector<ContactSample> contacts() const;               ///< of the last step, those of sleeping blocks too
   const std::vector<ContactSample>& awake_contacts() const;  ///< of the last step, of blocks that are awake
   const BodySet& bodies() const;
+  double integration_reserve() const;  ///< J, what time integration took and will give back (effects/inertia)
   std::vector<EffectOutcome> effects() const;
   RunWork work() const;
 
@@ -56,9 +61,15 @@ class Simulation {
   bool try_step(double start, double length, StepReport& report);
   bool settle(StepReport& report);
   /// Lets contacts that go deeper than the tolerance bear more; false where none does.
-  bool press_apart(double tolerance);
-  /// The contact nearest to a movable node, in words.
-  std::string where_it_struggles(int freedom) const;
+  bool press_apart();
+  void note_struggle(StruggleCause cause, int node, int iterations);
+  /// Blocks, joint and position: of the contact of the node's body that is nearest to the node, else of the node.
+  void place_struggle(int node, Struggle& struggle) const;
+  /// Where a place at a body lay before the run: it goes with the body's nearest node [m].
+  Vec3 rest_of(const Vec3& place, int body) const;
+  /// The trial step that failed was the last: none shorter is allowed.
+  void give_up() { struggles_.back().ended_run = true; }
+  void note_cut(StepReport& report);
   void seek_contacts(double length);
   void detect(double length);
   /// Holds the bodies that the stage holds or that sleep.
@@ -74,7 +85,7 @@ class Simulation {
   std::vector<Voigt> stress_of(int body, const std::vector<Voigt>& stress) const;
   Voigt stress_at(const MaterialPoint& point, const std::vector<Voigt>& stress) const;
   std::unique_ptr<State> state_;
-  std::string failure_;
+  std::vector<Struggle> struggles_;
 };
 
 }  // namespace talus

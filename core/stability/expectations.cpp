@@ -95,6 +95,21 @@ Demand stops(const std::string& block, double speed) {
           }};
 }
 
+Demand gains_no_speed(const std::string& block, double since, double gain) {
+  return {block + " gains less than " + with_unit(gain, "m/s") + " after " + with_unit(since, "s"),
+          [=](const Course& course) {
+            const int b = course.block(block);
+            double first = -1;
+            for (const Moment& moment : course.moments) {
+              if (moment.time < since) continue;
+              const double speed = moment.blocks[b].velocity.norm();
+              if (first < 0) first = speed;
+              if (!(speed - first < gain)) return block + " gains " + with_unit(speed - first, "m/s");
+            }
+            return std::string();
+          }};
+}
+
 Demand stays_before(const Vec3& point, const Vec3& normal) {
   return {"nothing passes through the plane at (" + significant(point.x()) + ", " + significant(point.y()) + ", " +
               significant(point.z()) + ") m",

@@ -18,6 +18,8 @@ Demand travels_at_least(const std::string& block, const Vec3& direction, double 
 Demand topples(const std::string& block, double angle);
 /// The block's speed at the end is below `speed` [m/s].
 Demand stops(const std::string& block, double speed);
+/// After `since` [s] the block is never faster than it was at first there, by more than `gain` [m/s].
+Demand gains_no_speed(const std::string& block, double since, double gain);
 /// The centroids of all movable blocks stay on the side of the plane that `normal` points to, at all moments: nothing
 /// passes through.
 Demand stays_before(const Vec3& point, const Vec3& normal);

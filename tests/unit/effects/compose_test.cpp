@@ -38,6 +38,24 @@ TEST(Compose, a_falling_block_gets_no_contact_no_load_and_no_constraint) {
   EXPECT_EQ(composition.shear, nullptr);
 }
 
+TEST(Compose, each_element_has_the_law_of_its_rock) {
+  Project project = one_block_project();
+  project.materials.push_back({"soft", 1000, 1e5, 0.4, 0, MaterialLaw::neo_hookean});
+  BlockSystem system = one_block();
+  system.blocks.push_back(test::box_block("soft", Vec3(5, 0, 0), Vec3(6, 1, 1), BodyKind::affine));
+  system.blocks[1].material = 1;
+  BodySet set(project, system);
+  EXPECT_THAT(set.linear, testing::ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_THAT(set.neo_hookean, testing::ElementsAre(6));
+  const ContactSet contacts;
+  const ContactLinks links(set, contacts);
+  EXPECT_THAT(names(compose(project, system, 0, set, links)),
+              testing::ElementsAre("elasticity", "neo-Hookean elasticity", "inertia", "body force", "normal contact"));
+  set.hold({true, false});
+  EXPECT_THAT(set.linear, testing::IsEmpty());
+  EXPECT_THAT(set.neo_hookean, testing::ElementsAre(0));
+}
+
 TEST(Compose, everything_a_scene_calls_for_is_there_once) {
   Project project = one_block_project();
   project.joints = {{"J", 20, 1e5, 0, {}, {}, {}}};

@@ -21,7 +21,7 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   EXPECT_EQ(p.gravity, Vec3(0, 0, -9.80665));
   EXPECT_TRUE(std::signbit(p.gravity[1]));
   ASSERT_EQ(p.materials.size(), 2u);
-  EXPECT_EQ(p.materials[0], (Material{"soft rock", 2100, 1e9, 0.3}));
+  EXPECT_EQ(p.materials[0], (Material{"soft rock", 2100, 1e9, 0.3, 0, MaterialLaw::neo_hookean}));
   EXPECT_EQ(p.materials[1], (Material{"hard/rock", 2600, 25e9, -0.1, 0.5}));
   ASSERT_EQ(p.joints.size(), 2u);
   EXPECT_EQ(p.joints[0], (Joint{"J2", 8, 0, 0, {}, {}, {}}));
@@ -102,7 +102,6 @@ TEST(ProjectRoundTrip, StagesAndTheirChangesAreRead) {
 
 TEST(ProjectRoundTrip, SolverSettingsAreRead) {
   SolverSettings solver;
-  solver.strain = Strain::incremental;
   solver.integrator = Integrator::generalized_alpha;
   solver.spectral_radius = 0.6;
   solver.contact = ContactModel::facet_wise;

@@ -14,7 +14,7 @@ inline const std::string full_project = R"(// A slope above a road.
   /* Rock from the
      laboratory */
   "materials": {
-    "soft rock": {"density": 2.1e3, "young": 1e9, "poisson": 0.3}, // first, though later in the alphabet
+    "soft rock": {"density": 2.1e3, "young": 1e9, "poisson": 0.3, "law": "neo-hookean"}, // first, though later in the alphabet
     "hard/rock": {"density": 2600, "young": 25E+9, "poisson": -0.1, "damping": 0.5}
   },
   "joints": {
@@ -75,7 +75,7 @@ inline const std::string full_project = R"(// A slope above a road.
      "blocks": [{"name": "top", "body": "tetrahedra"}]}
   ],
   "solver": {
-    "strain": "incremental", "integrator": "generalized-alpha", "spectral_radius": 0.6,
+    "strain": "corotational", "integrator": "generalized-alpha", "spectral_radius": 0.6,
     "contact": "facet-wise", "contact_stiffness": 12.5, "penetration_tolerance": 1e-6, "open_close_limit": 8, "sleep_tolerance": 1e-7,
     "time_step_control": "adaptive",
     "adaptive": {"displacement_limit": 0.01, "error_limit": 1e-5, "iterations": 6, "shortest": 0.01} // of time_step

@@ -75,6 +75,18 @@ const std::vector<BadProject> bad_values{
 INSTANTIATE_TEST_SUITE_P(Values, Validate, testing::ValuesIn(bad_values));
 
 const std::vector<BadProject> bad_names{
+    {"law that negative Poisson's ratios break",
+     [](Project& p) {
+       p.materials[0].law = MaterialLaw::neo_hookean;
+       p.materials[0].poisson = -0.1;
+     },
+     "/materials/rock/poisson", "at least 0, is -0.1", "linear law"},
+    {"law without an undeformed shape",
+     [](Project& p) {
+       p.materials[0].law = MaterialLaw::neo_hookean;
+       p.solver.strain = Strain::incremental;
+     },
+     "/materials/rock/law", "incremental strain does not know", "corotational"},
     {"material twice", [](Project& p) { p.materials.push_back(p.materials[0]); }, "/materials/rock",
      "'rock' is taken by /materials/rock", "own name"},
     {"solid and override", [](Project& p) { p.blocks[0].name = "slope"; }, "/blocks/0/name", "taken by /solids/0/name",

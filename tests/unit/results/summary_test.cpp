@@ -54,6 +54,20 @@ RunReport example_report() {
                  .block_steps_asleep = 11,
                  .wakings = 12,
                  .stress_recoveries = 13};
+  report.struggles = {{.cause = StruggleCause::inverted,
+                       .blocks = {"B1", "B2"},
+                       .joint = "J1",
+                       .position = Vec3(1, 2, 3),
+                       .rest_position = Vec3(4, 5, 6),
+                       .time = 1.5,
+                       .step = 150,
+                       .relative_penetration = 0.02,
+                       .iterations = 300,
+                       .most_iterations = 160,
+                       .cuts = 4,
+                       .ended_run = true,
+                       .advice = "a finer mesh"},
+                      {.blocks = {"B2", ""}}};
   report.events = {{0.75, "J5 opened"}};
   report.expect.resize(2);
   report.expect[0].expectation.quantity = "P1.displacement.z";
@@ -101,6 +115,10 @@ TEST(Summary, holds_what_the_contract_names) {
       "systems": 9, "largest_system": 10, "block_steps_asleep": 11, "wakings": 12, "stress_recoveries": 13})"));
   EXPECT_EQ(json["phases"], Json::parse(R"({"detect": 0.1, "assemble": 0.2, "factor": 0.3, "solve": 0.4,
       "update": 0.5, "write": 0.6})"));
+  EXPECT_EQ(json["struggles"][0], Json::parse(R"({"blocks": ["B1", "B2"], "cause": "inverted-tetrahedron",
+      "position": [1, 2, 3], "rest_position": [4, 5, 6], "joint": "J1", "time": 1.5, "step": 150, "relative_penetration": 0.02, "iterations": 300,
+      "most_iterations": 160, "cuts": 4, "ended_run": true, "advice": "a finer mesh"})"));
+  EXPECT_EQ(json["struggles"][1]["blocks"], Json::parse(R"(["B2"])"));
   EXPECT_EQ(json["events"], Json::parse(R"([{"time": 0.75, "what": "J5 opened"}])"));
   EXPECT_THAT(keys(json["expect"][0]),
               testing::IsSupersetOf({"quantity", "time", "value", "computed", "error", "tolerance", "passed"}));
@@ -187,6 +205,15 @@ TEST(Summary, what_a_file_lacks_or_has_wrong_is_left_out_and_a_torn_one_is_none)
   EXPECT_EQ(old->effects[0].built, 0);
   EXPECT_EQ(old->work.factorisations, 0);
   EXPECT_EQ(old->work.wakings, 2);
+  EXPECT_TRUE(old->struggles.empty());
+  const auto odd = read(R"({"status": "stopped", "struggles": [7, {"blocks": "B1", "position": [1, null], "cuts": 3},
+      {"blocks": ["A", "B", "C"], "cause": "boredom", "position": [1, 2, 3, 4]}]})");
+  ASSERT_TRUE(odd);
+  ASSERT_EQ(odd->struggles.size(), 2u);
+  EXPECT_EQ(odd->struggles[0].cuts, 3);
+  EXPECT_EQ(odd->struggles[0].blocks[0], "");
+  EXPECT_EQ(odd->struggles[1].blocks[1], "B");
+  EXPECT_EQ(odd->struggles[1].position, Vec3(1, 2, 3));
 }
 
 }  // namespace

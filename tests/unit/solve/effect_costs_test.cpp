@@ -83,7 +83,7 @@ TEST(EffectCosts, what_is_off_costs_nothing_and_pays_for_nothing) {
     EXPECT_EQ(cost.active, !cost.items.empty()) << cost.name;
     off += cost.active ? 0 : 1;
   }
-  EXPECT_EQ(off, 7) << "initial stress, constraint, load, shear, cohesion, rebound, damping";
+  EXPECT_EQ(off, 8) << "neo-Hookean elasticity, initial stress, constraint, load, shear, cohesion, rebound, damping";
 }
 
 TEST(EffectCosts, says_in_words_what_is_paid_for) {
@@ -95,6 +95,16 @@ TEST(EffectCosts, says_in_words_what_is_paid_for) {
   EXPECT_EQ(cost_of("elasticity", project, system).items, tetrahedra + ", 1 affine block");
   EXPECT_EQ(cost_of("inertia", project, system).items, tetrahedra + ", 1 affine block, 1 rigid block");
   EXPECT_THAT(cost_of("normal contact", project, system).items, HasSubstr(" contact points at the start"));
+}
+
+TEST(EffectCosts, elements_are_paid_for_by_the_law_of_their_rock) {
+  Project project = short_project();
+  const BlockSystem system = one_of_each_body();
+  project.materials[0].law = MaterialLaw::neo_hookean;
+  EXPECT_FALSE(cost_of("elasticity", project, system).active);
+  const std::string tetrahedra = std::to_string(system.blocks[1].mesh.tetrahedra.size()) + " tetrahedra";
+  EXPECT_EQ(cost_of("neo-Hookean elasticity", project, system).items, tetrahedra + ", 1 affine block");
+  EXPECT_EQ(cost_of("inertia", project, system).items, tetrahedra + ", 1 affine block, 1 rigid block");
 }
 
 TEST(EffectCosts, grow_with_the_number_of_what_is_paid_for) {

@@ -161,6 +161,39 @@ TEST(Simulation, a_step_that_cannot_settle_ends_the_run_with_the_contact_named) 
   EXPECT_FALSE(simulation.converged());
   EXPECT_GT(last.cuts, 0);
   EXPECT_THAT(simulation.failure(), testing::AllOf(testing::HasSubstr("ground"), testing::HasSubstr("joint J")));
+  ASSERT_FALSE(simulation.struggles().empty());
+  const Struggle& end = simulation.struggles().back();
+  EXPECT_TRUE(end.ended_run);
+  EXPECT_EQ(end.cause, StruggleCause::not_settled);
+  EXPECT_THAT(end.blocks, testing::ElementsAre("ground", "B"));
+  EXPECT_EQ(end.joint, "J");
+  EXPECT_NEAR(end.position.z(), 0, 0.02) << "where the cube's foot meets the ground";
+  EXPECT_NEAR(end.rest_position.z(), 0.1, 0.02) << "it has fallen by 0.1 m";
+  EXPECT_EQ(end.step, last.step);
+  EXPECT_THAT(end.advice, testing::HasSubstr("open_close_limit"));
+  int cuts = 0;
+  for (const Struggle& struggle : simulation.struggles()) cuts += struggle.cuts;
+  EXPECT_EQ(cuts, last.cuts);
+}
+
+TEST(Simulation, steps_that_are_cut_and_settle_say_where_and_easy_ones_say_nothing) {
+  Project project = scene(30, {{"drop", StageKind::dynamic, 0.01, 30, {}}});
+  const BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
+                                     test::box_block("B", Vec3(1.1, 1.2, 0.1), Vec3(2.3, 2.1, 1.3))});
+  for (const int limit : {160, 3}) {
+    project.solver.open_close_limit = limit;
+    Simulation simulation(project, system);
+    int hard = 0, cuts = 0;
+    while (!simulation.finished()) {
+      cuts += simulation.step().cuts;
+      for (const Struggle& struggle : simulation.struggles()) {
+        ++hard;
+        EXPECT_THAT(struggle.blocks, testing::ElementsAre("ground", "B"));
+      }
+    }
+    EXPECT_EQ(hard > 0, limit == 3) << hard;
+    EXPECT_EQ(cuts > 0, limit == 3) << cuts;
+  }
 }
 
 }  // namespace

@@ -76,6 +76,13 @@ TEST_F(Expectations, ABlockStopsByTheEnd) {
   EXPECT_EQ(fault(stops("block", 0.1)), "block ends with 2 m/s");
 }
 
+TEST_F(Expectations, ABlockKeepsItsPace) {
+  block(2).velocity = block(3).velocity = Vec3(0, 0, 2);
+  block(4).velocity = Vec3(0, 2.5, 0);
+  EXPECT_EQ(fault(gains_no_speed("block", 1.5, 0.6)), "");
+  EXPECT_EQ(fault(gains_no_speed("block", 1.5, 0.1)), "block gains 0.5 m/s");
+}
+
 TEST_F(Expectations, NothingThatMayMovePassesThePlaneAtAnyMoment) {
   const Demand above = stays_before(Vec3::Zero(), Vec3(0, 0, 1));
   EXPECT_EQ(fault(above), "") << "the slab below is fixed";
@@ -86,8 +93,9 @@ TEST_F(Expectations, NothingThatMayMovePassesThePlaneAtAnyMoment) {
 TEST_F(Expectations, WhatIsNoNumberMeetsNone) {
   block(4).displacement.setConstant(std::numeric_limits<double>::quiet_NaN());
   block(4).velocity.setConstant(std::numeric_limits<double>::quiet_NaN());
-  for (const Demand& demand : {travels("block", Vec3(1, 0, 0), 0, 1), travels_at_least("block", Vec3(1, 0, 0), -1),
-                               stops("block", 1), stays_before(Vec3::Zero(), Vec3(0, 0, 1)), rests("block", 0, 1)})
+  for (const Demand& demand :
+       {travels("block", Vec3(1, 0, 0), 0, 1), travels_at_least("block", Vec3(1, 0, 0), -1), stops("block", 1),
+        gains_no_speed("block", 0, 1), stays_before(Vec3::Zero(), Vec3(0, 0, 1)), rests("block", 0, 1)})
     EXPECT_NE(fault(demand), "") << demand.words;
 }
 

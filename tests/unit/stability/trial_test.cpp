@@ -62,7 +62,7 @@ TEST(Trial, OfABlockAtRestHasNoFaultsAndItsFigures) {
 }
 
 TEST(Trial, SoftContactIsTooDeep) {
-  const Trial trial = trial_of(changed([](CaseScene& scene) { scene.project.solver.contact_stiffness = 1e-4; }));
+  const Trial trial = trial_of(changed([](CaseScene& scene) { scene.project.joints[0].normal_stiffness = 1e6; }));
   EXPECT_GT(trial.penetration, most_penetration);
   EXPECT_THAT(faults(trial), Contains(HasSubstr("of the mesh size deep")));
 }

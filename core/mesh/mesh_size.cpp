@@ -1,0 +1,26 @@
+#include "mesh/mesh_size.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace talus {
+
+double mesh_size(std::span<const Vec3> nodes, std::span<const SurfaceTriangle> surface) {
+  double area = 0;
+  for (const SurfaceTriangle& t : surface) {
+    const Vec3 p = nodes[t.nodes[0]];
+    area += (nodes[t.nodes[1]] - p).cross(nodes[t.nodes[2]] - p).norm() / 2;
+  }
+  return std::sqrt(2 * area / static_cast<double>(surface.size()));
+}
+
+double smallest_mesh_size(const BlockSystem& system) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Block& block : system.blocks)
+    if (block.body != BodyKind::fixed) smallest = std::min(smallest, mesh_size(block.mesh.nodes, block.surface));
+  return smallest;
+}
+
+}  // namespace talus

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/units.hpp"
+#include "blocks.hpp"
+
+/// What is told beforehand of contacts that turn while they slide.
+namespace talus {
+namespace {
+
+using testing::box;
+using testing::mapped;
+using testing::Scene;
+
+constexpr double reach = 0.05;
+
+/// The block moves, turning about its centroid; the first body stands. What was told of each point must be what is
+/// found at the end, where it is found by the same key.
+void expect_told_beforehand(Scene& scene, const Vec3& axis, double degrees, const Vec3& way, double within) {
+  const ContactSet before = scene.detect(reach);
+  const std::vector<Vec3> start = scene.x;
+  std::vector<Vec3> end = start;
+  Vec3 centre = Vec3::Zero();
+  for (int i = 0; i < scene.node_count(1); ++i) centre += start[scene.first_node(1) + i] / scene.node_count(1);
+  const Mat3 r = Eigen::AngleAxisd(radians(degrees), axis.normalized()).toRotationMatrix();
+  for (int i = 0; i < scene.node_count(1); ++i) {
+    Vec3& p = end[scene.first_node(1) + i];
+    p = r * (p - centre) + centre + way;
+  }
+  std::vector<ContactDetector::Turned> told;
+  for (int i = 0; i < static_cast<int>(before.points.size()); ++i)
+    told.push_back(scene.detector().turned(
+        i, [&](int node) { return start[node]; }, [&](int node) { return end[node]; }));
+  scene.x = end;
+  int compared = 0;
+  for (const ContactPoint& after : scene.detect(reach).points)
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      const ContactPoint& p = before.points[i];
+      if (p.key != after.key) continue;
+      Vec3 u = Vec3::Zero();
+      for (int k = p.stencil_begin; k < p.stencil_end; ++k)
+        u += before.weights[k] * (end[before.nodes[k]] - start[before.nodes[k]]);
+      EXPECT_LT((told[i].normal - after.normal).norm(), within) << std::hex << p.key;
+      EXPECT_NEAR(told[i].gap + told[i].normal.dot(u), after.gap, within) << std::hex << p.key;
+      ++compared;
+    }
+  EXPECT_GT(compared, 0);
+}
+
+TEST(TurnedNormals, AVertexOnAFacetThatTurns) {
+  Scene scene;
+  const Mat3 r = Eigen::AngleAxisd(radians(40), Vec3(1, 0.7, 0).normalized()).toRotationMatrix();
+  scene.add(mapped(box({0, 0, -1}, {1, 1, 0}), [&](const Vec3& p) { return Vec3(r * (p - Vec3(0, 1, 0))); }), true);
+  scene.add(box({-2, -2, 0.001}, {2, 2, 1}));
+  expect_told_beforehand(scene, {1, 0.3, 0}, 0.5, {0.02, -0.01, 0}, 1e-12);
+}
+
+TEST(TurnedNormals, EdgesAcrossEachOther) {
+  Scene scene;
+  const Mat3 roof = Eigen::AngleAxisd(radians(45), Vec3::UnitY()).toRotationMatrix();
+  const Mat3 across = Eigen::AngleAxisd(radians(70), Vec3::UnitZ()).toRotationMatrix();
+  const Vec3 ridge(std::sqrt(0.5), 0, 0);
+  const auto long_box = [&] { return box({-0.5, -2, -0.5}, {0.5, 2, 0.5}); };
+  scene.add(mapped(long_box(), [&](const Vec3& p) { return Vec3(roof * p); }), true);
+  scene.add(mapped(long_box(),
+                   [&](const Vec3& p) { return Vec3(across * (roof * p) + Vec3(0.01, 0.02, 2 * ridge.x() + 0.001)); }));
+  expect_told_beforehand(scene, {0.2, 1, 0.4}, 0.5, {0.02, -0.01, 0}, 1e-12);
+}
+
+TEST(TurnedNormals, AVertexAmidAFacingFacetHasItsNormal) {
+  Scene scene;
+  scene.add(box({-3, -3, -1}, {3, 3, 0}), true);
+  const Mat3 r = Eigen::AngleAxisd(radians(1), Vec3(1, 0.3, 0).normalized()).toRotationMatrix();
+  scene.add(mapped(box({-0.5, -0.4, 0}, {0.5, 0.6, 1}), [&](const Vec3& p) { return Vec3(r * p); }));
+  int vertices = 0;
+  for (const ContactPoint& p : scene.detect(reach).points) {
+    if (p.key >> 62 != 1) continue;
+    EXPECT_EQ(p.normal, -Vec3::UnitZ());
+    EXPECT_GT(p.area, 0);
+    ++vertices;
+  }
+  EXPECT_EQ(vertices, 4);
+}
+
+}  // namespace
+}  // namespace talus
