@@ -74,7 +74,9 @@ TEST_F(Commands, SolveWithoutJsonIsForReaders) {
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_EQ(ending.out.substr(0, 10), "completed\n");
   EXPECT_THAT(ending.out, HasSubstr("P1.displacement.z"));
-  EXPECT_THAT(ending.out, HasSubstr("\nOff: initial stress, displacement constraint, point load, normal contact, "));
+  EXPECT_THAT(
+      ending.out,
+      HasSubstr("\nOff: neo-Hookean elasticity, initial stress, displacement constraint, point load, normal contact,"));
   EXPECT_THAT(ending.out, HasSubstr("\nelasticity "));
   EXPECT_THAT(ending.out, HasSubstr("\nContacts: 0 points (0 a step)"));
   EXPECT_THAT(ending.out, HasSubstr("\nSleep: no block slept"));
@@ -184,7 +186,7 @@ TEST_F(Commands, InfoOnResultsSaysWhatIsInThem) {
   EXPECT_EQ(info["work"], summary["work"]);
   const std::string text = talus_cli({"info", results()}).out;
   EXPECT_THAT(text, HasSubstr("completed, 100 steps, 21 frames"));
-  EXPECT_THAT(text, HasSubstr("\nOff: initial stress, "));
+  EXPECT_THAT(text, HasSubstr("\nOff: neo-Hookean elasticity, initial stress, "));
   EXPECT_THAT(text, HasSubstr("\nEquations: "));
 }
 

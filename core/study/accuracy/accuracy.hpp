@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/accuracy/convergence_order.hpp"
+#include "study/accuracy/study_run.hpp"
+
+/// What a ladder of runs says together: how good each setting is, what it costs, and which is the cheapest good one.
+namespace talus {
+
+struct AccuracyRow {
+  Setting setting;
+  std::string label;
+  std::optional<StudyRun> run;        ///< none: not run yet, or it ended without a word
+  std::optional<double> error;        ///< relative: from the known answer, else from the finest run
+  double error_estimate = 0;          ///< by how much that may be wrong; 0 from a known answer
+  std::optional<double> from_finest;  ///< relative, also where the answer is known: what the study would have claimed
+  bool pareto = false;                ///< no run that costs no more has less error
+  std::string note;
+};
+
+/// Errors along one axis, everything else being the project's own.
+struct AxisOrder {
+  StudyAxis axis = StudyAxis::time_step;
+  double theory = 1;
+  OrderFit fit;
+  std::vector<int> runs;  ///< finest first
+};
+
+struct AccuracyStudy {
+  std::string project_name;
+  std::string project_file;
+  bool known_answer = false;
+  int reference = -1;          ///< the finest run that completed; −1: none did
+  double reference_error = 0;  ///< its estimated error: the sum over the axes
+  std::vector<AccuracyRow> rows;
+  std::vector<AxisOrder> orders;
+  std::vector<LeftOut> left_out;
+  std::optional<double> target;
+  int recommended = -1;  ///< the cheapest whose error, with its estimate, is within the target; −1: none, or no target
+
+  bool complete() const;  ///< every run has ended
+};
+
+/// Of the runs that have ended so far. Throws InputError for a file that cannot be understood.
+AccuracyStudy evaluate(const StudyFolder& study, std::optional<double> target);
+
+}  // namespace talus

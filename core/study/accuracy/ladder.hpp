@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "study/accuracy/setting.hpp"
+
+namespace talus {
+
+/// What an accuracy study varies.
+enum class StudyAxis { body, strain, integrator, time_step, mesh_size, penetration_tolerance };
+
+constexpr std::string_view to_string(StudyAxis axis) {
+  constexpr std::string_view words[] = {"body",      "strain",    "integrator",
+                                        "time_step", "mesh_size", "penetration_tolerance"};
+  return words[static_cast<int>(axis)];
+}
+
+/// Axes whose values have a size, along which errors have an order.
+constexpr bool has_size(StudyAxis axis) { return axis == StudyAxis::time_step || axis == StudyAxis::mesh_size; }
+/// Of such an axis: a factor of the project's own.
+double size_on(StudyAxis axis, const Setting& setting);
+
+/// Which axes, and which values of each, as the user writes them: bodies, strains and integrators by the words of the
+/// project file, factors as numbers, tolerances as numbers or "off".
+struct LadderWish {
+  std::vector<StudyAxis> axes;  ///< all when empty
+  std::map<StudyAxis, std::vector<std::string>> values{};
+};
+
+/// From "body,time_step" and "time_step=4,2,1"; `values` adds axes that are not named. Throws InputError.
+LadderWish parse_ladder_wish(const std::vector<std::string>& axes, const std::vector<std::string>& values);
+
+/// A setting, or a whole axis, that was not taken, and why.
+struct LeftOut {
+  std::string what, reason;
+};
+
+struct Ladder {
+  std::vector<Setting> settings;  ///< each once; the first is the project's own
+  int finest = 0;                 ///< into settings: what others are held to where no answer is known
+  std::vector<LeftOut> left_out;
+};
+
+/// The star about the project's own setting, each axis alone, and a few that differ on several: coarse and cheap ones,
+/// and the finest. What the project's rules refuse, or what cannot change its answer, is left out. Throws InputError
+/// for a value that an axis does not have.
+Ladder make_ladder(const Project& project, const LadderWish& wish);
+
+/// About how much a setting costs beside others: for the order of runs and the time that is left, no more.
+double relative_cost(const Setting& setting);
+
+}  // namespace talus

@@ -1,0 +1,42 @@
+#include "study/accuracy/setting_json.hpp"
+
+namespace talus {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Kind>
+Kind kind_of(const Json& word, std::initializer_list<Kind> kinds) {
+  for (const Kind kind : kinds)
+    if (to_string(kind) == word.get<std::string>()) return kind;
+  return *kinds.begin();
+}
+
+}  // namespace
+
+Json setting_json(const Setting& setting) {
+  return {{"body", setting.body ? Json(to_string(*setting.body)) : Json()},
+          {"strain", to_string(setting.strain)},
+          {"integrator", to_string(setting.integrator)},
+          {"time_step", setting.time_step},
+          {"mesh_size", setting.mesh_size},
+          {"penetration_tolerance", setting.penetration_tolerance ? Json(*setting.penetration_tolerance) : Json()}};
+}
+
+Setting setting_of(const Json& json) {
+  Setting setting;
+  if (const Json& body = json.at("body"); !body.is_null())
+    setting.body =
+        kind_of(body, {BodyKind::tetrahedra, BodyKind::affine, BodyKind::rigid, BodyKind::fixed, BodyKind::automatic});
+  setting.strain = kind_of(json.at("strain"), {Strain::corotational, Strain::incremental});
+  setting.integrator = kind_of(json.at("integrator"),
+                               {Integrator::newmark, Integrator::constant_acceleration, Integrator::generalized_alpha});
+  setting.time_step = json.at("time_step");
+  setting.mesh_size = json.at("mesh_size");
+  if (const Json& tolerance = json.at("penetration_tolerance"); !tolerance.is_null())
+    setting.penetration_tolerance = tolerance.get<double>();
+  return setting;
+}
+
+}  // namespace talus

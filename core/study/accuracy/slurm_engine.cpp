@@ -1,0 +1,112 @@
+#include "study/accuracy/slurm_engine.hpp"
+
+#include <chrono>
+#include <system_error>
+#include <thread>
+
+#include "base/child_process.hpp"
+#include "base/error.hpp"
+#include "io/whole_file.hpp"
+
+namespace talus {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* job_name = "slurm_job";  // file with the number of the array's job
+
+/// In single quotes for a shell.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
+  return result + "'";
+}
+
+ProgramOutput slurm(const std::string& program, const std::vector<std::string>& arguments,
+                    const std::filesystem::path& log = "/dev/null") {
+  try {
+    return output_of(program, arguments, log);
+  } catch (const std::system_error&) {
+    throw InputError("engine slurm", "there is no " + program + " on this machine",
+                     "begin the study on a machine of the cluster, or use --engine local");
+  }
+}
+
+std::string without_line_ends(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+std::string script(const StudyFolder& study, const std::filesystem::path& program) {
+  return "#!/bin/bash\n"
+         "#SBATCH --job-name=talus-study\n"
+         "#SBATCH --ntasks=1\n"
+         "#SBATCH --cpus-per-task=1\n"
+         "export OPENBLAS_NUM_THREADS=1\n"
+         "exec " +
+         quoted(program.string()) + " study run " + quoted(study.path().string()) + " \"$SLURM_ARRAY_TASK_ID\"\n";
+}
+
+/// The number of the job.
+std::string submit(const StudyFolder& study, const SlurmOptions& options, const std::vector<int>& runs) {
+  const auto file = study.path() / "study.sbatch", log = study.path() / "sbatch.log";
+  replace_whole_file(file, script(study, options.program));
+  std::string array;
+  for (const int run : runs) (array += array.empty() ? "" : ",") += std::to_string(run);
+  std::vector<std::string> arguments{"--parsable", "--array=" + array,
+                                     "--output=" + (study.path() / "runs" / "slurm-%a.log").string(),
+                                     "--chdir=" + study.path().string()};
+  arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
+  arguments.push_back(file.string());
+  const ProgramOutput output = slurm("sbatch", arguments, log);
+  const std::string job = without_line_ends(output.text.substr(0, output.text.find(';')));
+  if (output.exit_code != 0 || job.empty())
+    throw InputError("engine slurm", "sbatch refused: " + without_line_ends(read_whole_file(log)),
+                     "give what it asks for with --sbatch, like --sbatch=--partition=long");
+  replace_whole_file(study.path() / job_name, job + "\n");
+  return job;
+}
+
+/// Whether any task of the job waits or runs.
+bool in_queue(const std::string& job) {
+  const ProgramOutput output = slurm("squeue", {"--noheader", "--jobs=" + job, "--format=%T"});
+  return output.exit_code == 0 && !output.text.empty();
+}
+
+/// Of an earlier call; empty where none goes on.
+std::string job_under_way(const StudyFolder& study) {
+  const auto file = study.path() / job_name;
+  if (!std::filesystem::exists(file)) return {};
+  const std::string job = without_line_ends(read_whole_file(file));
+  return in_queue(job) ? job : std::string();
+}
+
+}  // namespace
+
+void run_by_slurm(const StudyFolder& study, const SlurmOptions& options, Progress& progress) {
+  const std::vector<int> missing = study.missing_runs();
+  if (missing.empty()) return;
+  std::string job = job_under_way(study);
+  if (job.empty()) job = submit(study, options, missing);
+  // A file may reach this machine a while after its job has left the queue.
+  constexpr std::chrono::milliseconds between_looks = 500ms, between_questions = 3s, grace = 15s;
+  auto asked = std::chrono::steady_clock::now(), last_seen = asked;
+  for (;;) {
+    const std::size_t left = study.missing_runs().size();
+    progress.report(1 - static_cast<double>(left) / static_cast<double>(missing.size()),
+                    "Slurm job " + job + ": " + std::to_string(missing.size() - left) + " of " +
+                        std::to_string(missing.size()) + " runs have ended");
+    if (left == 0) return;
+    if (progress.cancelled()) throw Cancelled{};
+    const auto now = std::chrono::steady_clock::now();
+    if (now - asked > between_questions) {
+      asked = now;
+      if (in_queue(job)) last_seen = now;
+    }
+    if (now - last_seen > grace) return;
+    std::this_thread::sleep_for(between_looks);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "study/accuracy/ladder.hpp"
+
+namespace talus {
+
+/// All that the runs of a study need to know, and by which a study that was stopped is told from another one.
+struct StudyPlan {
+  std::string program;                 ///< its version: another one may compute other numbers
+  std::filesystem::path project_file;  ///< absolute
+  bool allow_outside = false;          ///< the project may name files outside its folder
+  std::string project_text;            ///< as it was when the study began
+  std::string fingerprint;             ///< of the text and of the files that it names
+  Ladder ladder;
+};
+
+struct StudyRequest {
+  std::filesystem::path project_file;
+  bool allow_outside = false;
+  LadderWish wish;
+  std::string program;
+};
+
+/// Reads the project and makes its ladder. Throws InputError for a faulty project or wish.
+StudyPlan make_plan(const StudyRequest& request);
+
+/// The project of a plan. Throws InputError as `parse_project` does.
+Project project_of(const StudyPlan& plan);
+
+/// Where a study lies: its plan in study.json, a file a run in runs/.
+class StudyFolder {
+ public:
+  /// Begins the study in an empty or new folder, or goes on with it where the plan is the same. Throws InputError where
+  /// the folder holds another study or something else; with `restart` another study's files go.
+  StudyFolder(std::filesystem::path folder, const StudyPlan& plan, bool restart);
+  /// A study that was begun. Throws InputError where there is none.
+  explicit StudyFolder(std::filesystem::path folder);
+
+  const std::filesystem::path& path() const { return path_; }
+  const StudyPlan& plan() const { return plan_; }
+  std::filesystem::path run_file(int number) const;  ///< runs/003.json
+  std::filesystem::path log_file(int number) const;  ///< what a run said that should have said nothing: runs/003.log
+  std::vector<int> missing_runs() const;
+
+ private:
+  std::filesystem::path path_;
+  StudyPlan plan_;
+};
+
+}  // namespace talus

@@ -1,0 +1,44 @@
+#include "study/accuracy/study_record.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace talus {
+
+namespace {
+
+/// False too where the project cannot have the setting.
+bool is_under(const Setting& setting, const Project& studied, const Project& project) {
+  try {
+    return under(setting, studied) == project;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+std::optional<StudyRecord> read_study(const std::filesystem::path& folder, std::optional<double> target) {
+  std::error_code unreadable;  // as if there were none
+  if (!std::filesystem::exists(folder / "accuracy.json", unreadable)) return std::nullopt;
+  const StudyFolder files(folder);
+  return StudyRecord{files.path(), project_of(files.plan()), evaluate(files, target)};
+}
+
+std::optional<int> run_of(const StudyRecord& record, const Project& project) {
+  for (std::size_t i = 0; i < record.study.rows.size(); ++i)
+    if (is_under(record.study.rows[i].setting, record.project, project)) return static_cast<int>(i);
+  return std::nullopt;
+}
+
+std::vector<int> best_by_cost(const AccuracyStudy& study) {
+  std::vector<int> best;
+  for (std::size_t i = 0; i < study.rows.size(); ++i)
+    if (study.rows[i].pareto) best.push_back(static_cast<int>(i));
+  const auto seconds = [&](int run) { return study.rows[static_cast<std::size_t>(run)].run->cpu_seconds; };
+  std::stable_sort(best.begin(), best.end(), [&](int a, int b) { return seconds(a) < seconds(b); });
+  return best;
+}
+
+}  // namespace talus

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "study/accuracy/accuracy.hpp"
+
+namespace talus {
+
+/// A study that was made, as it lies on disk, and the project that it was made of.
+struct StudyRecord {
+  std::filesystem::path folder;
+  Project project;
+  AccuracyStudy study;
+};
+
+/// With the cheapest run within `target`. Nothing without an accuracy.json. Throws InputError for files it cannot read.
+std::optional<StudyRecord> read_study(const std::filesystem::path& folder, std::optional<double> target = {});
+
+/// The run that was made of just this project: whose setting it has. Nothing where the study knows none.
+std::optional<int> run_of(const StudyRecord& record, const Project& project);
+
+/// The runs that are best for their cost, the cheapest first.
+std::vector<int> best_by_cost(const AccuracyStudy& study);
+
+}  // namespace talus

@@ -1,0 +1,124 @@
+#include "study/accuracy/study_run_json.hpp"
+
+#include "base/error.hpp"
+#include "io/whole_file.hpp"
+
+namespace talus {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const ExpectationOutcome& outcome) {
+  return {{"computed", outcome.computed}, {"error", outcome.error}, {"reached", outcome.reached}};
+}
+
+ExpectationOutcome expectation_of(const Json& json) {
+  ExpectationOutcome outcome;
+  outcome.computed = json.at("computed").is_null() ? 0 : json.at("computed").get<double>();
+  outcome.error = json.at("error").is_null() ? 0 : json.at("error").get<double>();
+  outcome.reached = json.at("reached");
+  return outcome;
+}
+
+Json json_of(const StudyMoment& moment) {
+  Json displacements = Json::array();
+  for (const Vec3& u : moment.displacements) displacements.push_back({u.x(), u.y(), u.z()});
+  return {{"stage", moment.stage}, {"since", moment.since}, {"displacements", displacements}};
+}
+
+StudyMoment moment_of(const Json& json) {
+  StudyMoment moment{json.at("stage"), json.at("since"), {}};
+  for (const Json& u : json.at("displacements")) moment.displacements.emplace_back(u.at(0), u.at(1), u.at(2));
+  return moment;
+}
+
+Phases phases_of(const Json& json) {
+  return {json.at("detect"), json.at("assemble"), json.at("factor"),
+          json.at("solve"),  json.at("update"),   json.at("write")};
+}
+
+EffectOutcome effect_of(const Json& json) {
+  return {json.at("name"),  json.at("active"),      json.at("reason"),    json.at("seconds"),
+          json.at("built"), json.at("evaluations"), json.at("assemblies")};
+}
+
+StudyStatus status_of(const std::string& word) {
+  for (const StudyStatus status : {StudyStatus::completed, StudyStatus::not_converged})
+    if (to_string(status) == word) return status;
+  return StudyStatus::failed;
+}
+
+StudyRun run_of(const Json& json) {
+  StudyRun run;
+  run.status = status_of(json.at("status"));
+  run.reason = json.at("reason");
+  run.cpu_seconds = json.at("cpu_seconds");
+  run.wall_seconds = json.at("wall_seconds");
+  run.mesh_seconds = json.at("mesh_seconds");
+  run.dofs = json.at("dofs");
+  run.blocks = json.at("blocks");
+  run.tetrahedra = json.at("tetrahedra");
+  run.steps = json.at("steps");
+  run.iterations = json.at("iterations");
+  run.cuts = json.at("cuts");
+  for (const Json& one : json.at("expect")) run.expect.push_back(expectation_of(one));
+  for (const Json& one : json.at("moments")) run.moments.push_back(moment_of(one));
+  run.phases = phases_of(json.at("phases"));
+  for (const Json& one : json.at("effects")) run.effects.push_back(effect_of(one));
+  return run;
+}
+
+}  // namespace
+
+Json phases_json(const Phases& phases) {
+  return {{"detect", phases.detect}, {"assemble", phases.assemble}, {"factor", phases.factor},
+          {"solve", phases.solve},   {"update", phases.update},     {"write", phases.write}};
+}
+
+Json effects_json(const std::vector<EffectOutcome>& effects) {
+  Json list = Json::array();
+  for (const EffectOutcome& effect : effects)
+    list.push_back({{"name", effect.name},
+                    {"active", effect.active},
+                    {"reason", effect.reason},
+                    {"seconds", effect.seconds},
+                    {"built", effect.built},
+                    {"evaluations", effect.evaluations},
+                    {"assemblies", effect.assemblies}});
+  return list;
+}
+
+std::string study_run_text(const StudyRun& run) {
+  Json expect = Json::array(), moments = Json::array();
+  for (const ExpectationOutcome& outcome : run.expect) expect.push_back(json_of(outcome));
+  for (const StudyMoment& moment : run.moments) moments.push_back(json_of(moment));
+  const Json json = {{"status", to_string(run.status)},
+                     {"reason", run.reason},
+                     {"cpu_seconds", run.cpu_seconds},
+                     {"wall_seconds", run.wall_seconds},
+                     {"mesh_seconds", run.mesh_seconds},
+                     {"dofs", run.dofs},
+                     {"blocks", run.blocks},
+                     {"tetrahedra", run.tetrahedra},
+                     {"steps", run.steps},
+                     {"iterations", run.iterations},
+                     {"cuts", run.cuts},
+                     {"expect", expect},
+                     {"moments", moments},
+                     {"phases", phases_json(run.phases)},
+                     {"effects", effects_json(run.effects)}};
+  return json.dump(1) + "\n";
+}
+
+std::optional<StudyRun> read_study_run(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    return run_of(Json::parse(read_whole_file(file)));
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(file.string(), "is no run of a study that this version understands",
+                     "delete it, and go on: it is run again");
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,155 @@
+#include "study/accuracy/accuracy.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "study/accuracy/accuracy_files.hpp"
+#include "study/temporary_folder.hpp"
+
+// Studies of a free elastic bar whose answer is known. It deforms as one, u = (z − L/2)·s(t) with
+// ρL²/12·s̈ + E·s = P(t)/A, and is pulled at both ends by a force that grows from zero, P = kt, so that nothing begins
+// with a blow: u(L) = kL/2EA·(t − sin(ωt)/ω), ω² = 12E/ρL². All of its error is time integration's.
+namespace talus {
+namespace {
+
+constexpr double end = 1.4;  ///< s, in periods of 1 s too
+
+double known_stretch(double time) {
+  const double omega = 2 * std::numbers::pi;
+  return 1e-5 * (time - std::sin(omega * time) / omega);
+}
+
+nlohmann::json bar(const std::string& integrator) {
+  const double density = 2600, young = density * std::pow(2 * std::numbers::pi, 2) / 12;
+  nlohmann::json project = {
+      {"talus", 1},
+      {"gravity", {0, 0, 0}},
+      {"materials", {{"rock", {{"density", density}, {"young", young}, {"poisson", 0}}}}},
+      {"solids",
+       {{{"name", "bar"},
+         {"box", {{"min", {0, 0, 0}}, {"max", {1, 1, 1}}}},
+         {"material", "rock"},
+         {"body", "affine"}}}},
+      {"stages", {{{"name", "pull"}, {"type", "dynamic"}, {"time_step", 0.002}, {"duration", end}}}},
+      {"solver", {{"integrator", integrator}}},
+      {"monitors", {{{"name", "P1"}, {"block", "bar"}, {"at", {0.5, 0.5, 1}}}}},
+      {"expect", nlohmann::json::array()}};
+  for (const int side : {0, 1}) {
+    const double force = (2 * side - 1) * 4e-5 * young;
+    project["loads"].push_back(
+        {{"block", "bar"}, {"at", {0.5, 0.5, side}}, {"table", {{0, 0, 0, 0}, {2, 0, 0, force}}}});
+  }
+  for (const double time : {0.6, 1.0, end})
+    project["expect"].push_back(
+        {{"quantity", "P1.displacement.z"}, {"time", time}, {"value", known_stretch(time)}, {"tolerance", 0.01}});
+  return project;
+}
+
+class AccuracyStudyTest : public testing::Test {
+ protected:
+  AccuracyStudy studied(const nlohmann::json& project, std::optional<double> target = {}) {
+    const auto file = folder_.path() / "bar.talus";
+    std::ofstream(file) << project.dump();
+    plan_ = make_plan({file, false, parse_ladder_wish({"time_step"}, {}), "test"});
+    const StudyFolder study(folder_.path() / "study", plan_, true);
+    NoProgress nobody;
+    for (const int run : study.missing_runs()) perform_study_run(study, run, nobody);
+    return evaluate(study, target);
+  }
+
+  TemporaryFolder folder_;
+  StudyPlan plan_;
+};
+
+TEST_F(AccuracyStudyTest, OrdersComeOutAsTheorySays) {
+  for (const auto& [integrator, theory] :
+       {std::pair("newmark", 1.0), std::pair("constant-acceleration", 1.0), std::pair("generalized-alpha", 2.0)}) {
+    const AccuracyStudy study = studied(bar(integrator));
+    ASSERT_EQ(study.orders.size(), 1u);
+    EXPECT_EQ(study.orders[0].theory, theory);
+    EXPECT_EQ(study.orders[0].fit.convergence, Convergence::converging);
+    EXPECT_NEAR(study.orders[0].fit.order, theory, 0.1) << integrator;
+  }
+}
+
+TEST_F(AccuracyStudyTest, TheClaimedErrorIsTheMeasuredOne) {
+  for (const char* integrator : {"newmark", "generalized-alpha"}) {
+    const AccuracyStudy study = studied(bar(integrator));
+    ASSERT_TRUE(study.known_answer);
+    for (const AccuracyRow& row : study.rows) {
+      ASSERT_TRUE(row.error && row.from_finest) << row.note;
+      EXPECT_NEAR(*row.from_finest + study.reference_error, *row.error, 0.1 * *row.error) << integrator << row.label;
+    }
+  }
+}
+
+TEST_F(AccuracyStudyTest, WithoutAKnownAnswerErrorsAreFromTheFinestWithItsEstimate) {
+  nlohmann::json project = bar("newmark");
+  project.erase("expect");
+  const AccuracyStudy study = studied(project);
+  EXPECT_FALSE(study.known_answer);
+  const AccuracyRow& finest = study.rows[static_cast<std::size_t>(study.reference)];
+  EXPECT_EQ(finest.setting.time_step, 0.25);
+  EXPECT_EQ(finest.error, study.reference_error);
+  EXPECT_EQ(finest.error_estimate, 0);
+  EXPECT_EQ(study.rows[0].error_estimate, study.reference_error);
+  // halving the step halves the error
+  EXPECT_NEAR(*study.rows[0].error + study.reference_error, 4 * study.reference_error, 0.4 * study.reference_error);
+}
+
+TEST_F(AccuracyStudyTest, TheRecommendedSettingMeetsItsTargetWhenRunAgain) {
+  const double target = 0.01;
+  const AccuracyStudy study = studied(bar("newmark"), target);
+  ASSERT_GE(study.recommended, 0);
+  const auto chosen = static_cast<std::size_t>(study.recommended);
+  std::ofstream(folder_.path() / "again.talus") << recommended_project(study, plan_, folder_.path());
+  const StudyFolder again(
+      folder_.path() / "again",
+      make_plan({folder_.path() / "again.talus", false, parse_ladder_wish({"time_step"}, {"time_step=1"}), "test"}),
+      false);
+  NoProgress nobody;
+  perform_study_run(again, 0, nobody);
+  const AccuracyStudy repeated = evaluate(again, target);
+  EXPECT_LE(*repeated.rows[0].error, target);
+  EXPECT_EQ(*repeated.rows[0].error, *study.rows[chosen].error);
+}
+
+TEST_F(AccuracyStudyTest, AnotherProjectInTheSameFolderIsRefused) {
+  studied(bar("newmark"));
+  StudyPlan changed = plan_;
+  changed.fingerprint = "0";
+  EXPECT_THROW(StudyFolder(folder_.path() / "study", changed, false), InputError);
+  EXPECT_EQ(StudyFolder(folder_.path() / "study", plan_, false).missing_runs().size(), 0u);
+  EXPECT_EQ(StudyFolder(folder_.path() / "study", changed, true).missing_runs().size(), 5u);
+  EXPECT_THROW(StudyFolder(folder_.path(), plan_, false), InputError);  // it holds other files
+}
+
+TEST_F(AccuracyStudyTest, ARunThatFailsIsARow) {
+  nlohmann::json project = bar("newmark");
+  project["loads"][0]["at"] = {0.5, 0.5, 3};  // outside its block, which only the blocks tell
+  const AccuracyStudy study = studied(project);
+  EXPECT_TRUE(study.complete());
+  EXPECT_EQ(study.reference, -1);
+  for (const AccuracyRow& row : study.rows) EXPECT_EQ(row.run->status, StudyStatus::failed);
+  EXPECT_THAT(accuracy_csv(study), testing::HasSubstr(",failed,no,"));
+}
+
+TEST_F(AccuracyStudyTest, ItsFilesHoldARowARun) {
+  const AccuracyStudy study = studied(bar("newmark"), 0.01);
+  const std::string csv = accuracy_csv(study);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
+  const auto json = nlohmann::json::parse(accuracy_json(study));
+  EXPECT_EQ(json["runs"].size(), 5u);
+  EXPECT_EQ(json["measured_against"], "expect");
+  EXPECT_EQ(json["recommended"], study.recommended);
+  EXPECT_NEAR(json["orders"][0]["order"].get<double>(), 1, 0.1);
+  EXPECT_GT(json["runs"][0]["effects"].size(), 3u);
+}
+
+}  // namespace
+}  // namespace talus

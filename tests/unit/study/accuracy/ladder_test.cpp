@@ -1,0 +1,75 @@
+#include "study/accuracy/ladder.hpp"
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "io/project_file.hpp"
+
+namespace talus {
+namespace {
+
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+Project sample(const std::string& name) {
+  return read_project(std::string(TALUS_SOURCE_DIR) + "/samples/" + name + "/" + name + ".talus");
+}
+
+std::vector<std::string> labels(const Ladder& ladder) {
+  std::vector<std::string> labels;
+  for (const Setting& setting : ladder.settings) labels.push_back(label_of(setting, ladder.settings.front()));
+  return labels;
+}
+
+TEST(Ladder, IsAStarWithCheapOnesAndTheFinest) {
+  const Ladder ladder = make_ladder(sample("incline_slide"), parse_ladder_wish({"body,time_step,mesh_size"}, {}));
+  EXPECT_THAT(
+      labels(ladder),
+      testing::ElementsAre("tetrahedra · the project's own", "rigid", "affine", "tetrahedra · 4Δ", "tetrahedra · 2Δ",
+                           "tetrahedra · Δ/2", "tetrahedra · Δ/4", "tetrahedra · 2h", "tetrahedra · h/2", "rigid · 4Δ",
+                           "affine · 4Δ", "tetrahedra · 4Δ · 2h", "tetrahedra · Δ/4 · h/2"));
+  EXPECT_EQ(ladder.finest, 12);
+  EXPECT_THAT(ladder.left_out, SizeIs(0));
+}
+
+TEST(Ladder, TakesTheValuesThatAreGiven) {
+  const Ladder ladder = make_ladder(sample("incline_slide"), parse_ladder_wish({"time_step"}, {"time_step=1,0.5"}));
+  EXPECT_THAT(labels(ladder), testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · Δ/2"));
+  EXPECT_EQ(ladder.finest, 1);
+}
+
+TEST(Ladder, LeavesOutWhatMakesNoSenseAndSaysWhy) {
+  Project project = sample("free_fall");
+  project.in_situ = {InSituStress{}};
+  const Ladder ladder = make_ladder(project, {});
+  EXPECT_THAT(ladder.left_out, Contains(Field(&LeftOut::reason, "rigid blocks bear no stress in situ")));
+  EXPECT_THAT(ladder.left_out, Contains(Field(&LeftOut::reason, HasSubstr("nothing it could touch"))));
+  for (const Setting& setting : ladder.settings) EXPECT_NE(setting.body, BodyKind::rigid);
+}
+
+TEST(Ladder, LeavesTheMeshOfRigidBlocksAlone) {
+  Project project = sample("incline_slide");
+  project.solids[1].body = BodyKind::rigid;
+  const Ladder ladder = make_ladder(project, parse_ladder_wish({"mesh_size,strain"}, {}));
+  EXPECT_THAT(ladder.settings, SizeIs(1));
+  EXPECT_THAT(ladder.left_out, SizeIs(2));
+}
+
+TEST(Ladder, RefusesWhatTheRulesOfProjectsRefuse) {
+  Project project = sample("free_fall");
+  project.monitors[0].stress = true;
+  const Ladder ladder = make_ladder(project, parse_ladder_wish({"body"}, {}));
+  EXPECT_THAT(ladder.left_out, Contains(Field(&LeftOut::reason, HasSubstr("has no stress"))));
+}
+
+TEST(Ladder, TellsWrongWishes) {
+  EXPECT_THROW(parse_ladder_wish({"colour"}, {}), InputError);
+  EXPECT_THROW(parse_ladder_wish({}, {"time_step"}), InputError);
+  EXPECT_THROW(make_ladder(sample("wedge"), parse_ladder_wish({}, {"time_step=0"})), InputError);
+  EXPECT_THROW(make_ladder(sample("wedge"), parse_ladder_wish({}, {"body=jelly"})), InputError);
+}
+
+}  // namespace
+}  // namespace talus

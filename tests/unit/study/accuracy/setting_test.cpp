@@ -1,0 +1,86 @@
+#include "study/accuracy/setting.hpp"
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "io/project_file.hpp"
+#include "study/accuracy/setting_json.hpp"
+
+namespace talus {
+namespace {
+
+Project sample(const std::string& name) {
+  return read_project(std::string(TALUS_SOURCE_DIR) + "/samples/" + name + "/" + name + ".talus");
+}
+
+TEST(Setting, TheProjectsOwnGivesItBack) {
+  for (const char* name : {"free_fall", "incline_slide", "wedge", "block_ladder", "jiweishan"}) {
+    const Project project = sample(name);
+    EXPECT_EQ(under(own_setting(project), project), project) << name;
+  }
+}
+
+TEST(Setting, OfUnlikeBlocksHasNoBody) {
+  EXPECT_EQ(own_setting(sample("incline_slide")).body, BodyKind::tetrahedra);
+  EXPECT_EQ(own_setting(sample("block_ladder")).body, std::nullopt);
+}
+
+TEST(Setting, ChangesEveryBlockThatMayMoveAndItsStages) {
+  Project project = sample("incline_slide");
+  project.stages[0].blocks = {{"block", BodyKind::fixed}};
+  project.stages[1].blocks = {{"block", BodyKind::tetrahedra}};
+  Setting setting = own_setting(project);
+  setting.body = BodyKind::rigid;
+  const Project rigid = under(setting, project);
+  EXPECT_EQ(rigid.solids[0].body, BodyKind::fixed);
+  EXPECT_EQ(rigid.solids[1].body, BodyKind::rigid);
+  EXPECT_EQ(rigid.stages[0].blocks[0].body, BodyKind::fixed);
+  EXPECT_EQ(rigid.stages[1].blocks[0].body, BodyKind::rigid);
+}
+
+TEST(Setting, KeepsTheModelTimeOfStages) {
+  Project project = sample("incline_slide");
+  Setting setting = own_setting(project);
+  setting.time_step = 0.5;
+  EXPECT_EQ(under(setting, project).stages[0], project.stages[0]);  // static: as it is
+  EXPECT_EQ(under(setting, project).stages[1].duration, 1);
+  EXPECT_DOUBLE_EQ(under(setting, project).stages[1].time_step, 0.005);
+  project.stages[1].duration.reset();
+  project.stages[1].steps = 20;
+  EXPECT_EQ(under(setting, project).stages[1].steps, 40);
+  setting.time_step = 3;  // 20 steps are no multiple of 3
+  EXPECT_FALSE(under(setting, project).stages[1].steps);
+  EXPECT_DOUBLE_EQ(*under(setting, project).stages[1].duration, 0.2);
+}
+
+TEST(Setting, MakesFinerWhatTheProjectLeavesToTheMesher) {
+  Project project = sample("free_fall");
+  project.solids[0].mesh_size.reset();
+  Setting setting = own_setting(project);
+  setting.mesh_size = 0.5;
+  EXPECT_DOUBLE_EQ(*under(setting, project).solids[0].mesh_size, 0.05);  // a tenth of 1 m, halved
+  project.solids[0].shape = FileShape{"hill.step"};
+  EXPECT_THROW(under(setting, project), InputError);
+}
+
+TEST(Setting, IsCalledByWhatIsNotTheProjectsOwn) {
+  Setting own;
+  own.body = BodyKind::tetrahedra;
+  EXPECT_EQ(label_of(own, own), "tetrahedra · the project's own");
+  Setting other = own;
+  other.time_step = 0.5;
+  other.mesh_size = 2;
+  other.penetration_tolerance = 1e-3;
+  EXPECT_EQ(label_of(other, own), "tetrahedra · Δ/2 · 2h · tolerance 0.001");
+}
+
+TEST(Setting, SurvivesItsJson) {
+  Setting setting{BodyKind::affine, Strain::incremental, Integrator::generalized_alpha, 0.3, 1.7, 1e-4};
+  EXPECT_EQ(setting_of(setting_json(setting)), setting);
+  setting.body.reset();
+  setting.penetration_tolerance.reset();
+  EXPECT_EQ(setting_of(setting_json(setting)), setting);
+}
+
+}  // namespace
+}  // namespace talus
