@@ -11,39 +11,12 @@
 
 #include "base/error.hpp"
 #include "driven_window.hpp"
+#include "listed_runs.hpp"
 #include "widgets/known_answers.hpp"
 #include "widgets/theme.hpp"
 
 namespace talus {
 namespace {
-
-/// The list of cases is the only table of the dialog that lets several rows be selected.
-PlainTable& listOf(const KnownAnswers& dialog) {
-  const auto tables = dialog.findChildren<PlainTable*>();
-  return **std::find_if(tables.begin(), tables.end(), [](const PlainTable* table) {
-    return table->selectionMode() == QAbstractItemView::ExtendedSelection;
-  });
-}
-
-QPushButton& button(const KnownAnswers& dialog, const char* words) {
-  const auto buttons = dialog.findChildren<QPushButton*>();
-  return **std::find_if(buttons.begin(), buttons.end(),
-                        [words](const QPushButton* one) { return one->text() == QLatin1String(words); });
-}
-
-void click(QPushButton& one) { QTest::mouseClick(&one, Qt::LeftButton); }
-
-int rowOf(const PlainTable& list, const char* title) {
-  for (int row = 0; row < list.rowCount(); ++row)
-    if (list.item(row, 0)->text() == QLatin1String(title)) return row;
-  return -1;
-}
-
-/// Where the pictures of a test go when someone wants to see them: TALUS_PICTURES names the folder.
-void keepPicture(QWidget& widget, const char* name) {
-  if (const char* pictures = std::getenv("TALUS_PICTURES"))
-    widget.grab().save(QString::fromUtf8(pictures) + u'/' + QLatin1String(name));
-}
 
 KnownCase quickCase(const std::string& name, double computed) {
   KnownCase known;
@@ -80,7 +53,7 @@ TEST_F(DrivenWindow, RunsAKnownAnswerFromTheHelpMenuAndExportsIt) {
   auto* dialog = window->findChild<KnownAnswers*>();
   ASSERT_NE(dialog, nullptr);
   ASSERT_TRUE(dialog->isVisible());
-  EXPECT_FALSE(dialog->isModal());
+  EXPECT_FALSE(dialog->window()->isModal());
 
   PlainTable& list = listOf(*dialog);
   const int row = rowOf(list, "Free fall");
@@ -92,7 +65,7 @@ TEST_F(DrivenWindow, RunsAKnownAnswerFromTheHelpMenuAndExportsIt) {
   ASSERT_TRUE(wait([&] { return !dialog->job().isBusy(); }));
   EXPECT_EQ(list.item(row, 1)->text(), QStringLiteral("passed"));
   rest(50);
-  keepPicture(*dialog, "known_answers.png");
+  keepPicture(*dialog->window(), "known_answers.png");
 
   const auto* findings = dialog->findChild<PlainTable*>(QStringLiteral("findings"));
   ASSERT_NE(findings, nullptr);

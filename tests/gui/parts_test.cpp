@@ -14,6 +14,7 @@ namespace talus {
 namespace {
 
 TEST(Numbers, TimesAreRoundedAsTheyAreRead) {
+  EXPECT_EQ(numbers::duration(0.0214).toStdString(), "0.021 s");
   EXPECT_EQ(numbers::duration(3.14).toStdString(), "3.1 s");
   EXPECT_EQ(numbers::duration(42.4).toStdString(), "42 s");
   EXPECT_EQ(numbers::duration(59.8).toStdString(), "1 min");

@@ -3,6 +3,8 @@
 #include <QLabel>
 
 #include "driven_window.hpp"
+#include "listed_runs.hpp"
+#include "widgets/number_field.hpp"
 #include "widgets/property_panel.hpp"
 
 namespace talus {
@@ -101,6 +103,30 @@ TEST_F(PropertyPanelTest, SaysWhatAutoBecameAndMeshesAnewAfterAChange) {
   ASSERT_TRUE(wait([&] { return !workspace.job().isBusy(); }));
   EXPECT_TRUE(workspace.systemIsCurrent());
   EXPECT_GT(workspace.system()->blocks[0].mesh.nodes.size(), 10 * coarse);
+}
+
+TEST_F(DrivenWindow, TheRestitutionOfAJointIsEditedAsAShareOfSpeed) {
+  window->open(slidingCube());
+  workspace->selection().select({Item::Kind::joint, 0});
+  NumberField* field = nullptr;
+  for (auto* candidate : window->findChildren<NumberField*>())
+    if (candidate->accessibleName().startsWith(QStringLiteral("Restitution"))) field = candidate;
+  ASSERT_NE(field, nullptr);
+  const auto type = [&](const char* number) {
+    field->setFocus();
+    rest(20);
+    field->selectAll();
+    QTest::keyClicks(field, QLatin1String(number));
+    QTest::keyClick(field, Qt::Key_Return);
+  };
+  type("1.5");
+  EXPECT_EQ(field->property("state").toString(), QStringLiteral("error"));
+  EXPECT_EQ(workspace->document().project().joints[0].restitution, 1);
+  keepPicture(*window, "joint_panel_refused.png");
+  type("0,4");
+  EXPECT_EQ(workspace->document().project().joints[0].restitution, 0.4);
+  rest(50);
+  keepPicture(*window, "joint_panel.png");
 }
 
 }  // namespace

@@ -79,12 +79,12 @@ QStringList saidOfEffects(MainWindow& window) {
 TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   openAndMesh(slidingCube(200));
   ASSERT_TRUE(wait([&] { return !workspace->effectCosts().empty(); }));
-  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 11 on"));
+  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 12 on"));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("no stage or material asks for it")));
   EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" contact points at the start")).size(), 2);
   EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" tetrahedra")).size(), 3);
   workspace->solve();
-  ASSERT_TRUE(wait([&] { return workspace->effects().size() == 11 && workspace->isLive(); })) << "as the run goes on";
+  ASSERT_TRUE(wait([&] { return workspace->effects().size() == 12 && workspace->isLive(); })) << "as the run goes on";
   ASSERT_TRUE(wait([&] { return workspace->step() == Step::results && workspace->frame(); }));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
   const auto results = workspace->resultsFolder();
@@ -100,7 +100,7 @@ TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   EXPECT_EQ(workspace->monitorNames(), std::vector<std::string>{"P1"});
   ASSERT_TRUE(workspace->report());
   EXPECT_EQ(workspace->report()->status, RunStatus::completed);
-  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 11 on"));
+  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 12 on"));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
   window->timeline().togglePlay();
   EXPECT_TRUE(window->timeline().isPlaying());

@@ -2,6 +2,7 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -92,6 +93,55 @@ TEST(SceneImage, FrontParallelWithContacts) {
   EXPECT_TRUE(shows_lit(image, rgb(0x0068a8), a_few_dots));  // stick
   EXPECT_TRUE(shows_lit(image, rgb(0xd2580a), a_few_dots));  // slip
   expect_baseline(image);
+}
+
+/// B6 struggles on the slope, and B2 with B3.
+std::vector<Struggle> two_struggles(const BlockSystem& slope) {
+  std::vector<Struggle> struggles(2);
+  struggles[0].blocks = {"slope", "B6"};
+  struggles[0].rest_position = slope.blocks[7].mesh.nodes.front();
+  struggles[1].blocks = {"B2", "B3"};
+  struggles[1].rest_position = slope.blocks[4].mesh.nodes.back();
+  return struggles;
+}
+
+TEST(SceneImage, PlacesWhereTheRunStrugglesAreMarked) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings = titled("Jointed slope");
+  Scene scene(slope, settings);
+  scene.set_frame(slid(slope, 3, 2.5));
+  const Image plain = draw_image(scene, width, height);
+  scene.set_struggles(two_struggles(slope));
+  const Image marked = draw_image(scene, width, height);
+  EXPECT_GT(count_of(marked, colours(Theme::light).warn), count_of(plain, colours(Theme::light).warn) + 200);
+  expect_baseline(marked);
+  settings.struggles = false;
+  scene.set_settings(settings);
+  EXPECT_LT(difference(plain, draw_image(scene, width, height)), tolerated_difference);
+}
+
+TEST(SceneImage, AStruggleIsLookedAtAndItsMarkGoesWithItsBlock) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings;
+  settings.theme = Theme::dark;
+  settings.field = field_named("displacement");
+  Scene scene(slope, settings);
+  const std::vector<Struggle> struggles = two_struggles(slope);
+  const Vec3 before = scene.pose_at(struggles[0]).focal_point;
+  EXPECT_LT((before - struggles[0].rest_position).norm(), 1e-9);
+  const auto frame = slid(slope, 14, 45);
+  scene.set_frame(frame);
+  const CameraPose look = scene.pose(), near = scene.pose_at(struggles[0]);
+  std::size_t node = 0;
+  for (std::size_t b = 0; b < 7; ++b) node += slope.blocks[b].mesh.nodes.size();
+  EXPECT_LT((near.focal_point - before - frame->displacement[node]).norm(), 1e-9);
+  EXPECT_LT(
+      (near.focal_point - near.position).normalized().cross((look.focal_point - look.position).normalized()).norm(),
+      1e-9);
+  EXPECT_LT((near.focal_point - near.position).norm(), (look.focal_point - look.position).norm());
+  scene.set_struggles(struggles);
+  scene.set_pose(near);
+  expect_baseline(draw_image(scene, width, height));
 }
 
 TEST(SceneImage, SmallTopViewWithHiddenBlocks) {

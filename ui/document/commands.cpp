@@ -41,4 +41,14 @@ void ChangeSolid::apply(const Solid& value) {
   emit document_.projectChanged();
 }
 
+ChangeProject::ChangeProject(Document& document, Project changed, const QString& what)
+    : document_(document), before_(document.project()), after_(std::move(changed)) {
+  setText(what);
+}
+
+void ChangeProject::apply(const Project& value) {
+  document_.project_ = value;
+  emit document_.projectChanged();
+}
+
 }  // namespace talus

@@ -46,4 +46,16 @@ class ChangeSolid : public QUndoCommand {
   Solid before_, after_;
 };
 
+class ChangeProject : public QUndoCommand {
+ public:
+  ChangeProject(Document& document, Project changed, const QString& what);
+  void redo() override { apply(after_); }
+  void undo() override { apply(before_); }
+
+ private:
+  void apply(const Project& value);
+  Document& document_;
+  Project before_, after_;
+};
+
 }  // namespace talus

@@ -25,6 +25,8 @@ std::filesystem::path Document::folder() const { return std::filesystem::absolut
 
 std::filesystem::path Document::resultsFolder() const { return folder() / (file_.stem().string() + ".results"); }
 
+std::filesystem::path Document::studyFolder() const { return folder() / (file_.stem().string() + ".accuracy"); }
+
 void Document::open(const std::filesystem::path& file) { replace(read_project(file), std::filesystem::absolute(file)); }
 
 void Document::show(Project project) { replace(std::move(project), {}); }
@@ -57,6 +59,11 @@ void Document::changeSolid(int index, const Solid& changed) {
   candidate.solids.at(static_cast<size_t>(index)) = changed;
   check(candidate);
   undoStack_.push(new ChangeSolid(*this, index, changed));
+}
+
+void Document::changeProject(const Project& changed, const QString& what) {
+  check(changed);
+  undoStack_.push(new ChangeProject(*this, changed, what));
 }
 
 void Document::replace(Project project, std::filesystem::path file) {

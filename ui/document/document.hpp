@@ -27,6 +27,8 @@ class Document : public QObject {
   std::filesystem::path folder() const;
   /// NAME.results beside the project file.
   std::filesystem::path resultsFolder() const;
+  /// NAME.accuracy beside the project file: where `talus-cli study accuracy` leaves its study.
+  std::filesystem::path studyFolder() const;
   bool isSaved() const { return undoStack_.isClean(); }
 
   QUndoStack& undoStack() { return undoStack_; }
@@ -45,6 +47,8 @@ class Document : public QObject {
   void changeMaterial(int index, const Material& changed);
   void changeJoint(int index, const Joint& changed);
   void changeSolid(int index, const Solid& changed);
+  /// The whole project; `what` says it in the undo list: "use affine · Δ/2".
+  void changeProject(const Project& changed, const QString& what);
 
  signals:
   void opened();
@@ -55,6 +59,7 @@ class Document : public QObject {
   friend class ChangeMaterial;
   friend class ChangeJoint;
   friend class ChangeSolid;
+  friend class ChangeProject;
 
   void replace(Project project, std::filesystem::path file);
 

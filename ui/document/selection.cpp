@@ -13,6 +13,13 @@ void Selection::select(const Item& item) {
   emit changed();
 }
 
+void Selection::selectBlocks(std::vector<int> blocks) {
+  std::sort(blocks.begin(), blocks.end());
+  current_ = blocks.empty() ? Item{} : Item{Item::Kind::block, blocks.back()};
+  blocks_ = std::move(blocks);
+  emit changed();
+}
+
 void Selection::toggleBlock(int block) {
   const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), block);
   if (place != blocks_.end() && *place == block) {

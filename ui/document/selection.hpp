@@ -28,6 +28,8 @@ class Selection : public QObject {
   std::optional<int> hoveredBlock() const { return hovered_; }
 
   void select(const Item& item);
+  /// These blocks together; the last one is the current one.
+  void selectBlocks(std::vector<int> blocks);
   /// Adds a block or takes it out.
   void toggleBlock(int block);
   void clear() { select({}); }

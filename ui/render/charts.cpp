@@ -1,35 +1,19 @@
 #include "render/charts.hpp"
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
-#include "base/error.hpp"
 #include "render/chart_layout.hpp"
 #include "render/field_range.hpp"
 #include "render/numbers.hpp"
-#include "render/offscreen_window.hpp"
-#include "render/painter.hpp"
+#include "render/painted_image.hpp"
 #include "results/monitor_value.hpp"
 
 namespace talus {
 namespace {
 
-/// Thin curves want more than edges of blocks do; large plots are fine as they are.
-int supersampling(int width, int height) {
-  constexpr double most_pixels_drawn = 17e6;
-  int scale = 3;
-  while (scale > 1 && static_cast<double>(width) * height * scale * scale > most_pixels_drawn) --scale;
-  return scale;
-}
-
-constexpr int smallest_side = 320, largest_side = 8192;
 constexpr double line_height = 1.35;  ///< of text, in text heights, as all below
 constexpr double curve_width = 0.13, axis_width = 0.06, grid_width = 0.05, mark_width = 0.06;
 
@@ -225,16 +209,12 @@ class Chart {
   std::vector<MarkLabel> labels_;
 };
 
-void check(const HistoryPlot& plot, int width, int height) {
+void check(const HistoryPlot& plot) {
   if (plot.series.empty() || plot.series.size() > curve_palette(plot.theme).size())
     throw std::invalid_argument("a plot shows one to six series");
   for (const Series& series : plot.series)
     if (series.x.size() != series.y.size())
       throw std::invalid_argument("series " + series.name + " has unequal numbers of x and y");
-  for (const int side : {width, height})
-    if (side < smallest_side || side > largest_side)
-      throw InputError("plot size " + std::to_string(width) + "x" + std::to_string(height), "cannot be drawn",
-                       "use 320 to 8192 pixels a side");
 }
 
 /// What a chart of a monitor's field calls itself, its axis and its curves.
@@ -258,22 +238,9 @@ Heading heading_of(Quantity::Field field) {
 }  // namespace
 
 Image draw_chart(const HistoryPlot& plot, int width, int height) {
-  check(plot, width, height);
-  const int scale = supersampling(width, height);
-  const Chart chart(plot, width * scale, height * scale);
-  vtkNew<PainterItem> item;
-  item->paint = [&](Painter& painter) { chart.paint(painter); };
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(item);
-  vtkNew<vtkRenderer> renderer;
-  const Rgb paper = colours(plot.theme).surface;
-  renderer->SetBackground(paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
-  renderer->AddActor(actor);
-  OffscreenWindow window(width, height, scale);
-  window.add(*renderer);
-  Image image = window.draw();
-  window.remove(*renderer);
-  return image;
+  check(plot);
+  return painted_image(width, height, colours(plot.theme).surface,
+                       [&](Painter& painter, double w, double h) { Chart(plot, w, h).paint(painter); });
 }
 
 HistoryPlot monitor_plot(const std::string& monitor, int monitor_index, std::span<const HistoryRow> history,

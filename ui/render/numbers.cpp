@@ -51,6 +51,8 @@ constexpr double slack = 1e-9;  ///< relative: 0.3/0.1 counts as 3
 
 }  // namespace
 
+std::string power_of_ten_text(int exponent) { return "10" + superscript(exponent); }
+
 std::string format_decimals(double value, int decimals) {
   if (!std::isfinite(value)) return std::string(missing);
   const std::string digits = printed(std::abs(value), decimals);

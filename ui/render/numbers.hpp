@@ -13,6 +13,9 @@ std::string format_number(double value, int significant = 3);
 /// The same with a fixed number of decimals.
 std::string format_decimals(double value, int decimals);
 
+/// "10⁻⁴".
+std::string power_of_ten_text(int exponent);
+
 /// Multiples of 1, 2 or 5 · 10ᵏ within [low, high], at most `most` (≥ 2) of them. low < high.
 std::vector<double> nice_ticks(double low, double high, int most);
 

@@ -106,6 +106,13 @@ void Scene::set_hovered(std::optional<int> block) {
   state_->apply_marks();
 }
 
+void Scene::set_struggles(std::vector<Struggle> struggles) {
+  state_->struggles = std::move(struggles);
+  state_->apply_marks();
+}
+
+CameraPose Scene::pose_at(const Struggle& struggle) const { return state_->pose_at(struggle); }
+
 std::optional<Pick> Scene::pick(double x, double y) const {
   vtkRenderer& renderer = *state_->renderer;
   if (renderer.GetRenderWindow() == nullptr) return {};

@@ -11,6 +11,7 @@
 #include "render/field_range.hpp"
 #include "render/theme.hpp"
 #include "results/frame.hpp"
+#include "results/struggle.hpp"
 
 class vtkCamera;
 class vtkRenderer;
@@ -31,6 +32,7 @@ struct SceneSettings {
   Edges edges = Edges::blocks;
   double deformation_scale = 1;  ///< displacements are drawn this many times too large
   bool contacts = false;         ///< contact points, coloured open grey, stick blue, slip orange
+  bool struggles = true;         ///< where the run struggles, as far as it was told
   bool parallel_projection = false;
   bool fine = true;  ///< ambient occlusion and smooth edges; off while the user drags
   /// Smooths outlines of pictures that are drawn at their own size. On a screen it would break thin edges into dashes.
@@ -99,6 +101,11 @@ class Scene {
   void set_hidden(std::vector<int> blocks);
   void set_selected(std::vector<int> blocks);
   void set_hovered(std::optional<int> block);
+  /// Where the run struggles: a ring and a label over everything, and a fine outline of the blocks. A mark goes with
+  /// its block from frame to frame; blocks that the system does not have are passed over.
+  void set_struggles(std::vector<Struggle> struggles);
+  /// A pose that looks the way the camera looks now, at the place of a struggle, with the smaller of its blocks whole.
+  CameraPose pose_at(const Struggle& struggle) const;
 
   /// The visible surface under a pixel counted from the picture's upper left corner; empty over the background.
   /// Needs a renderer that is in a window of known size, but no GL context.

@@ -92,6 +92,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
       movable(block_surface(blocks, with_body(blocks, false)), origin) {
   fixed.add_to(*renderer);
   movable.add_to(*renderer);
+  concern.add_to(*renderer);
   selection.add_to(*renderer);
   hover.add_to(*renderer);
   contacts.add_to(*renderer);
@@ -114,6 +115,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
         camera.parallel ? camera.parallel_scale : distance * std::tan(radians(camera.view_angle) / 2);
     talus::paint(painter, overlay,
                  {width, height, right, towards_viewer.cross(right), towards_viewer, 2 * half_height / height});
+    paint_struggles(painter);
   };
   vtkNew<vtkContextActor> context;
   context->GetScene()->AddItem(item);
@@ -166,6 +168,11 @@ void Scene::State::apply_colours() {
 
 void Scene::State::apply_marks() {
   const auto both = parts();
+  std::vector<int> struggling;
+  if (settings.struggles)
+    for (const Struggle& struggle : struggles)
+      for (const int block : blocks_of(struggle)) struggling.push_back(block);
+  concern.mark(both, origin, flags(struggling));
   selection.mark(both, origin, flags(selected));
   hover.mark(both, origin, flags(hovered ? std::vector<int>{*hovered} : std::vector<int>{}));
 }
@@ -178,6 +185,7 @@ void Scene::State::apply_lines() {
   const double thin = std::max(0.9 * unit, 1.2);  // thinner ones break up into dots
   movable.draw_edges(settings.edges == Edges::none ? 0 : thin, settings.edges == Edges::mesh ? 0.45 * unit : 0, edge);
   fixed.draw_edges(settings.edges == Edges::none ? 0 : thin, settings.edges == Edges::mesh ? 0.45 * unit : 0, edge);
+  concern.style(c.warn, 1.6 * unit, field_values.empty() ? 0.12 : 0);
   selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0);  // a tint would falsify a field's colours
   hover.style(c.pick, unit, 0);
   const bool with_contacts = settings.contacts && frame;

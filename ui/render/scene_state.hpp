@@ -26,6 +26,11 @@ struct Scene::State {
   void apply_marks();
   void apply_lines();
   void make_overlay();
+  /// Where the point of rock that a struggle is about lies in the frame that is shown [m].
+  Vec3 place_of(const Struggle& struggle) const;
+  CameraPose pose_at(const Struggle& struggle) const;
+  std::vector<int> blocks_of(const Struggle& struggle) const;
+  void paint_struggles(Painter& painter) const;
   void reset_extent();
   /// Just before VTK draws: what depends on the camera and on the window's size.
   void prepare_drawing();
@@ -47,11 +52,12 @@ struct Scene::State {
   double rock_size = 1;  ///< m, diagonal of the undeformed blocks
   std::vector<Rgb> block_colours;
   BlockActors fixed, movable;
-  Highlight selection, hover;
+  Highlight concern, selection, hover;
   ContactActor contacts;
   Backdrop backdrop;
   std::vector<int> hidden, selected;
   std::optional<int> hovered;
+  std::vector<Struggle> struggles;
 
   std::shared_ptr<const Frame> frame;
   std::vector<double> field_values;  ///< of the frame, SI

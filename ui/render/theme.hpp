@@ -10,10 +10,10 @@ enum class Theme { light, dark };
 
 /// Every colour a picture is drawn with, apart from the colour maps, which are the same in both themes.
 struct ThemeColours {
-  Rgb view_top, view_bottom;  ///< background gradient
-  Rgb edge, rock, pick;       ///< block edges; fixed rock; what is selected
-  Rgb text, muted, line;      ///< writing, lesser writing, ticks and axes
-  Rgb surface, frame, grid;   ///< cards and paper, their frames, grid lines of plots
+  Rgb view_top, view_bottom;   ///< background gradient
+  Rgb edge, rock, pick, warn;  ///< block edges; fixed rock; what is selected; where the run struggles
+  Rgb text, muted, line;       ///< writing, lesser writing, ticks and axes
+  Rgb surface, frame, grid;    ///< cards and paper, their frames, grid lines of plots
 };
 
 const ThemeColours& colours(Theme theme);

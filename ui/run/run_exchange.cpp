@@ -31,6 +31,11 @@ void RunExchange::on_effects(const std::vector<EffectOutcome>& effects) {
   news_.effects = effects;
 }
 
+void RunExchange::on_struggles(const std::vector<Struggle>& struggles) {
+  const std::lock_guard lock(mutex_);
+  news_.struggles = struggles;
+}
+
 bool RunExchange::go_on() {
   std::unique_lock lock(mutex_);
   woken_.wait(lock, [this] { return stopped_ || !allowed_ || *allowed_ > 0; });

@@ -24,6 +24,7 @@ struct JobNews {
   std::vector<std::shared_ptr<const Frame>> frames;
   std::optional<SceneSize> size;       ///< once, after `system`: what the effects will be paid for
   std::vector<EffectOutcome> effects;  ///< what they have cost so far; empty where nothing new is known
+  std::vector<Struggle> struggles;     ///< the hardest places so far; empty where nothing new is known
 };
 
 /// Where the solving thread and the window's thread meet. The worker never waits for the window; the window takes what
@@ -36,6 +37,7 @@ class RunExchange final : public Progress, public RunObserver {
   void on_step(const StepReport& step, const HistoryRow& history, double fraction) override;
   void on_frame(std::shared_ptr<const Frame> frame) override;
   void on_effects(const std::vector<EffectOutcome>& effects) override;
+  void on_struggles(const std::vector<Struggle>& struggles) override;
   bool go_on() override;
   void meshed(std::shared_ptr<const BlockSystem> system);
   void sized(const SceneSize& size);

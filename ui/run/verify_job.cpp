@@ -1,5 +1,7 @@
 #include "run/verify_job.hpp"
 
+#include "base/error.hpp"
+
 namespace talus {
 
 namespace {
@@ -22,26 +24,21 @@ VerifyJob::~VerifyJob() {
   thread_->wait();
 }
 
-void VerifyJob::start(std::vector<KnownCase> cases, const VerifyOptions& options) {
+void VerifyJob::startWork(std::function<void(Progress&)> work) {
   Q_ASSERT(!isBusy());
   exchange_ = std::make_unique<RunExchange>();
   timeLeft_ = {};
   clock_.start();
-  thread_.reset(QThread::create([this, cases = std::move(cases), options] { work(cases, options); }));
+  thread_.reset(QThread::create([this, work = std::move(work)] {
+    try {
+      work(*exchange_);
+    } catch (const Cancelled&) {
+      return;
+    }
+  }));
   connect(thread_.get(), &QThread::finished, this, &VerifyJob::finish);
   thread_->start(QThread::LowPriority);
   heartbeat_.start();
-}
-
-void VerifyJob::work(const std::vector<KnownCase>& cases, const VerifyOptions& options) {
-  try {
-    verify(cases, options, *exchange_, [this](const CaseResult& result) {
-      QMetaObject::invokeMethod(
-          this, [this, result] { emit caseEnded(result); }, Qt::QueuedConnection);
-    });
-  } catch (const Cancelled&) {
-    return;
-  }
 }
 
 void VerifyJob::cancel() {

@@ -4,16 +4,16 @@
 #include <QObject>
 #include <QThread>
 #include <QTimer>
+#include <functional>
 #include <memory>
-#include <vector>
 
 #include "run/run_exchange.hpp"
 #include "run/time_left.hpp"
-#include "study/verify.hpp"
 
 namespace talus {
 
-/// Runs cases with a known answer on a thread of its own. Signals come on the thread that the job lives on.
+/// Works off a list of runs, known cases or scenes of stability, on a thread of its own. Signals come on the thread
+/// that the job lives on.
 class VerifyJob : public QObject {
   Q_OBJECT
  public:
@@ -24,20 +24,28 @@ class VerifyJob : public QObject {
   bool isBusy() const { return thread_ != nullptr; }
   const TimeLeft& timeLeft() const { return timeLeft_; }
 
-  /// One list of cases at a time.
-  void start(std::vector<KnownCase> cases, const VerifyOptions& options);
-  /// The case that goes on comes to no result; those before keep theirs.
+  /// One list at a time. `run(progress, ended)` works on the job's own thread and calls `ended(result)` for each run as
+  /// it ends; each result comes to `take` on the thread that the job lives on. May throw Cancelled.
+  template <class Result, class Run, class Take>
+  void start(Run run, Take take) {
+    startWork([this, run = std::move(run), take = std::move(take)](Progress& progress) {
+      run(progress, [this, &take](const Result& result) {
+        QMetaObject::invokeMethod(
+            this, [take, result] { take(result); }, Qt::QueuedConnection);
+      });
+    });
+  }
+  /// The run that goes on comes to no result; those before keep theirs.
   void cancel();
 
  signals:
-  /// At most ten times a second; 0…1 of all cases.
+  /// At most ten times a second; 0…1 of the whole list.
   void progressed(double fraction, const QString& what);
-  void caseEnded(const talus::CaseResult& result);
-  /// After the last `caseEnded`, also when it was cancelled.
+  /// After the last result was taken, also when it was cancelled.
   void ended();
 
  private:
-  void work(const std::vector<KnownCase>& cases, const VerifyOptions& options);
+  void startWork(std::function<void(Progress&)> work);
   void finish();
 
   std::unique_ptr<QThread> thread_;

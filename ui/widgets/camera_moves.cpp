@@ -65,6 +65,14 @@ CameraPose zoomed(CameraPose pose, double factor, QPointF pointer, QSizeF view) 
   return pose;
 }
 
+CameraPose between(const CameraPose& from, const CameraPose& to, double share) {
+  CameraPose pose = to;
+  pose.position = from.position + share * (to.position - from.position);
+  pose.focal_point = from.focal_point + share * (to.focal_point - from.focal_point);
+  pose.parallel_scale = from.parallel_scale + share * (to.parallel_scale - from.parallel_scale);
+  return pose;
+}
+
 CameraPose withOtherProjection(CameraPose pose) {
   const double height = heightInMetres(pose);
   pose.parallel = !pose.parallel;

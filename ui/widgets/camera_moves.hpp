@@ -17,4 +17,7 @@ CameraPose zoomed(CameraPose pose, double factor, QPointF pointer, QSizeF view);
 /// The other projection, showing what is at the focal depth in the same size.
 CameraPose withOtherProjection(CameraPose pose);
 
+/// `share` 0…1 of the way from one pose to another that looks the same way.
+CameraPose between(const CameraPose& from, const CameraPose& to, double share);
+
 }  // namespace talus

@@ -1,7 +1,6 @@
 #include "widgets/case_page.hpp"
 
 #include <QHeaderView>
-#include <QRegularExpression>
 #include <cmath>
 
 #include "widgets/numbers.hpp"
@@ -16,29 +15,17 @@ constexpr int figures = 7;
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
-void clearLayout(QLayout& layout) {
-  while (auto* item = layout.takeAt(0)) {
-    delete item->widget();
-    delete item;
-  }
-}
-
-/// Without zeros at its end: 2 is expected, not 2.000000.
-QString value(double number, int digits = figures) {
-  static const QRegularExpression zeros(QStringLiteral("(\\.\\d*?)0+(?!\\d)")), point(QStringLiteral("\\.(?!\\d)"));
-  return numbers::significant(number, digits).replace(zeros, QStringLiteral("\\1")).remove(point);
-}
-
 /// Error and tolerance: relative as they are, absolute with ± before them.
 QString margin(const Finding& finding, double number) {
-  return finding.absolute && std::isfinite(number) ? QChar(0xb1) + value(number, 2) : value(number, 2);
+  return finding.absolute && std::isfinite(number) ? QChar(0xb1) + numbers::figure(number, 2)
+                                                   : numbers::figure(number, 2);
 }
 
 QStringList cellsOf(const Finding& finding) {
   return {text(finding.quantity),
           text(finding.unit),
-          value(finding.expected),
-          value(finding.computed),
+          numbers::figure(finding.expected, figures),
+          numbers::figure(finding.computed, figures),
           margin(finding, finding.error()),
           finding.reported ? QStringLiteral("–") : margin(finding, finding.tolerance),
           finding.reported   ? QObject::tr("shown")
@@ -49,43 +36,24 @@ QStringList cellsOf(const Finding& finding) {
 QString sentenceOf(const Repetition& repetition) {
   const QString which =
       QObject::tr("%1 at scale %2")
-          .arg(numbers::counted(repetition.options.threads, "thread"), value(repetition.options.scale, 3));
+          .arg(numbers::counted(repetition.options.threads, "thread"), numbers::figure(repetition.options.scale, 3));
   if (!repetition.failure.empty()) return QObject::tr("%1: failed, %2").arg(which, text(repetition.failure));
   if (repetition.same_bits) return QObject::tr("%1: the same bits").arg(which);
-  QString sentence = QObject::tr("%1: relative difference %2").arg(which, value(repetition.largest.value, 2));
+  QString sentence = QObject::tr("%1: relative difference %2").arg(which, numbers::figure(repetition.largest.value, 2));
   if (!repetition.largest.quantity.empty()) sentence += QStringLiteral(" (%1)").arg(text(repetition.largest.quantity));
   if (repetition.about_zero.quantity.empty()) return sentence;
   return sentence + QObject::tr("; about zero %1 of the tolerance (%2)")
-                        .arg(value(repetition.about_zero.value, 2), text(repetition.about_zero.quantity));
+                        .arg(numbers::figure(repetition.about_zero.value, 2), text(repetition.about_zero.quantity));
 }
 
 }  // namespace
 
-CasePage::CasePage() : title_(makeLabel({}, "title")), verdict_(makeLabel({}, "chip")) {
-  auto* column = new QVBoxLayout(this);
-  setMargins(column, 0, 0);
-  auto* head = makePlane("header");
-  auto* row = new QHBoxLayout(head);
-  row->setContentsMargins(12, 6, 12, 6);
-  row->setSpacing(8);
-  title_->setWordWrap(true);
-  row->addWidget(title_, 1);
-  row->addWidget(verdict_, 0, Qt::AlignVCenter);
-  column->addWidget(head);
-  auto* inner = makePlane("surface");
-  content_ = new QVBoxLayout(inner);
-  content_->setContentsMargins(12, 8, 12, 12);
-  content_->setSpacing(8);
-  column->addWidget(makeScrolled(inner), 1);
-}
-
 void CasePage::show(const KnownCase& known, const CaseResult* result) {
-  title_->setText(text(known.title));
-  setRole(verdict_, !result ? "chip" : result->passed() ? "chipOk" : "chipError");
-  verdict_->setText(
-      !result ? tr("not run yet")
-              : (result->passed() ? tr("passed in %1") : tr("failed in %1")).arg(numbers::duration(result->seconds)));
-  clearLayout(*content_);
+  if (!result)
+    begin(text(known.title), "chip", tr("not run yet"));
+  else
+    begin(text(known.title), result->passed() ? "chipOk" : "chipError",
+          (result->passed() ? tr("passed in %1") : tr("failed in %1")).arg(numbers::duration(result->seconds)));
   addSentence(tr("Source: %1").arg(text(known.source)), "muted");
   if (result) {
     if (!result->failure.empty()) addSentence(tr("Came to no answer: %1").arg(text(result->failure)), "error");
@@ -95,7 +63,7 @@ void CasePage::show(const KnownCase& known, const CaseResult* result) {
   } else if (known.takes_long) {
     addSentence(tr("This case takes minutes."), "muted");
   }
-  content_->addStretch();
+  content().addStretch();
 }
 
 void CasePage::addFindings(const CaseResult& result) {
@@ -117,7 +85,7 @@ void CasePage::addFindings(const CaseResult& result) {
   }
   table->wrapWords(most_rows);
   table->fitHeight(most_rows);
-  content_->addWidget(table);
+  content().addWidget(table);
   addSentence(tr("Error and tolerance are relative to the expected number; with ± they are in its unit."), "faint");
 }
 
@@ -127,17 +95,17 @@ void CasePage::addSentences(const CaseResult& result) {
   for (const std::string& remark : result.outcome.remarks) addSentence(text(remark));
 }
 
-void CasePage::addTable(const CaseTable& content) {
-  content_->addWidget(makeLabel(text(content.title), "section"));
+void CasePage::addTable(const CaseTable& shown) {
+  content().addWidget(makeLabel(text(shown.title), "section"));
   auto* table = new PlainTable;
   QStringList heads;
   std::vector<bool> words;
-  for (std::size_t column = 0; column < content.columns.size(); ++column) {
-    heads << text(content.columns[column]);
-    words.push_back(content.holds_words(column));
+  for (std::size_t column = 0; column < shown.columns.size(); ++column) {
+    heads << text(shown.columns[column]);
+    words.push_back(shown.holds_words(column));
   }
   std::vector<QStringList> rows;
-  for (const auto& cells : content.rows) {
+  for (const auto& cells : shown.rows) {
     QStringList row;
     for (const std::string& cell : cells) row << text(cell);
     rows.push_back(row);
@@ -145,14 +113,7 @@ void CasePage::addTable(const CaseTable& content) {
   table->setContent(heads, rows, words);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->fitHeight(most_rows);
-  content_->addWidget(table);
-}
-
-void CasePage::addSentence(const QString& words, const char* role) {
-  auto* label = makeLabel(words, role);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  content_->addWidget(label);
+  content().addWidget(table);
 }
 
 }  // namespace talus

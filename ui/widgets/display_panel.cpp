@@ -2,6 +2,8 @@
 
 #include <QSignalBlocker>
 
+#include "widgets/struggle_panel.hpp"
+
 namespace talus {
 
 namespace {
@@ -47,11 +49,14 @@ DisplayPanel::DisplayPanel(Workspace& workspace) : workspace_(workspace), field_
   auto* overlays = new Section(tr("Overlays"));
   addSwitch(overlays, tr("Contact points"), &SceneSettings::contacts)
       ->setToolTip(tr("Open grey, stick blue, slip orange"));
+  addSwitch(overlays, tr("Where it was hard"), &SceneSettings::struggles)
+      ->setToolTip(tr("Marks the contacts at which steps were cut or took many iterations"));
   addSwitch(overlays, tr("Legend"), &SceneSettings::legend);
   addSwitch(overlays, tr("Time stamp"), &SceneSettings::time_stamp);
   addSwitch(overlays, tr("Axes"), &SceneSettings::triad);
   addSwitch(overlays, tr("Scale bar"), &SceneSettings::scale_bar);
   inner->addWidget(overlays);
+  inner->addWidget(new StrugglePanel(workspace_));
   inner->addStretch();
   column->addWidget(makeScrolled(content), 1);
   connect(&workspace_, &Workspace::displayChanged, this, &DisplayPanel::show);

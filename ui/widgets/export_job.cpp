@@ -65,6 +65,7 @@ void ExportJob::draw(const ExportTask& task) {
   Scene scene(*task.system, settings);
   scene.set_stage_names(task.stageNames);
   scene.set_hidden(task.hidden);
+  scene.set_struggles(task.struggles);
   scene.set_pose(task.pose);
   if (task.path.extension() == ".png") {
     if (task.frameCount > 0) scene.set_frame(task.frame(task.firstFrame));

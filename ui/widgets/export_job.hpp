@@ -17,6 +17,7 @@ struct ExportTask {
   SceneSettings settings;
   CameraPose pose;
   std::vector<int> hidden;
+  std::vector<Struggle> struggles;
   std::vector<std::string> stageNames;
   /// Frames by number, called on the exporting thread.
   std::function<std::shared_ptr<const Frame>(int)> frame;

@@ -214,6 +214,7 @@ ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) 
   task.settings.parallel_projection = viewport_->pose()->parallel;
   task.pose = *viewport_->pose();
   task.hidden = viewport_->hiddenBlocks();
+  task.struggles = workspace_.struggles();
   task.stageNames = workspace_.stageNames();
   task.path = path;
   task.film.width = width;

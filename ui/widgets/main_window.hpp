@@ -10,13 +10,14 @@
 
 namespace talus {
 
+class AccuracyPanel;
 class ExportStrip;
-class KnownAnswers;
 class Rail;
 class StartPage;
 class StepBar;
 class Timeline;
 class TopBar;
+class Verification;
 class Viewport;
 class WindowActions;
 
@@ -58,7 +59,9 @@ class MainWindow : public QMainWindow {
   bool saveAs();
   void askForPicture();
   void askForFilm();
-  void showKnownAnswers();
+  /// Null, and a problem is said, where the samples cannot be read.
+  Verification* verification();
+  void showAccuracy();
   void showAbout();
   ExportTask exportTask(const std::filesystem::path& path, int width) const;
   QString folderForDialogs() const;
@@ -76,7 +79,8 @@ class MainWindow : public QMainWindow {
   Timeline* timeline_;
   QDockWidget *left_, *right_, *bottom_;
   QStackedWidget* rightPages_;
-  KnownAnswers* knownAnswers_ = nullptr;  ///< once it has been asked for
+  Verification* verification_ = nullptr;  ///< once it has been asked for
+  AccuracyPanel* accuracy_ = nullptr;     ///< once it has been asked for
   QList<QToolBar*> bars_;
   QLabel *message_, *place_;
   bool docksSized_ = false;

@@ -3,11 +3,13 @@
 #include <QMessageBox>
 
 #include "base/error.hpp"
-#include "widgets/known_answers.hpp"
+#include "stability/all_scenes.hpp"
+#include "widgets/accuracy_panel.hpp"
 #include "widgets/main_window.hpp"
 #include "widgets/samples.hpp"
 #include "widgets/start_page.hpp"
 #include "widgets/top_bar.hpp"
+#include "widgets/verification.hpp"
 #include "widgets/window_actions.hpp"
 
 namespace talus {
@@ -31,7 +33,12 @@ void MainWindow::connectActions() {
   connect(actions_->saveFilm, &QAction::triggered, this, &MainWindow::askForFilm);
   connect(actions_->startPage, &QAction::triggered, this, [this] { showStart(true); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
-  connect(actions_->knownAnswers, &QAction::triggered, this, &MainWindow::showKnownAnswers);
+  for (const auto& [action, list] : {std::pair(actions_->knownAnswers, Verification::List::knownAnswers),
+                                     std::pair(actions_->stability, Verification::List::stability)})
+    connect(action, &QAction::triggered, this, [this, list = list] {
+      if (auto* dialog = verification()) dialog->open(list);
+    });
+  connect(actions_->accuracy, &QAction::triggered, this, &MainWindow::showAccuracy);
   connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_->viewAlone, &QAction::toggled, this, &MainWindow::showViewAlone);
   connect(topBar_->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::showRecent);
@@ -90,19 +97,20 @@ void MainWindow::askForFilm() {
   if (!name.isEmpty()) saveFilm(withEnding(name, ".mp4"));
 }
 
-void MainWindow::showKnownAnswers() {
-  if (!knownAnswers_) {
-    try {
-      knownAnswers_ = new KnownAnswers(all_cases(samplesFolder()), this);
-    } catch (const InputError& error) {
-      workspace_.addProblem({Problem::Severity::error, QString::fromStdString(error.place()),
-                             QString::fromStdString(error.problem()), QString::fromStdString(error.remedy())});
-      return;
-    }
+Verification* MainWindow::verification() {
+  if (verification_) return verification_;
+  try {
+    verification_ = new Verification(all_cases(samplesFolder()), stability_scenes(), this);
+  } catch (const InputError& error) {
+    workspace_.addProblem({Problem::Severity::error, QString::fromStdString(error.place()),
+                           QString::fromStdString(error.problem()), QString::fromStdString(error.remedy())});
   }
-  knownAnswers_->show();
-  knownAnswers_->raise();
-  knownAnswers_->activateWindow();
+  return verification_;
+}
+
+void MainWindow::showAccuracy() {
+  if (!accuracy_) accuracy_ = new AccuracyPanel(workspace_, this);
+  accuracy_->present();
 }
 
 void MainWindow::showAbout() {

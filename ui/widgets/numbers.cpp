@@ -1,5 +1,6 @@
 #include "widgets/numbers.hpp"
 
+#include <QRegularExpression>
 #include <cmath>
 
 #include "render/numbers.hpp"
@@ -15,6 +16,11 @@ QString counted(long long count, const char* noun) {
 }
 
 QString significant(double value, int figures) { return QString::fromStdString(format_number(value, figures)); }
+
+QString figure(double value, int figures) {
+  static const QRegularExpression zeros(QStringLiteral("(\\.\\d*?)0+(?!\\d)")), point(QStringLiteral("\\.(?!\\d)"));
+  return significant(value, figures).replace(zeros, QStringLiteral("\\1")).remove(point);
+}
 
 QString quantity(double value, const char* unit) {
   const DisplayUnit shown = display_unit(unit, std::abs(value));
@@ -34,6 +40,7 @@ QString orientation(double dip, double dipDirection) {
 
 QString duration(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0) return QStringLiteral("–");
+  if (seconds > 0 && seconds < 0.095) return significant(seconds, 2) + QStringLiteral(" s");
   if (seconds < 9.95) return fixed(seconds, 1) + QStringLiteral(" s");
   if (seconds < 59.5) return QStringLiteral("%1 s").arg(std::lround(seconds));
   const long rounded = std::lround(seconds / 5) * 5;

@@ -10,6 +10,8 @@ QString whole(long long value);
 /// "1 frame", "201 frames".
 QString counted(long long count, const char* noun);
 QString significant(double value, int figures = 3);
+/// The same without zeros at its end: 2, not 2.000000.
+QString figure(double value, int figures);
 /// With the prefix that suits it: "25 GPa", "0.2 MPa"; `unit` is SI.
 QString quantity(double value, const char* unit);
 /// J, kJ, MJ, GJ, TJ: the factor to divide by and its unit, for values up to `largest`.

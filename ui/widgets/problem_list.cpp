@@ -30,6 +30,12 @@ theme::Tone toneOf(Problem::Severity severity) {
   return theme::Tone::error;
 }
 
+QPushButton* makeShowButton() {
+  auto* button = makeButton(QObject::tr("Show in view"));
+  button->setToolTip(QObject::tr("Turns the view to the place and selects its blocks"));
+  return button;
+}
+
 QString sentence(const Problem& problem) {
   return problem.place.isEmpty() ? problem.problem : QStringLiteral("%1: %2").arg(problem.place, problem.problem);
 }
@@ -74,6 +80,11 @@ void ProblemList::refresh() {
     remedy->setWordWrap(true);
     words->addWidget(remedy);
     line->addLayout(words, 1);
+    if (problem.where) {
+      auto* show = makeShowButton();
+      connect(show, &QPushButton::clicked, this, [this, where = *problem.where] { workspace_.showStruggle(where); });
+      line->addWidget(show, 0, Qt::AlignTop);
+    }
     rows_->addWidget(row);
   }
   rows_->addStretch();
@@ -82,7 +93,8 @@ void ProblemList::refresh() {
 ProblemStrip::ProblemStrip(Workspace& workspace)
     : glyph_(new Glyph(QStringLiteral("error"), theme::Tone::error)),
       what_(makeLabel({}, "strong")),
-      remedy_(makeLabel({})) {
+      remedy_(makeLabel({})),
+      show_(makeShowButton()) {
   setObjectName(QStringLiteral("problem-strip"));
   setProperty("plane", "problem");
   auto* row = new QHBoxLayout(this);
@@ -97,6 +109,8 @@ ProblemStrip::ProblemStrip(Workspace& workspace)
     words->addWidget(label);
   }
   row->addLayout(words, 1);
+  row->addWidget(show_, 0, Qt::AlignVCenter);
+  connect(show_, &QPushButton::clicked, this, [this, &workspace] { workspace.showStruggle(*where_); });
   auto* close = makeTool(QStringLiteral("close"), tr("Close this message"));
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   row->addWidget(close, 0, Qt::AlignTop);
@@ -112,6 +126,8 @@ void ProblemStrip::show(const Problem& problem) {
   glyph_->setIcon(iconOf(problem.severity), toneOf(problem.severity));
   what_->setText(sentence(problem));
   remedy_->setText(problem.remedy);
+  where_ = problem.where;
+  show_->setVisible(where_.has_value());
   setVisible(true);
 }
 

@@ -30,6 +30,8 @@ class ProblemStrip : public QFrame {
   void show(const Problem& problem);
   Glyph* glyph_;
   QLabel *what_, *remedy_;
+  QPushButton* show_;
+  std::optional<Struggle> where_;  ///< of the problem that is shown
 };
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #include "widgets/property_panel.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "base/error.hpp"
@@ -13,7 +14,7 @@ namespace talus {
 
 namespace {
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
+QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 }  // namespace
 
@@ -112,21 +113,30 @@ void PropertyPanel::addBody(Section* section, int solid) {
   const BodyKind present = workspace_.document().project().solids.at(static_cast<size_t>(solid)).body;
   QStringList choices;
   for (const BodyKind body : bodies) choices << words::body(body);
-  auto* box = makeCombo(choices, tr("Body"));
-  box->setCurrentText(words::body(present));
-  connect(box, &QComboBox::activated, this, [this, box, solid, present](int chosen) {
-    Solid changed = workspace_.document().project().solids.at(static_cast<size_t>(solid));
-    changed.body = bodies.at(static_cast<size_t>(chosen));
-    if (changed.body == present) return;
+  const auto at = std::find(bodies.begin(), bodies.end(), present) - bodies.begin();
+  addChoice(section, tr("Body"), tr("How much its blocks may do; the next run cuts and meshes them anew"), choices,
+            static_cast<int>(at), [this, solid](int chosen) {
+              Solid changed = workspace_.document().project().solids.at(static_cast<size_t>(solid));
+              changed.body = bodies.at(static_cast<size_t>(chosen));
+              workspace_.document().changeSolid(solid, changed);
+            });
+}
+
+void PropertyPanel::addChoice(Section* section, const QString& name, const QString& tip, const QStringList& words,
+                              int present, const std::function<void(int)>& change) {
+  auto* box = makeCombo(words, name);
+  box->setCurrentIndex(present);
+  connect(box, &QComboBox::activated, this, [this, box, present, change](int chosen) {
+    if (chosen == present) return;
     try {
-      workspace_.document().changeSolid(solid, changed);
+      change(chosen);
     } catch (const InputError& error) {
       workspace_.addProblem(
           {Problem::Severity::error, text(error.place()), text(error.problem()), text(error.remedy())});
-      box->setCurrentText(words::body(present));
+      box->setCurrentIndex(present);
     }
   });
-  section->addRow(tr("Body"), box, tr("How much its blocks may do; the next run cuts and meshes them anew"));
+  section->addRow(name, box, tip);
 }
 
 void PropertyPanel::showBody(Section* section, const Block& block) {
@@ -253,6 +263,14 @@ void PropertyPanel::showMaterial(int index) {
   editable(tr("Young E"), {1e9, QStringLiteral("GPa")}, &Material::young);
   editable(tr("Poisson ν"), {1, {}}, &Material::poisson);
   editable(tr("Damping"), {1, QStringLiteral("1/s")}, &Material::damping);
+  static constexpr std::array laws{MaterialLaw::linear, MaterialLaw::neo_hookean};
+  addChoice(constants, tr("Law"), tr("neo-hookean stiffens under compression: for strains of more than a few percent"),
+            {text(to_string(laws[0])), text(to_string(laws[1]))}, material.law == laws[0] ? 0 : 1,
+            [this, index](int chosen) {
+              Material changed = workspace_.document().project().materials.at(static_cast<size_t>(index));
+              changed.law = laws.at(static_cast<size_t>(chosen));
+              workspace_.document().changeMaterial(index, changed);
+            });
 }
 
 void PropertyPanel::showMonitor(int index) {

@@ -45,6 +45,9 @@ class PropertyPanel : public QWidget {
     QString unit;
   };
   /// A number that can be typed over; `change` may throw InputError, which the field then shows.
+  /// A choice among words; `change` is called with the number of the one that was chosen, and may throw InputError.
+  void addChoice(Section* section, const QString& name, const QString& tip, const QStringList& words, int present,
+                 const std::function<void(int)>& change);
   void addNumber(Section* section, const QString& name, const Quantity& quantity, double value,
                  const std::function<void(double)>& change);
 

@@ -1,7 +1,11 @@
 #include "widgets/run_panel.hpp"
 
+#include "widgets/accuracy_slider.hpp"
+#include "widgets/cost_ahead.hpp"
 #include "widgets/effect_list.hpp"
 #include "widgets/numbers.hpp"
+#include "widgets/step_facts.hpp"
+#include "widgets/struggle_panel.hpp"
 
 namespace talus {
 
@@ -61,36 +65,28 @@ RunPanel::RunPanel(Workspace& workspace) : workspace_(workspace), header_(new Pa
   bar_->setAccessibleName(tr("Share of the run that is done"));
   inner->addWidget(bar_);
 
-  auto* facts = new QGridLayout;
-  facts->setContentsMargins(0, 4, 0, 4);
-  facts->setVerticalSpacing(3);
-  facts->setHorizontalSpacing(12);
-  facts->setColumnStretch(1, 1);
-  time_ = addFact(*facts, tr("t"));
-  step_ = addFact(*facts, tr("Step"));
-  iterations_ = addFact(*facts, tr("Iterations"));
-  asleep_ = addFact(*facts, tr("Asleep"));
-  contacts_ = addFact(*facts, tr("Contacts"));
-  penetration_ = addFact(*facts, tr("Penetration"));
-  inner->addLayout(facts);
-  inner->addWidget(makeLine(Qt::Horizontal));
-  inner->addWidget(new EffectList(workspace_));
-  inner->addStretch();
-  column->addWidget(makeScrolled(content), 1);
+  inner->addWidget(new StepFacts(workspace_));
+  auto* whole = new QWidget;
+  auto* sections = new QVBoxLayout(whole);
+  setMargins(sections, 0, 0);
+  sections->addWidget(new CostAhead(workspace_));
+  sections->addWidget(new AccuracySlider(workspace_));
+  sections->addWidget(content);
+  sections->addWidget(new StrugglePanel(workspace_));
+  sections->addWidget(makeLine(Qt::Horizontal));
+  auto* costs = new QWidget;
+  auto* list = new QVBoxLayout(costs);
+  list->setContentsMargins(12, 10, 12, 10);
+  list->addWidget(new EffectList(workspace_));
+  sections->addWidget(costs);
+  sections->addStretch();
+  column->addWidget(makeScrolled(whole), 1);
 
   connect(&workspace_, &Workspace::progressed, this, &RunPanel::refresh);
   connect(&workspace_, &Workspace::historyChanged, this, &RunPanel::refresh);
   connect(&workspace_.job(), &SolverJob::stateChanged, this, &RunPanel::refresh);
   connect(&workspace_, &Workspace::reportChanged, this, &RunPanel::refresh);
   refresh();
-}
-
-QLabel* RunPanel::addFact(QGridLayout& grid, const QString& name) {
-  const int row = grid.rowCount();
-  grid.addWidget(makeLabel(name, "small"), row, 0);
-  auto* value = new ElidedLabel(QStringLiteral("–"));
-  grid.addWidget(value, row, 1);
-  return value;
 }
 
 void RunPanel::refresh() {
@@ -113,21 +109,6 @@ void RunPanel::refresh() {
                     : workspace_.steps().empty() ? tr("not run yet")
                                                  : tr("from results"));
   }
-  if (workspace_.steps().empty()) {
-    for (auto* label : {time_, step_, contacts_, penetration_, iterations_, asleep_})
-      label->setText(QStringLiteral("–"));
-    return;
-  }
-  const StepReport& step = workspace_.steps().back();
-  time_->setText(tr("%1 s").arg(numbers::fixed(step.time, 2)));
-  step_->setText(tr("%1, Δt %2 ms").arg(numbers::whole(step.step), numbers::significant(step.time_step * 1e3)));
-  contacts_->setText(tr("%1 open, %2 stick, %3 slip")
-                         .arg(numbers::whole(step.open), numbers::whole(step.stick), numbers::whole(step.slip)));
-  penetration_->setText(tr("%1 % of mesh size").arg(numbers::significant(100 * step.max_relative_penetration, 2)));
-  iterations_->setText(step.cuts > 0
-                           ? tr("%1, step cut %2").arg(step.iterations).arg(numbers::counted(step.cuts, "time"))
-                           : numbers::whole(step.iterations));
-  asleep_->setText(step.asleep > 0 ? numbers::counted(step.asleep, "block") : tr("no block"));
 }
 
 }  // namespace talus

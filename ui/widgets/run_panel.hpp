@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QWidget>
@@ -10,8 +9,8 @@
 
 namespace talus {
 
-/// How the run goes: share done, time left, contacts, penetration, blocks asleep; what each effect costs and why it is
-/// on.
+/// What a run will cost, before it; then how it goes: share done, time left, contacts, penetration, blocks asleep;
+/// where it struggles; what each effect costs and why it is on.
 class RunPanel : public QWidget {
   Q_OBJECT
  public:
@@ -19,13 +18,11 @@ class RunPanel : public QWidget {
 
  private:
   void refresh();
-  QLabel* addFact(QGridLayout& grid, const QString& name);
 
   Workspace& workspace_;
   PanelHeader* header_;
   QLabel *percent_, *left_, *spent_;
   QProgressBar* bar_;
-  QLabel *time_, *step_, *contacts_, *penetration_, *iterations_, *asleep_;
 };
 
 }  // namespace talus

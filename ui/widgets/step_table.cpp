@@ -12,7 +12,7 @@ namespace talus {
 
 namespace {
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
+QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 QString number(double value, int figures = 3) { return numbers::significant(value, figures); }
 QString count(size_t n) { return numbers::whole(static_cast<long long>(n)); }
 const QString none = QStringLiteral("–");
@@ -110,7 +110,7 @@ StepRows meshRows(const BlockSystem* system) {
 StepRows materialRows(const Project& project) {
   StepRows content{QObject::tr("Materials"),
                    {QObject::tr("Material"), QObject::tr("ρ kg/m³"), QObject::tr("E GPa"), QObject::tr("ν"),
-                    QObject::tr("Damping 1/s")},
+                    QObject::tr("Damping 1/s"), QObject::tr("Law")},
                    1,
                    {},
                    QObject::tr("The project has no material.")};
@@ -118,7 +118,7 @@ StepRows materialRows(const Project& project) {
     const Material& material = project.materials[i];
     content.rows.push_back({item(Item::Kind::material, i),
                             {text(material.name), number(material.density, 4), number(material.young / 1e9),
-                             number(material.poisson), number(material.damping)}});
+                             number(material.poisson), number(material.damping), text(to_string(material.law))}});
   }
   return content;
 }

@@ -2,13 +2,9 @@
 
 #include <vtkRenderer.h>
 
-#include <QMouseEvent>
-#include <QWheelEvent>
 #include <algorithm>
-#include <cmath>
 
 #include "render/slope_view.hpp"
-#include "widgets/numbers.hpp"
 #include "widgets/parts.hpp"
 
 namespace talus {
@@ -19,9 +15,7 @@ constexpr int still_ms = 350;       // after that the view is drawn finely
 constexpr int live_pause_ms = 125;  // between drawings while a run goes on: eight a second at most
 constexpr double live_share = 0.2;  // of the window's time that drawing may take then
 constexpr int hover_ms = 40;
-constexpr double turn_per_pixel = 0.35;  // degrees
-constexpr double zoom_per_notch = 0.85;
-constexpr double click_slack = 4;  // pixels that a hand moves in a click
+constexpr int flight_ms = 450;  // from where the camera stands to a place that was asked for
 
 }  // namespace
 
@@ -72,6 +66,16 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
   hoverTimer_.setInterval(hover_ms);
   connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::pickForHover);
 
+  flight_.setDuration(flight_ms);
+  flight_.setEasingCurve(QEasingCurve::InOutCubic);
+  flight_.setStartValue(0.0);
+  flight_.setEndValue(1.0);
+  connect(&flight_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {
+    if (scene_) moveCamera(between(flightStart_, flightEnd_, share.toDouble()));
+  });
+
+  connect(&workspace_, &Workspace::strugglesChanged, this, &Viewport::applyStruggles);
+  connect(&workspace_, &Workspace::struggleWanted, this, &Viewport::flyTo);
   connect(&workspace_, &Workspace::systemChanged, this, &Viewport::rebuildScene);
   connect(&workspace_, &Workspace::frameChanged, this, &Viewport::showFrame);
   connect(&workspace_, &Workspace::displayChanged, this, &Viewport::applySettings);
@@ -97,6 +101,7 @@ Viewport::~Viewport() {
 }
 
 void Viewport::rebuildScene() {
+  flight_.stop();
   card_->hide();
   hidden_.clear();
   if (scene_) {
@@ -116,6 +121,7 @@ void Viewport::rebuildScene() {
   look_at_slope(*scene_, *system_, nullptr);
   applySettings();
   applySelection();
+  applyStruggles();
   showFrame();
   stillTimer_.start();
 }
@@ -149,6 +155,20 @@ void Viewport::applySelection() {
   scene_->set_selected(workspace_.selection().blocks());
   if (workspace_.selection().blocks().empty()) card_->hide();
   render();
+}
+
+void Viewport::applyStruggles() {
+  if (!scene_) return;
+  scene_->set_struggles(workspace_.struggles());
+  render();
+}
+
+void Viewport::flyTo(const Struggle& struggle) {
+  if (!scene_) return;
+  flight_.stop();
+  flightStart_ = scene_->pose();
+  flightEnd_ = scene_->pose_at(struggle);
+  flight_.start();
 }
 
 void Viewport::render() {
@@ -246,104 +266,6 @@ std::optional<Pick> Viewport::pickAt(QPointF point) const {
   if (!scene_) return std::nullopt;
   const double ratio = devicePixelRatioF();
   return scene_->pick(point.x() * ratio, point.y() * ratio);
-}
-
-bool Viewport::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != surface_->widget() || !scene_) return QWidget::eventFilter(watched, event);
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-      return mousePressed(*static_cast<QMouseEvent*>(event));
-    case QEvent::MouseMove:
-      return mouseMoved(*static_cast<QMouseEvent*>(event));
-    case QEvent::MouseButtonRelease:
-      return mouseReleased(*static_cast<QMouseEvent*>(event));
-    case QEvent::Wheel:
-      return wheelTurned(*static_cast<QWheelEvent*>(event));
-    case QEvent::Leave:
-      hoverTimer_.stop();
-      workspace_.selection().hoverBlock(std::nullopt);
-      return false;
-    default:
-      return false;
-  }
-}
-
-bool Viewport::mousePressed(const QMouseEvent& event) {
-  pressed_ = last_ = event.position();
-  moved_ = false;
-  const bool pans = event.button() == Qt::MiddleButton || event.modifiers().testFlag(Qt::ShiftModifier);
-  drag_ = pans ? Drag::pan : event.button() == Qt::LeftButton ? Drag::turn : Drag::none;
-  hoverTimer_.stop();
-  surface_->widget()->setFocus(Qt::MouseFocusReason);
-  return true;
-}
-
-bool Viewport::mouseMoved(const QMouseEvent& event) {
-  const QPointF by = event.position() - last_;
-  if (drag_ == Drag::none) {
-    last_ = event.position();
-    if (!workspace_.job().isBusy() && !hoverTimer_.isActive()) hoverTimer_.start();
-    return true;
-  }
-  moved_ = moved_ || (event.position() - pressed_).manhattanLength() > click_slack;
-  if (!moved_) return true;
-  last_ = event.position();
-  if (drag_ == Drag::turn)
-    moveCamera(turned(scene_->pose(), -by.x() * turn_per_pixel, by.y() * turn_per_pixel));
-  else
-    moveCamera(panned(scene_->pose(), by, size()));
-  return true;
-}
-
-bool Viewport::mouseReleased(const QMouseEvent& event) {
-  const bool clicked = drag_ != Drag::none && !moved_ && event.button() == Qt::LeftButton;
-  drag_ = Drag::none;
-  if (clicked) selectAt(event.position(), event.modifiers());
-  stillTimer_.start();
-  return true;
-}
-
-bool Viewport::wheelTurned(const QWheelEvent& event) {
-  const double notches = event.angleDelta().y() / 120.0;  // touch pads send fractions
-  if (notches != 0) moveCamera(zoomed(scene_->pose(), std::pow(zoom_per_notch, notches), event.position(), size()));
-  return true;
-}
-
-void Viewport::pickForHover() {
-  const auto pick = pickAt(last_);
-  workspace_.selection().hoverBlock(pick ? std::optional<int>(pick->block) : std::nullopt);
-}
-
-void Viewport::selectAt(QPointF point, Qt::KeyboardModifiers modifiers) {
-  const auto pick = pickAt(point);
-  if (!pick || pick->block < 0) {
-    workspace_.selection().clear();
-    return;
-  }
-  if (modifiers.testFlag(Qt::ControlModifier))
-    workspace_.selection().toggleBlock(pick->block);
-  else
-    workspace_.selection().select({Item::Kind::block, pick->block});
-  showCard(*pick, point);
-}
-
-void Viewport::showCard(const Pick& pick, QPointF point) {
-  cardTitle_->setText(workspace_.blockName(pick.block));
-  QString text = tr("E %1  N %2  Z %3 m")
-                     .arg(numbers::fixed(pick.position.x(), 1), numbers::fixed(pick.position.y(), 1),
-                          numbers::fixed(pick.position.z(), 1));
-  if (pick.value && workspace_.display().field) {
-    const Field& field = *workspace_.display().field;
-    const std::string unit(field.unit), title(field.title);
-    text = tr("%1 %2").arg(QString::fromStdString(title), numbers::quantity(*pick.value, unit.c_str())) + u'\n' + text;
-  }
-  cardText_->setText(text);
-  card_->adjustSize();
-  const int x = std::clamp(static_cast<int>(point.x()) + 16, 4, std::max(4, width() - card_->width() - 8));
-  const int y = std::clamp(static_cast<int>(point.y()) - 24, 4, std::max(4, height() - card_->height() - 8));
-  card_->move(x, y);
-  card_->show();
-  card_->raise();
 }
 
 void Viewport::showEmptyState() {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTimer>
+#include <QVariantAnimation>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -33,6 +34,8 @@ class Viewport : public QWidget {
 
   /// Empty until there are blocks.
   std::optional<CameraPose> pose() const;
+  /// The camera is on its way to a place that was asked for.
+  bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
   const std::vector<int>& hiddenBlocks() const { return hidden_; }
   /// What lies under a point of the view, logical pixels from its upper left corner.
   std::optional<Pick> pickAt(QPointF point) const;
@@ -49,6 +52,8 @@ class Viewport : public QWidget {
   void showFrame();
   void applySettings();
   void applySelection();
+  void applyStruggles();
+  void flyTo(const Struggle& struggle);
   void leaveRoomForTools();
   void moveCamera(const CameraPose& pose);
   void render();
@@ -80,6 +85,8 @@ class Viewport : public QWidget {
   QTimer drawTimer_;   ///< spaces drawings out while a run goes on
   QTimer hoverTimer_;
   bool still_ = true;
+  QVariantAnimation flight_;
+  CameraPose flightStart_, flightEnd_;
   QElapsedTimer sinceDrawing_;
 
   QFrame* tools_;

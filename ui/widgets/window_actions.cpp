@@ -104,7 +104,9 @@ void WindowActions::makeRunActions() {
   nextFrame = add(tr("Next frame"), QStringLiteral("step"), QKeySequence(Qt::Key_Right));
   firstFrame = add(tr("First frame"), QStringLiteral("first"), QKeySequence(tr("Ctrl+Home")));
   lastFrame = add(tr("Last frame"), QStringLiteral("last"), QKeySequence(tr("Ctrl+End")));
+  accuracy = add(tr("Accuracy…"), QStringLiteral("report"));
   knownAnswers = add(tr("Known answers…"), QStringLiteral("report"));
+  stability = add(tr("Stability…"), QStringLiteral("blocks"));
   about = add(tr("About Talus"), QStringLiteral("info"));
 }
 
@@ -149,8 +151,8 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   model->addAction(mesh);
   menu(tr("Solve"), {steps.at(Step::solve), nullptr, solve, pause, oneStep, stop});
   menu(tr("Results"), {steps.at(Step::results), nullptr, play, previousFrame, nextFrame, firstFrame, lastFrame, nullptr,
-                       savePicture, saveFilm});
-  menu(tr("Help"), {knownAnswers, nullptr, about});
+                       savePicture, saveFilm, nullptr, accuracy});
+  menu(tr("Help"), {knownAnswers, stability, nullptr, about});
 }
 
 void WindowActions::allow(QAction* action, const QString& whyNot) {
@@ -189,7 +191,8 @@ void WindowActions::refresh() {
   allow(stop, workspace_.job().isBusy() ? QString() : tr("Nothing runs"));
   for (auto* action : {play, previousFrame, nextFrame, firstFrame, lastFrame}) allow(action, noFrames);
   for (const auto& [step, action] : steps) allow(action, noProject);
-  for (auto* action : {dark, viewAlone, clearSelection, quit, knownAnswers, about}) allow(action, {});
+  for (auto* action : {dark, viewAlone, clearSelection, quit, accuracy, knownAnswers, stability, about})
+    allow(action, {});
 }
 
 }  // namespace talus

@@ -30,8 +30,8 @@ class WindowActions : public QObject {
   // Model and solve
   QAction *mesh, *solve, *pause, *oneStep, *stop;
   // Results
-  QAction *play, *previousFrame, *nextFrame, *firstFrame, *lastFrame;
-  QAction *knownAnswers, *about;
+  QAction *play, *previousFrame, *nextFrame, *firstFrame, *lastFrame, *accuracy;
+  QAction *knownAnswers, *stability, *about;
   std::map<Step, QAction*> steps;
 
   /// Connects what only the view and the timeline can do.

@@ -5,7 +5,6 @@
 #include "base/error.hpp"
 #include "geometry/block_builder.hpp"
 #include "io/project_file.hpp"
-#include "widgets/numbers.hpp"
 #include "widgets/theme.hpp"
 
 namespace talus {
@@ -73,6 +72,7 @@ bool Workspace::openProject(const std::filesystem::path& file) {
   emit problemsChanged();
   emit projectOpened();
   log(tr("opened %1").arg(text(document_.file())));
+  lookForStudy();
   const auto folder = document_.resultsFolder();
   std::error_code ignored;
   if (std::filesystem::exists(folder / "project.talus", ignored)) {
@@ -108,6 +108,7 @@ bool Workspace::openResults(const std::filesystem::path& folder) {
   emit problemsChanged();
   emit projectOpened();
   log(tr("opened results in %1").arg(text(folder)));
+  lookForStudy();
   loadResults(folder);
   return true;
 }
@@ -118,6 +119,7 @@ bool Workspace::saveAs(const std::filesystem::path& file) {
   try {
     document_.saveAs(file);
     log(tr("saved %1").arg(text(file)));
+    lookForStudy();
     return true;
   } catch (const InputError& error) {
     addProblem(problemOf(error));
@@ -161,26 +163,6 @@ void Workspace::solve() {
 
 bool Workspace::systemIsCurrent() const { return system_ && build_alike(builtFrom_, document_.project()); }
 
-void Workspace::start(bool solve) {
-  loader_.close();
-  forgetResults();
-  if (!systemIsCurrent()) setSystem(nullptr);
-  builtFrom_ = document_.project();
-  namesFromProject();
-  JobTask task;
-  task.project = document_.project();
-  task.folder = document_.folder();
-  task.options.out = document_.resultsFolder();
-  task.options.project_text = write_project(document_.project());
-  task.system = system_;
-  task.solve = solve;
-  live_ = solve;
-  resultsAreCurrent_ = solve;
-  following_ = true;
-  log(solve ? tr("run started") : tr("cutting and meshing"));
-  job_.start(std::move(task));
-}
-
 void Workspace::forgetResults() {
   liveFrames_.clear();
   frame_.reset();
@@ -194,6 +176,7 @@ void Workspace::forgetResults() {
   events_.clear();
   report_.reset();
   effects_.clear();
+  takeStruggles({});
   fraction_ = 0;
   activity_.clear();
   seen_ = {};
@@ -230,99 +213,6 @@ std::vector<EffectCost> Workspace::effectCosts() const {
 QString Workspace::blockName(int block) const {
   if (!system_ || block < 0 || block >= static_cast<int>(system_->blocks.size())) return {};
   return QString::fromStdString(system_->blocks[static_cast<size_t>(block)].name);
-}
-
-void Workspace::takeNews(const JobNews& news) {
-  fraction_ = news.fraction;
-  activity_ = QString::fromStdString(news.what);
-  if (news.system) {
-    setSystem(news.system);
-    log(tr("%1 cut and meshed").arg(numbers::counted(static_cast<long long>(news.system->blocks.size()), "block")));
-  }
-  if (news.size) size_ = news.size;
-  if (!news.effects.empty()) effects_ = news.effects;
-  if (news.size || !news.effects.empty()) emit effectsChanged();
-  if (!news.frames.empty()) {
-    for (const auto& frame : news.frames) liveFrames_.add(frame);
-    times_.clear();
-    for (const auto& frame : liveFrames_.frames()) times_.push_back(frame->time);
-    emit framesChanged();
-    if (following_) showFrame(static_cast<int>(times_.size()) - 1);
-  }
-  if (!news.steps.empty()) {
-    steps_.insert(steps_.end(), news.steps.begin(), news.steps.end());
-    history_.insert(history_.end(), news.history.begin(), news.history.end());
-    emit historyChanged();
-  }
-  emit progressed();
-}
-
-void Workspace::takeEnd(const JobEnd& end) {
-  const bool failed = end.kind == JobEnd::Kind::failed;
-  switch (end.kind) {
-    case JobEnd::Kind::meshed:
-      break;
-    case JobEnd::Kind::completed:
-      log(tr("run finished"));
-      break;
-    case JobEnd::Kind::stopped:
-      log(tr("run stopped; its results stay"));
-      break;
-    case JobEnd::Kind::cancelled:
-      log(tr("cancelled"));
-      break;
-    case JobEnd::Kind::notConverged:
-      addProblem({Problem::Severity::warning, tr("run"),
-                  end.report ? QString::fromStdString(end.report->reason) : tr("did not converge"),
-                  tr("the results hold until then; try a smaller time step")});
-      break;
-    case JobEnd::Kind::failed:
-      addProblem({Problem::Severity::error, QString::fromStdString(end.place), QString::fromStdString(end.problem),
-                  QString::fromStdString(end.remedy)});
-      break;
-  }
-  if (end.report) {
-    report_ = end.report;
-    events_ = end.report->events;
-    effects_ = end.report->effects;
-    emit reportChanged();
-    emit effectsChanged();
-  }
-  live_ = live_ && !failed && end.kind != JobEnd::Kind::cancelled;
-  if (!end.results.empty()) {
-    wantedTime_ = frame_ ? std::optional<double>(frame_->time) : std::nullopt;
-    loadResults(end.results);
-  }
-  emit progressed();
-}
-
-void Workspace::loadResults(const std::filesystem::path& folder) {
-  loading_ = true;
-  loader_.open(folder);
-}
-
-void Workspace::takeIndex(const ResultsIndex& index) {
-  const bool afterRun = wantedTime_.has_value();
-  live_ = loading_ = false;
-  liveFrames_.clear();
-  resultsFolder_ = index.folder;
-  if (!afterRun) setSystem(index.system);
-  times_ = index.frame_times;
-  stageNames_ = index.stage_names;
-  monitorNames_ = index.monitor_names;
-  steps_ = index.steps;
-  history_ = index.history;
-  if (!afterRun) report_ = index.report;
-  events_ = report_ ? report_->events : std::vector<Event>();
-  effects_ = report_ ? report_->effects : std::vector<EffectOutcome>();
-  number_ = -1;
-  emit framesChanged();
-  emit historyChanged();
-  emit reportChanged();
-  emit effectsChanged();
-  if (!times_.empty()) showFrame(afterRun ? nearest(times_, *wantedTime_) : static_cast<int>(times_.size()) - 1);
-  wantedTime_.reset();
-  if (!afterRun || step_ == Step::solve) goTo(Step::results);
 }
 
 void Workspace::showFrame(int number) {

@@ -11,6 +11,7 @@
 #include "run/live_frames.hpp"
 #include "run/results_loader.hpp"
 #include "run/solver_job.hpp"
+#include "study/accuracy/study_record.hpp"
 #include "widgets/step.hpp"
 
 namespace talus {
@@ -20,6 +21,7 @@ struct Problem {
   enum class Severity { info, warning, error };
   Severity severity = Severity::error;
   QString place, problem, remedy;
+  std::optional<Struggle> where{};  ///< to be shown in the view
 };
 
 /// What the window works on and shows now: document, run and results, the frame in view and how it is coloured.
@@ -82,6 +84,10 @@ class Workspace : public QObject {
   const std::optional<RunReport>& report() const { return report_; }
   /// What each effect of the run has cost so far, or did; empty while nothing is known of it.
   const std::vector<EffectOutcome>& effects() const { return effects_; }
+  /// Where the run struggles or struggled, the hardest place first.
+  const std::vector<Struggle>& struggles() const { return struggles_; }
+  /// Selects the blocks of a struggle and lets the view go there.
+  void showStruggle(const Struggle& struggle);
   /// Last news of the job: fraction and words.
   double fraction() const { return fraction_; }
   const QString& activity() const { return activity_; }
@@ -89,6 +95,13 @@ class Workspace : public QObject {
   const std::filesystem::path& resultsFolder() const { return resultsFolder_; }
   /// Reads frames for a film on another thread: from disk, or those of the live run that are kept.
   std::function<std::shared_ptr<const Frame>(int)> frameSource() const;
+
+  /// The accuracy study of the project's file, as it was when it was last looked for; empty where there is none.
+  const std::optional<StudyRecord>& study() const { return study_; }
+  /// Looks for it again: one may have been made meanwhile.
+  void lookForStudy();
+  /// Gives the project the setting of a run, as one change that can be undone; says a problem where it cannot have it.
+  void useSetting(const StudyRecord& record, int run);
 
   /// While a picture or film is written no run may start.
   void setExporting(bool exporting);
@@ -114,6 +127,9 @@ class Workspace : public QObject {
   void historyChanged();  ///< steps or monitors came
   void reportChanged();
   void effectsChanged();  ///< what they will cost, or cost
+  void strugglesChanged();
+  void struggleWanted(const talus::Struggle& struggle);  ///< the view should go there
+  void studyChanged();
   void progressed();
   void displayChanged();
   void themeChanged();
@@ -127,6 +143,7 @@ class Workspace : public QObject {
   void forgetResults();
   void start(bool solve);
   void takeNews(const JobNews& news);
+  void takeStruggles(const std::vector<Struggle>& struggles);
   void takeEnd(const JobEnd& end);
   void loadResults(const std::filesystem::path& folder);
   void takeIndex(const ResultsIndex& index);
@@ -157,6 +174,10 @@ class Workspace : public QObject {
   std::vector<std::string> stageNames_, monitorNames_;
   std::optional<RunReport> report_;
   std::vector<EffectOutcome> effects_;
+  std::vector<Struggle> struggles_;
+  std::optional<StudyRecord> study_;
+  std::filesystem::path studyFolder_;  ///< where it was looked for, …
+  std::filesystem::file_time_type studyWritten_ = std::filesystem::file_time_type::min();  ///< … and of when it is
   double fraction_ = 0;
   QString activity_;
 

@@ -57,6 +57,22 @@ TEST_F(DocumentTest, KeepsWhatWasOpenWhenTheNextFileIsBroken) {
   EXPECT_EQ(document.file(), file);
 }
 
+TEST_F(DocumentTest, ChangesTheWholeProjectAtOnceAndTakesItBack) {
+  document.open(file);
+  const Project before = document.project();
+  Project changed = before;
+  changed.solver.integrator = Integrator::generalized_alpha;
+  changed.stages[0].time_step = 0.005;
+  document.changeProject(changed, QStringLiteral("use Δ/2"));
+  EXPECT_EQ(document.project(), changed);
+  EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("use Δ/2"));
+  document.undoStack().undo();
+  EXPECT_EQ(document.project(), before);
+  changed.stages[0].time_step = -1;
+  EXPECT_THROW(document.changeProject(changed, {}), InputError);
+  EXPECT_EQ(document.undoStack().count(), 1);
+}
+
 TEST_F(DocumentTest, ChangesAJointAndTakesItBack) {
   document.open(file);
   int changed = 0;

@@ -1,0 +1,109 @@
+#include "widgets/accuracy_panel.hpp"
+
+#include <QAction>
+#include <QTest>
+
+#include "listed_runs.hpp"
+#include "studied_window.hpp"
+#include "widgets/theme.hpp"
+
+namespace talus {
+namespace {
+
+class AccuracyPanelTest : public StudiedWindow {
+ protected:
+  /// From the menu, as a user does.
+  AccuracyPanel& opened() {
+    for (auto* action : window->findChildren<QAction*>())
+      if (action->text() == QStringLiteral("Accuracy…")) action->trigger();
+    rest(50);
+    return *window->findChild<AccuracyPanel*>();
+  }
+  static PlainTable& table(AccuracyPanel& panel, const char* name) {
+    return *panel.findChild<PlainTable*>(QLatin1String(name));
+  }
+  static bool says(AccuracyPanel& panel, const QString& words) {
+    const auto labels = panel.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) { return one->text().contains(words); });
+  }
+};
+
+TEST_F(AccuracyPanelTest, SaysHowToGetAStudyWhereThereIsNone) {
+  window->open(slidingCube(100));
+  AccuracyPanel& panel = opened();
+  EXPECT_TRUE(panel.isVisible());
+  EXPECT_TRUE(says(panel, QStringLiteral("talus-cli study accuracy")));
+  EXPECT_FALSE(panel.findChild<AccuracyChart*>()->isVisible());
+  keepPicture(panel, "accuracy_none.png");
+}
+
+TEST_F(AccuracyPanelTest, APointThatIsClickedSelectsItsRunAndGivesItsSetting) {
+  const auto file = slidingCube(100);
+  study(file);
+  window->open(file);
+  AccuracyPanel& panel = opened();
+  const AccuracyStudy& made = workspace->study()->study;
+  ASSERT_EQ(table(panel, "runs").rowCount(), static_cast<int>(made.rows.size()));
+  EXPECT_EQ(table(panel, "runs").currentRow(), 0) << "the project's own";
+  EXPECT_FALSE(button(panel, "Use this setting").isEnabled());
+
+  auto& chart = *panel.findChild<AccuracyChart*>();
+  const int run = best_by_cost(made).front() == 0 ? best_by_cost(made).back() : best_by_cost(made).front();
+  ASSERT_TRUE(chart.pointOf(run));
+  QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.pointOf(run)->toPoint());
+  EXPECT_EQ(table(panel, "runs").currentRow(), run);
+  EXPECT_TRUE(says(panel, QStringLiteral("Run %1: ").arg(run)));
+  EXPECT_GE(table(panel, "profile").rowCount(), 7) << "six phases and the effects that were on";
+  rest(50);
+  keepPicture(panel, "accuracy.png");
+
+  const Project before = workspace->document().project();
+  ASSERT_TRUE(button(panel, "Use this setting").isEnabled());
+  click(button(panel, "Use this setting"));
+  EXPECT_EQ(workspace->document().project(), under(made.rows[static_cast<std::size_t>(run)].setting, before));
+  EXPECT_FALSE(button(panel, "Use this setting").isEnabled());
+  workspace->document().undoStack().undo();
+  EXPECT_EQ(workspace->document().project(), before);
+}
+
+TEST_F(AccuracyPanelTest, ChoosesTheCheapestRunWithinATarget) {
+  const auto file = slidingCube(100);
+  study(file);
+  window->open(file);
+  AccuracyPanel& panel = opened();
+  auto& target = *panel.findChild<QLineEdit*>(QStringLiteral("target"));
+  const auto ask = [&](const char* words) {
+    target.setFocus();
+    target.selectAll();
+    QTest::keyClicks(&target, QLatin1String(words));
+    QTest::keyClick(&target, Qt::Key_Return);
+  };
+  ask("1000%");
+  const int cheapest = table(panel, "runs").currentRow();
+  const auto& rows = workspace->study()->study.rows;
+  for (const AccuracyRow& row : rows)
+    EXPECT_LE(rows[static_cast<std::size_t>(cheapest)].run->cpu_seconds, row.run->cpu_seconds);
+  EXPECT_TRUE(says(panel, QStringLiteral("is the cheapest within")));
+  rest(50);
+  theme::install(true);
+  rest(100);
+  keepPicture(panel, "accuracy_dark.png");
+  theme::install(false);
+  ask("1e-13");
+  EXPECT_TRUE(says(panel, QStringLiteral("No run of this study is within")));
+  ask("soon");
+  EXPECT_FALSE(says(panel, QStringLiteral("No run of this study is within")));
+}
+
+TEST_F(AccuracyPanelTest, ShowsAStudyOfAnotherProjectButGivesNoSettingFromIt) {
+  const auto file = slidingCube(100);
+  study(file);
+  window->open(sample("free_fall"));
+  AccuracyPanel& panel = opened();
+  panel.load(folder / "cube.accuracy" / "accuracy.json");
+  EXPECT_TRUE(says(panel, QStringLiteral("Sliding cube: what accuracy costs")));
+  EXPECT_FALSE(button(panel, "Use this setting").isEnabled());
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,75 @@
+#include "widgets/cost_ahead.hpp"
+
+#include <QLabel>
+
+#include "listed_runs.hpp"
+#include "render/log_axis.hpp"
+#include "studied_window.hpp"
+#include "widgets/theme.hpp"
+
+namespace talus {
+namespace {
+
+class CostAheadTest : public StudiedWindow {
+ protected:
+  QString said() const { return window->findChild<QLabel*>(QStringLiteral("cost-ahead"))->text(); }
+  bool waitForTheEstimate() {
+    return wait([&] { return said().contains(QStringLiteral(" MB")); }, 20000);
+  }
+};
+
+TEST_F(CostAheadTest, IsSaidOnceThereAreBlocksAndAnewWhenTheProjectChanges) {
+  window->open(slidingCube(100000));
+  workspace->goTo(Step::solve);
+  EXPECT_TRUE(said().contains(QStringLiteral("once its blocks are cut")));
+  workspace->mesh();
+  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
+  EXPECT_EQ(said(), QStringLiteral("This run: estimating…"));
+  rest(500);  // the first drawing compiles shaders
+  Watchdog watchdog;
+  ASSERT_TRUE(waitForTheEstimate()) << said().toStdString();
+  expectNoWait(watchdog);
+  EXPECT_TRUE(said().startsWith(QStringLiteral("This run: about ")));
+  rest(100);
+  keepPicture(*window, "cost_ahead.png");
+  theme::install(true);
+  workspace->setDark(true);
+  rest(300);
+  keepPicture(*window, "cost_ahead_dark.png");
+  theme::install(false);
+
+  Joint joint = workspace->document().project().joints[0];
+  joint.friction_angle = 25;
+  workspace->document().changeJoint(0, joint);
+  EXPECT_EQ(said(), QStringLiteral("This run: estimating…"));
+  joint.friction_angle = 26;
+  workspace->document().changeJoint(0, joint);
+  ASSERT_TRUE(waitForTheEstimate());
+}
+
+TEST_F(CostAheadTest, HasItsErrorFromTheStudyOfTheProject) {
+  const auto file = slidingCube(100);
+  study(file);
+  openAndMesh(file);
+  ASSERT_TRUE(workspace->study());
+  workspace->goTo(Step::solve);
+  ASSERT_TRUE(waitForTheEstimate());
+  const auto error = workspace->study()->study.rows[0].error;
+  ASSERT_TRUE(error);
+  EXPECT_TRUE(said().contains(QString::fromStdString("error about " + error_text(*error)))) << said().toStdString();
+}
+
+TEST_F(CostAheadTest, MakesRoomForTheRun) {
+  openAndMesh(slidingCube());
+  workspace->goTo(Step::solve);
+  const auto* ahead = window->findChild<CostAhead*>();
+  EXPECT_TRUE(ahead->job().isBusy());
+  workspace->solve();
+  EXPECT_FALSE(ahead->isVisible());
+  ASSERT_TRUE(wait([&] { return workspace->steps().size() > 5 && !ahead->job().isBusy(); }));
+  workspace->job().stop();
+  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
+}
+
+}  // namespace
+}  // namespace talus
