@@ -8,7 +8,10 @@
 #include <QSurfaceFormat>
 
 #include <vtkNew.h>
+#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <array>
 
 namespace talus {
 
@@ -104,6 +107,17 @@ void ImageSurface::requestRender() {
 }
 
 void ImageSurface::makeContextCurrent() { context_->make_current(); }
+
+void ImageSurface::warmUp(vtkRenderer& renderer) {
+  constexpr int side = 64;
+  const std::array<int, 2> size{window_->GetSize()[0], window_->GetSize()[1]};
+  window_->SetSize(side, side);
+  window_->AddRenderer(&renderer);
+  window_->Render();
+  window_->RemoveRenderer(&renderer);
+  window_->SetSize(size[0], size[1]);
+  context_->done_current();
+}
 
 void ImageSurface::resizeEvent(QResizeEvent*) {
   fitWindowTo(*this);

@@ -19,6 +19,9 @@ class RenderSurface {
   virtual void requestRender() = 0;
   /// Makes the surface's context current, to take a renderer out of the window.
   virtual void makeContextCurrent() = 0;
+  /// Draws a scene for nobody, so that shaders are compiled and letters cut before a first drawing is waited for.
+  /// Where a card's driver draws, nothing happens: there is no OpenGL before the widget is shown, and no wait.
+  virtual void warmUp(vtkRenderer&) {}
   /// s, of the last drawing.
   double lastSeconds() const { return lastSeconds_; }
   int drawings() const { return drawings_; }
@@ -63,6 +66,7 @@ class ImageSurface : public QWidget, public RenderSurface {
   QWidget* widget() override { return this; }
   void requestRender() override;
   void makeContextCurrent() override;
+  void warmUp(vtkRenderer& renderer) override;
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

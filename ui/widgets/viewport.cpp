@@ -17,6 +17,16 @@ constexpr double live_share = 0.2;  // of the window's time that drawing may tak
 constexpr int hover_ms = 40;
 constexpr int flight_ms = 450;  // from where the camera stands to a place that was asked for
 
+/// A tetrahedron that is fixed and one that may move.
+BlockSystem smallest_system() {
+  Block block;
+  block.mesh = {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 1, 2, 3}}};
+  block.surface = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{0, 3, 2}}};
+  Block ground = block;
+  ground.body = BodyKind::fixed;
+  return {.blocks = {ground, block}, .joint_names = {}};
+}
+
 }  // namespace
 
 Viewport::Viewport(Workspace& workspace, QWidget* parent)
@@ -92,6 +102,21 @@ Viewport::Viewport(Workspace& workspace, QWidget* parent)
     render();
   });
   rebuildScene();
+  QTimer::singleShot(0, this, &Viewport::warmUp);
+}
+
+/// In software the first drawing takes ten times as long as the next: better before there is a run to watch.
+void Viewport::warmUp() {
+  if (scene_) return;
+  const BlockSystem system = smallest_system();
+  SceneSettings settings = screenSettings();
+  settings.field.reset();
+  Scene scene(system, settings);
+  for (const bool fine : {false, true}) {
+    settings.fine = fine;
+    scene.set_settings(settings);
+    surface_->warmUp(*scene.renderer());
+  }
 }
 
 Viewport::~Viewport() {
@@ -136,14 +161,20 @@ void Viewport::showFrame() {
   applySettings();
 }
 
+/// What the user chose, as this screen wants it.
+SceneSettings Viewport::screenSettings() const {
+  SceneSettings settings = workspace_.display();
+  settings.smooth_outlines = false;
+  settings.text_height = theme::now().type.small * devicePixelRatioF();
+  return settings;
+}
+
 void Viewport::applySettings() {
   if (!scene_) return;
-  SceneSettings settings = workspace_.display();
+  SceneSettings settings = screenSettings();
   const JobState state = workspace_.job().state();
   const bool computing = state == JobState::running || state == JobState::meshing || state == JobState::stopping;
-  settings.smooth_outlines = false;
   settings.fine = still_ && drag_ == Drag::none && !computing;
-  settings.text_height = theme::now().type.small * devicePixelRatioF();
   settings.parallel_projection = scene_->settings().parallel_projection;
   if (!workspace_.frame()) settings.field.reset();
   scene_->set_settings(settings);

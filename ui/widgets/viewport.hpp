@@ -48,8 +48,10 @@ class Viewport : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void warmUp();
   void rebuildScene();
   void showFrame();
+  SceneSettings screenSettings() const;
   void applySettings();
   void applySelection();
   void applyStruggles();
