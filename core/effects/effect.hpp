@@ -20,7 +20,8 @@ struct StepContext {
   TimeIntegration integration{};  ///< of this step; in static stages all forces are taken at its end
   double extent = 0;              ///< m, largest coordinate: where a step begins is rounded to 1e-16 of it
   double reach = std::numeric_limits<double>::infinity();  ///< m, beyond which no iteration leads at once
-  double mesh_size = 0;  ///< m, largest: a deformation gradient is rounded to 1e-16, an edge to this times it
+  double mesh_size = 0;  ///< m, largest of blocks that may move: a deformation gradient is rounded to 1e-16, an edge to
+                         ///< this times it
 };
 
 /// The column of the energy ledger that an effect's energy belongs to.

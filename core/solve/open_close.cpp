@@ -17,6 +17,8 @@ constexpr double internal_share = 1e-3;
 constexpr double momentum_share = 1e-6;
 /// A full step that leaves less than this share of the residual needs no search.
 constexpr double worthwhile = 0.9;
+/// Iterations of a step in which contacts are closed together: later ones mostly go round in circles.
+constexpr int early_tries = 2;
 /// With care, a coupled step is kept that leaves less than this share.
 constexpr double well_worthwhile = 0.3;
 /// Strengths are held until so much is left of what was out of balance when they were taken.
@@ -220,12 +222,13 @@ double OpenClose::slope_at(double share, Increment& d, Friction friction) {
   return -gradient_.dot(direction_);
 }
 
-void OpenClose::move(Increment& d) {
+void OpenClose::move(Increment& d, bool early) {
   const double before = gradient_.norm(), slope_before = -gradient_.dot(direction_);
   start_ = d;
   const double slope = slope_at(1, d, Friction::coupled);
   if (gradient_.norm() < worthwhile * before) return;
   if (slope_before < 0 && std::abs(slope) < -overstepped * slope_before) return;
+  if (early && another_step_is_worthwhile(d, before)) return;
   // Where the full step leads astray, one with the strengths of this iterate: then there is a potential, it falls along
   // the direction, and its floor is found by its slope. Often that is the narrow range in which a contact sticks, with
   // sliding one way before and the other way behind it.
@@ -236,13 +239,30 @@ void OpenClose::move(Increment& d) {
   evaluate(d, Friction::coupled);
 }
 
+bool OpenClose::another_step_is_worthwhile(Increment& d, double before) {
+  second_start_ = start_;
+  prepare(d, 0);
+  find_direction(d, Friction::coupled);
+  start_ = d;
+  slope_at(1, d, Friction::coupled);
+  start_ = second_start_;
+  if (gradient_.norm() < worthwhile * before) return true;
+  d = start_;
+  evaluate(d, Friction::coupled);
+  prepare(d, 0);
+  return false;
+}
+
 void OpenClose::go_to_the_floor(Increment& d) {
   const double slope_before = -gradient_.dot(direction_);
   double slope = slope_at(1, d, Friction::lagged);
   double low = 0, high = 1, low_slope = slope_before, high_slope = slope;
   if (slope <= -overstepped * slope_before) return;
+  bool slow = false;
   for (int k = 0; k < settings_.shortenings && std::abs(slope) > -flat * slope_before; ++k) {
-    const double share = low + (high - low) * low_slope / (low_slope - high_slope);
+    const double range = high - low;
+    // A contact that closes on the way makes the slope behind it larger by many orders: then halves lead there.
+    const double share = slow ? low + 0.5 * range : low + range * low_slope / (low_slope - high_slope);
     slope = slope_at(share, d, Friction::lagged);
     if (slope > 0) {
       high = share;
@@ -253,6 +273,7 @@ void OpenClose::go_to_the_floor(Increment& d) {
       low_slope = slope;
       high_slope *= 0.5;
     }
+    slow = high - low > 0.5 * range;
   }
 }
 
@@ -266,14 +287,15 @@ void OpenClose::prepare(const Increment& d, double touching) {
 Settling OpenClose::settle(Increment& d) {
   Settling result;
   double last = 1e300;
-  int in_vain = 0;
+  int in_vain = 0, stalls = 0;
   evaluate(d, Friction::coupled);
   for (;; ++result.iterations) {
     result.residual = gradient_.norm();
     result.force_scale = force_scale_;
     if (!std::isfinite(result.residual)) return result;
     const double round_off = std::max(settings_.round_off * force_scale_, settings_.rounding * rounding_);
-    const bool stalled = result.residual > 0.5 * last && result.residual <= round_off;
+    stalls = result.residual > 0.5 * last ? stalls + 1 : 0;
+    const bool stalled = stalls >= 2 && result.residual <= round_off;
     const bool stands = result.iterations == 0 && result.residual <= rounding_of_positions_ && d.isZero(0);
     result.settled = result.residual <= tolerance_ * force_scale_ || stalled || stands;
     if (result.settled || result.iterations >= settings_.iteration_limit) break;
@@ -286,7 +308,7 @@ Settling OpenClose::settle(Increment& d) {
     }
     prepare(d, result.iterations == 0 ? closing_tolerance : 0);
     find_direction(d, Friction::coupled);
-    move(d);
+    move(d, in_vain < early_tries);
     ++in_vain;
   }
   if (!result.settled) result.worst_freedom = worst_freedom();

@@ -34,7 +34,7 @@ struct OpenCloseSettings {
   double rounding = 4;      ///< … as is one of so many roundings of a deformation times the stiffness
   LinearSettings linear;    ///< of the linear solves
   int patience = 6;         ///< iterations after which strengths are held until the rest balances
-  int shortenings = 10;     ///< trials for the floor of the potential along a step that has overstepped it
+  int shortenings = 20;     ///< trials for the floor of the potential along a step that has overstepped it
 };
 
 /// Finds the increment D at which all forces balance, contacts open and closed, stuck and sliding, each with the
@@ -83,7 +83,7 @@ class OpenClose {
   void find_direction(const Increment& d, Friction friction);
   /// To what smooth effects bear, and no further than contacts were sought.
   void shorten_direction(const Increment& d);
-  void move(Increment& d);
+  void move(Increment& d, bool early);
   void prepare(const Increment& d, double touching);
   /// Where Newton's method goes round in circles: strengths are held while the potential that there is then falls to
   /// its floor, which it does from anywhere; then they are taken anew, until a coupled step leads on. Returns the
@@ -92,6 +92,8 @@ class OpenClose {
   int worst_freedom() const;
   /// Takes a coupled step from D if it brings the residual down by much.
   bool coupled_step_is_worthwhile(Increment& d);
+  /// A full step that closes contacts may leave far more than there was, and the next one nearly nothing.
+  bool another_step_is_worthwhile(Increment& d, double before);
   double slope_at(double share, Increment& d, Friction friction);
   void go_to_the_floor(Increment& d);
 
@@ -103,7 +105,7 @@ class OpenClose {
   UnsymmetricBlocks beyond_;
   LinearSystem linear_;
   Eigen::VectorXd gradient_, part_, direction_, zero_;
-  Increment scaled_, start_;
+  Increment scaled_, start_, second_start_;
   std::vector<double> works_, norms_;
   double share_ = 1;            ///< of D at which smooth forces are taken
   double constant_length_ = 0;  ///< s, Δ that constant_ holds for; 0: for none in this stage

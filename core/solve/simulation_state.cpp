@@ -81,7 +81,8 @@ Simulation::State::State(const Project& p, const BlockSystem& s)
   }
   bodies.stress = stress_before(p, s, bodies);
   for (const Vec3& x : bodies.nodes.reference) context.extent = std::max(context.extent, x.cwiseAbs().maxCoeff());
-  for (const Surface& surface : surfaces) context.mesh_size = std::max(context.mesh_size, surface.size);
+  for (std::size_t b = 0; b < surfaces.size(); ++b)
+    if (!bodies.bodies[b].built_fixed()) context.mesh_size = std::max(context.mesh_size, surfaces[b].size);
 }
 
 }  // namespace talus
