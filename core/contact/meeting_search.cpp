@@ -18,6 +18,7 @@ constexpr double same_place = 1e-3;          // of the size: two contacts there 
 constexpr double seen_to_move = 1e-7;        // of the size: a way that tells a direction
 constexpr std::size_t most_faces = 16;       // around a corner, mostly
 constexpr double flush_angle = 10.0;         // degrees within which one surface goes on as another
+constexpr double sharp_ridge = -0.2;         // cosine between the normals of the flanks of a ridge, at most
 constexpr int corner_bit = 1 << 30;          // of a key: a corner's node, else a crease
 
 bool is_convex(const StepGeometry& step, const ContactEdge& e) {
@@ -109,7 +110,7 @@ void MeetingSearch::meet(const StepGeometry& step, int node, int edge, bool node
   const double r = roundness(step, own, other), far = step.reach + 3 * deepest_core * r;
   const double nearest = std::clamp((v - p).dot(along) / along.squaredNorm(), 0.0, 1.0);
   if (!((v - p - nearest * along).squaredNorm() < far * far) || !is_convex(step, e)) return;
-  if (facing_have_it(features, features.facets_at(node), e.facets, node_is_first)) return;
+  if (facing_have_it(step, features.facets_at(node), e.facets, node_is_first)) return;
 
   const Vec3 core = v + r * towards_core(step, node);
   const Vec3 from = p + r * towards_core(step, e.nodes[0]);
@@ -136,7 +137,7 @@ void MeetingSearch::meet_across(const StepGeometry& step, int edge_a, int edge_b
   const int own = features.facets[a.facets[0]].body, other = features.facets[b.facets[0]].body;
   const double rim = step.rim(own, other);
   if (!(squared > rim * rim * std::max(uu, ww)) || !is_convex(step, a) || !is_convex(step, b)) return;
-  if (facing_have_it(features, a.facets, b.facets, true)) return;
+  if (facing_have_it(step, a.facets, b.facets, true)) return;
 
   const double r = roundness(step, own, other);
   const auto core = [&](int node) { return Vec3(step.x[node] + r * towards_core(step, node)); };
@@ -207,8 +208,7 @@ void MeetingSearch::add(const StepGeometry& step, const Encounter& m,
                         const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found) {
   const ContactFeatures& features = step.features;
   const auto own_facets = facets_at(features, m.own), other_facets = facets_at(features, m.other);
-  const bool corners = m.own.node >= 0 && m.other.node >= 0;
-  if (corners && facing_have_it(features, own_facets, other_facets, true)) return;
+  if (facing_have_it(step, own_facets, other_facets, m.own_is_first)) return;
   const int own = features.facets[own_facets[0]].body, other = features.facets[other_facets[0]].body;
   const double r = roundness(step, own, other), rim = step.rim(own, other);
   take(step, m.own, r, rim, own_);
@@ -244,18 +244,25 @@ void MeetingSearch::add(const StepGeometry& step, const Encounter& m,
                     step.x);
 }
 
-/// Where patches around both features face each other and overlap, these points hold the place too.
-bool MeetingSearch::facing_have_it(const ContactFeatures& features, std::span<const int> facets,
-                                   std::span<const int> others, bool are_first) const {
+/// Where patches around both features face each other and overlap, these points hold the place too. But a sharp corner
+/// that has sunk into a sharp ridge overlaps it on both flanks: what faces each other there are its far sides, which
+/// push against each other and hardly up.
+bool MeetingSearch::facing_have_it(const StepGeometry& step, std::span<const int> facets, std::span<const int> others,
+                                   bool are_first) {
   if (facing_.empty()) return false;
+  flanks_.clear();
   for (const int f : facets) {
     for (const int g : others) {
-      const int a = features.facets[f].patch, b = features.facets[g].patch;
-      if (std::binary_search(facing_.begin(), facing_.end(), are_first ? patch_family(a, b) : patch_family(b, a)))
-        return true;
+      const int a = step.features.facets[f].patch, b = step.features.facets[g].patch;
+      const std::uint64_t family = are_first ? patch_family(a, b) : patch_family(b, a);
+      if (std::binary_search(facing_.begin(), facing_.end(), family)) flanks_.push_back({family, step.fresh_normal(f)});
     }
   }
-  return false;
+  const auto sharp = [&](const Flank& p) {
+    return std::any_of(flanks_.begin(), flanks_.end(),
+                       [&](const Flank& q) { return p.normal.dot(q.normal) < sharp_ridge; });
+  };
+  return !flanks_.empty() && !std::all_of(flanks_.begin(), flanks_.end(), sharp);
 }
 
 /// Does a third body press on a patch here as one of the other feature's facets would? Then that one only goes on what
@@ -326,7 +333,11 @@ bool MeetingSearch::stands_for_others(const StepGeometry& step, const Vec3& norm
     if (rivals(q) && q.normal.dot(own_is_first ? normal : Vec3(-normal)) > same_normal) return false;
     if (q.kind == PointKind::meeting && rivals(q)) return false;
   }
-  for (FoundPoint& q : found.points) q.dropped = q.dropped || rivals(q);
+  const auto faces = [&](const FoundPoint& q) {
+    return q.kind == PointKind::facing &&
+           std::any_of(flanks_.begin(), flanks_.end(), [&](const Flank& flank) { return flank.family == q.family; });
+  };
+  for (FoundPoint& q : found.points) q.dropped = q.dropped || rivals(q) || faces(q);
   return true;
 }
 

@@ -70,16 +70,21 @@ class MeetingSearch {
   void list_pressures(const StepGeometry& step, const FoundPoints& found);
   void add(const StepGeometry& step, const Encounter& m, const std::function<bool(std::uint64_t)>& remembered,
            FoundPoints& found);
-  bool facing_have_it(const ContactFeatures& features, std::span<const int> facets, std::span<const int> others,
-                      bool are_first) const;
+  bool facing_have_it(const StepGeometry& step, std::span<const int> facets, std::span<const int> others,
+                      bool are_first);
   bool lies_flush(const Feature& own, const Feature& other) const;
   bool passes(const StepGeometry& step, std::uint64_t key, bool remembered);
   bool stands_for_others(const StepGeometry& step, const Vec3& normal, bool own_is_first, FoundPoints& found) const;
 
   std::vector<Encounter> meetings_;
   std::vector<std::uint64_t> facing_;  // families, sorted
-  std::vector<Pressure> pressures_;    // sorted by patch
-  std::vector<Sight> seen_, former_;   // sorted by key
+  struct Flank {
+    std::uint64_t family;
+    Vec3 normal;
+  };
+  std::vector<Flank> flanks_;         // of the place that is looked at, on which patches face each other
+  std::vector<Pressure> pressures_;   // sorted by patch
+  std::vector<Sight> seen_, former_;  // sorted by key
   Feature own_, other_;
 };
 

@@ -60,6 +60,28 @@ TEST(Meeting, TheNormalTurnsWithTheTipAsItPassesOverTheRidge) {
   EXPECT_LT((former - Vec3(-std::sqrt(0.5), 0, -std::sqrt(0.5))).norm(), 1e-9);
 }
 
+/// Flanks of two sharp ridges overlap on both sides, with normals that push against each other.
+TEST(Meeting, ASharpRidgeThatHasSunkIntoAnotherIsHeldUpwards) {
+  const Shape lower = mapped(roof(), [](const Vec3& p) { return Vec3(p.x(), p.y(), 6 * p.z()); });
+  Scene scene;
+  scene.add(lower, true);
+  scene.add(mapped(lower, [&](const Vec3& p) { return Vec3(-0.9 * p.x(), 0.9 * p.y(), -0.9 * p.z() + 1e-3); }));
+  double depth = -1e-3;
+  for (const double way : {0.0, 1.1e-3, 2.9e-3, 7e-3}) {  // from outside, or a flush block would pass
+    scene.move(1, {0, 0, -way});
+    depth += way;
+    const ContactSet& contacts = scene.detect(reach);
+    ASSERT_FALSE(contacts.points.empty()) << depth;
+    for (const ContactPoint& p : contacts.points) {
+      EXPECT_LT((p.normal - Vec3(0, 0, -1)).norm(), 0.1) << depth << ": " << p.normal.transpose();
+      EXPECT_NEAR(p.gap - p.overlap, -depth, 0.1 * std::abs(depth));
+    }
+    std::vector<ContactOutcome> outcomes;
+    for (const ContactPoint& p : contacts.points) outcomes.push_back({.normal_force = 1, .gap = p.gap - p.overlap});
+    scene.detector().accept(contacts, outcomes);
+  }
+}
+
 /// Two roofs ridge on ridge, the upper one upside down, shifted along it and turned about the vertical.
 void expect_held_at_both_ends(double shift, double turn, double gap) {
   SCOPED_TRACE(::testing::Message() << "shifted " << shift << ", turned " << turn << ", gap " << gap);
