@@ -38,7 +38,9 @@ struct ContactDetector::State {
   bool joints_bond() const;
   double bond_reach() const;
   void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach);
+  StepGeometry look(std::span<const Vec3> x, double reach);
   void find_points(std::span<const Vec3> x, double reach);
+  bool is_given(std::uint64_t key) const;
   double late_overlap(const FoundPoint& found) const;
   ContactPoint complete(const FoundPoint& found, bool& known) const;
   void complete_all(ContactSet& contacts);
@@ -74,7 +76,8 @@ struct ContactDetector::State {
     bool known;  // it goes on from a former one
   };
   std::vector<FacetPair> near;
-  FoundPoints found;
+  FoundPoints found, ahead;
+  std::vector<Late> late;
   std::vector<Origin> origins;
   std::vector<std::uint64_t> families;  // of the points handed out
 };
@@ -122,11 +125,16 @@ void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, s
   }
 }
 
+/// Fills `near` with the pairs of facets that matter.
+StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach) {
+  keep_near_pairs(broad.find(x, reach), x, reach);
+  return {features, broad, x, broad.normals(), penetration, widths, settings, reach, moved};
+}
+
 void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
   if (widths.empty())
     for (const ContactBody& body : bodies) widths.push_back(least_width(body, x));
-  keep_near_pairs(broad.find(x, reach), x, reach);
-  const StepGeometry step{features, broad, x, broad.normals(), penetration, widths, settings, reach, moved};
+  const StepGeometry step = look(x, reach);
   found.clear();
   if (settings.model == ContactModel::facet_wise) {
     facet_wise.find(step, near, found);
@@ -267,6 +275,31 @@ ContactDetector::Turned ContactDetector::turned(int point, const std::function<V
   const FoundPoint& found = state_->found.points[state_->origins[point].found];
   const Vec3 normal = turned_normal(state_->features, found, start, end);
   return {normal, normal.dot(found.normal) * found.gap};
+}
+
+bool ContactDetector::State::is_given(std::uint64_t key) const {
+  const auto same = std::lower_bound(found.points.begin(), found.points.end(), key,
+                                     [](const FoundPoint& p, std::uint64_t k) { return p.key < k; });
+  return same != found.points.end() && same->key == key && !same->dropped;
+}
+
+std::span<const ContactDetector::Late> ContactDetector::late(std::span<const Vec3> end, double reach,
+                                                             double tolerance) {
+  State& s = *state_;
+  s.late.clear();
+  if (s.settings.model == ContactModel::facet_wise) return {};
+  if (!s.settings.motion_told) s.broad.read_motion(end);
+  const StepGeometry step = s.look(end, reach);
+  s.ahead.clear();
+  s.facing.find(step, s.near, s.ahead);
+  s.vertices.find(step, s.near, s.ahead);
+  s.edges.find(step, s.near, s.vertices, s.ahead);
+  for (const FoundPoint& point : s.ahead.points) {
+    const double depth = -point.gap / s.broad.scale(point.bodies[0], point.bodies[1]).size;
+    if (point.dropped || depth < tolerance || s.is_given(point.key)) continue;
+    s.late.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth});
+  }
+  return s.late;
 }
 
 void ContactDetector::moved(int body, double way) { state_->broad.moved(body, way); }

@@ -56,6 +56,17 @@ class ContactDetector {
   /// Of a point of what detect() gave last, when the nodes will be at `end` [m].
   Turned turned(int point, const std::function<Vec3(int node)>& start, const std::function<Vec3(int node)>& end) const;
 
+  /// A contact that detect() could not give: the features of the step's start let none bear there.
+  struct Late {
+    int bodies[2];
+    Vec3 position;  ///< m, on the first body
+    double depth;   ///< of the mesh size
+  };
+  /// Contacts deeper than `tolerance` of their mesh size once the nodes are at `end` [m], other than those that
+  /// detect() gave last; those of corners that meet corners are not looked for, nor is anything in the facet-wise
+  /// model. Motion must be told of before, with settings for that, and again if the nodes go back.
+  std::span<const Late> late(std::span<const Vec3> end, double reach, double tolerance);
+
   /// No node of the body moved by more than `way` [m] since this was said last, or since the start: for settings with
   /// `motion_told`, once for every body that moved at all before detect() sees its new positions. Fixed bodies may move
   /// too (prescribed motion).

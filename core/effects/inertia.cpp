@@ -1,6 +1,5 @@
 #include "effects/inertia.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -79,24 +78,6 @@ double Inertia::time_error(const Increment& d) const {
     largest = std::max(largest, change.norm() / (body.mass * body.radius));
   }
   return std::abs(step_.integration.beta - 1.0 / 6) * step_.length * step_.length * largest;
-}
-
-double Inertia::reserve() const {
-  const auto [beta, gamma, alpha_m, alpha_f] = step_.integration;
-  const double scale = (beta - gamma / 2) * step_.length * step_.length;
-  if (alpha_m != 0 || alpha_f != 0 || step_.dynamic_factor == 0 || scale == 0) return 0;
-  double sum = 0;
-  for (const Element& element : set_.elements) {
-    Corners a;
-    for (int i = 0; i < 4; ++i) a[i] = set_.nodes.acceleration[element.nodes[i]];
-    sum += 0.5 * mass_square(element.mass, a);
-  }
-  for (const int r : set_.turning) {
-    const RigidBody& body = set_.rigid[r];
-    sum += 0.5 * body.mass * set_.nodes.acceleration[body.centre].squaredNorm() +
-           0.5 * body.moment.dot(body.inertia_now().ldlt().solve(body.moment));
-  }
-  return scale * sum;
 }
 
 double Inertia::kinetic_energy(const BodySet& set) {

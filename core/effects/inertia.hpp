@@ -29,11 +29,6 @@ class Inertia final : public Effect {
   /// |β − 1/6| Δ² |a₁ − a₀| (Zienkiewicz & Xie 1991).
   double time_error(const Increment& d) const;
 
-  /// What Newmark's method has in hand [J]: (β − γ/2) Δ²/2 a₁ᵀ M a₁ (Krenk 2006). It takes that when an acceleration
-  /// sets in and gives it back when it ends; mechanical energy with it never grows where forces come from convex
-  /// potentials. 0 for β = γ/2 and where forces are weighed.
-  double reserve() const;
-
   /// ½ VᵀMV of the bodies' present velocities [J].
   static double kinetic_energy(const BodySet& set);
 

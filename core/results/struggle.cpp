@@ -18,6 +18,8 @@ std::string what_happened(const Struggle& struggle) {
   switch (struggle.cause) {
     case StruggleCause::many_iterations:
       return "the open-close iteration settled slowly";
+    case StruggleCause::found_late:
+      return "blocks turned into each other where no contact could be foreseen";
     case StruggleCause::not_settled:
       return "the open-close iteration did not settle";
     case StruggleCause::inverted:

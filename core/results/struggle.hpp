@@ -11,13 +11,15 @@
 namespace talus {
 
 /// Why a trial step was hard; the gravest last.
-enum class StruggleCause { many_iterations, not_settled, inverted };
+enum class StruggleCause { many_iterations, found_late, not_settled, inverted };
 
 /// The word summary.json uses.
 constexpr std::string_view to_string(StruggleCause cause) {
   switch (cause) {
     case StruggleCause::many_iterations:
       return "many-iterations";
+    case StruggleCause::found_late:
+      return "found-late";
     case StruggleCause::not_settled:
       return "not-settled";
     case StruggleCause::inverted:

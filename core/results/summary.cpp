@@ -195,7 +195,7 @@ void take(const Json& object, Struggle& struggle) {
   std::string word;
   take(object, "cause", word);
   for (const StruggleCause cause :
-       {StruggleCause::many_iterations, StruggleCause::not_settled, StruggleCause::inverted})
+       {StruggleCause::many_iterations, StruggleCause::found_late, StruggleCause::not_settled, StruggleCause::inverted})
     if (word == to_string(cause)) struggle.cause = cause;
   for_each_item(object, "blocks", 2, [&](int i, const Json& block) {
     if (block.is_string()) struggle.blocks[static_cast<std::size_t>(i)] = block;

@@ -24,6 +24,8 @@ constexpr double reach_share = 1e-3;
 constexpr int augmentation_limit = 10;
 /// Of the mesh size: in dynamic stages contacts whose stiffness nobody has given go no deeper.
 constexpr double usual_tolerance = 5e-4;
+/// Of the stage's step: one that is shorter is taken though blocks turn into each other in it.
+constexpr double long_enough = 0.2;
 /// A static stage is in equilibrium no sooner than after this many steps.
 constexpr int fewest_static_steps = 2;
 
@@ -145,7 +147,8 @@ void Simulation::seek_contacts(double length) {
       s.context.dynamic_factor * s.bodies.top_speed() * length + 0.5 * s.project.gravity.norm() * length * length;
   const double reach = reach_factor * (way + prescribed);
   s.context.reach = reach + s.smallest_size;
-  s.detector.detect(s.bodies.nodes.position, reach + reach_share * s.smallest_size, s.contacts);
+  s.reach = reach + reach_share * s.smallest_size;
+  s.detector.detect(s.bodies.nodes.position, s.reach, s.contacts);
   s.links.connect();
 }
 
@@ -196,7 +199,11 @@ bool Simulation::settle(StepReport& report) {
   State& s = *state_;
   Settling result = s.open_close.settle(s.increment);
   int iterations = result.iterations, hard = result.worst_freedom;
-  for (int round = 0; result.settled && round < augmentation_limit && press_apart(); ++round) {
+  const auto to_be_taken_anew = [&] {
+    const bool blows = s.context.dynamic_factor > 0 && s.context.integration.holds_on_to_blows();
+    return press_apart() || (blows && s.shocks.slacken(s.bodies, s.context, s.increment));
+  };
+  for (int round = 0; result.settled && round < augmentation_limit && to_be_taken_anew(); ++round) {
     result = s.open_close.settle(s.increment);
     iterations += result.iterations;
     hard = std::max(hard, result.worst_freedom);
@@ -209,9 +216,23 @@ bool Simulation::settle(StepReport& report) {
     note_struggle(StruggleCause::not_settled, node, iterations);
   else if (inverted >= 0)
     note_struggle(StruggleCause::inverted, s.bodies.elements[inverted].nodes[0], iterations);
+  else if (find_late_contact(iterations))
+    return false;
   else if (node >= 0)
     note_struggle(StruggleCause::many_iterations, node, iterations);
   return result.settled && inverted < 0;
+}
+
+bool Simulation::find_late_contact(int iterations) {
+  State& s = *state_;
+  const double longest = s.project.stages[s.clock.stage()].time_step;
+  if (s.context.dynamic_factor == 0 || s.context.length < long_enough * longest) return false;
+  const double tolerance = s.project.solver.penetration_tolerance.value_or(usual_tolerance);
+  const Stopwatch watch(s.detect_seconds);
+  const auto late =
+      s.late_contacts.seek(s.detector, s.links, s.increment, s.reach, tolerance, tolerance * s.smallest_size);
+  if (late) note_late_contact(*late, iterations);
+  return late.has_value();
 }
 
 bool Simulation::press_apart() {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bodies/block_motion.hpp"
+#include "contact/contact_detector.hpp"
 #include "contact/contact_point.hpp"
 #include "mesh/block.hpp"
 #include "results/frame.hpp"
@@ -45,7 +46,6 @@ class Simulation {
   std::vector<ContactSample> contacts() const;               ///< of the last step, those of sleeping blocks too
   const std::vector<ContactSample>& awake_contacts() const;  ///< of the last step, of blocks that are awake
   const BodySet& bodies() const;
-  double integration_reserve() const;  ///< J, what time integration took and will give back (effects/inertia)
   std::vector<EffectOutcome> effects() const;
   RunWork work() const;
 
@@ -62,7 +62,10 @@ class Simulation {
   bool settle(StepReport& report);
   /// Lets contacts that go deeper than the tolerance bear more; false where none does.
   bool press_apart();
-  void note_struggle(StruggleCause cause, int node, int iterations);
+  /// Blocks turn into each other in this step where it knows no contact, and a shorter one may still be tried.
+  bool find_late_contact(int iterations);
+  Struggle& note_struggle(StruggleCause cause, int node, int iterations);
+  void note_late_contact(const ContactDetector::Late& late, int iterations);
   /// Blocks, joint and position: of the contact of the node's body that is nearest to the node, else of the node.
   void place_struggle(int node, Struggle& struggle) const;
   /// Where a place at a body lay before the run: it goes with the body's nearest node [m].

@@ -25,11 +25,6 @@ Voigt Simulation::stress_at(const MaterialPoint& point, const std::vector<Voigt>
   return own.size() == 1 ? own.front() : own.at(static_cast<std::size_t>(point.tetrahedron));
 }
 
-double Simulation::integration_reserve() const {
-  const State& s = *state_;
-  return s.composition.inertia && s.bodies.nodes.movable > 0 ? s.composition.inertia->reserve() : 0;
-}
-
 Frame Simulation::frame(int index) const {
   const State& s = *state_;
   Frame frame;

@@ -7,6 +7,7 @@
 #include "solve/energy_balance.hpp"
 #include "solve/first_guess.hpp"
 #include "solve/impacts.hpp"
+#include "solve/late_contacts.hpp"
 #include "solve/open_close.hpp"
 #include "solve/prescribed_motion.hpp"
 #include "solve/shocks.hpp"
@@ -39,6 +40,7 @@ struct Simulation::State {
   FirstGuess first_guess;
   StepControl control;
   Shocks shocks{bodies};
+  LateContacts late_contacts{bodies};
   Sleep sleep;
   std::vector<RestingContact> resting;  ///< contacts of sleepers
   EnergyBalance energy;
@@ -51,6 +53,7 @@ struct Simulation::State {
   std::uint64_t pattern_generation = ~0ull;
   bool velocities_given = false, accelerations_wanted = false, falls_asleep = false;
   double detect_seconds = 0;
+  double reach = 0;  ///< m, up to which gaps matter in the step that is tried
   int step = 0, stage_steps = 0;
   long block_steps_asleep = 0;
   mutable long stress_recoveries = 0;  ///< looking at stress is counted, and changes nothing

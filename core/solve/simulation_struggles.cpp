@@ -6,7 +6,7 @@
 /// Where a simulation struggles. Looked at only when a trial step was hard.
 namespace talus {
 
-void Simulation::note_struggle(StruggleCause cause, int node, int iterations) {
+Struggle& Simulation::note_struggle(StruggleCause cause, int node, int iterations) {
   State& s = *state_;
   Struggle struggle;
   struggle.cause = cause;
@@ -15,7 +15,16 @@ void Simulation::note_struggle(StruggleCause cause, int node, int iterations) {
   struggle.iterations = struggle.most_iterations = iterations;
   if (node >= 0) place_struggle(node, struggle);
   struggle.advice = advice_for(struggle, s.context.length, s.project.solver);
-  struggles_.push_back(std::move(struggle));
+  return struggles_.emplace_back(std::move(struggle));
+}
+
+void Simulation::note_late_contact(const ContactDetector::Late& late, int iterations) {
+  const auto& blocks = state_->system.blocks;
+  Struggle& struggle = note_struggle(StruggleCause::found_late, -1, iterations);
+  struggle.blocks = {blocks[late.bodies[0]].name, blocks[late.bodies[1]].name};
+  struggle.position = late.position;
+  struggle.rest_position = rest_of(late.position, late.bodies[0]);
+  struggle.relative_penetration = late.depth;
 }
 
 void Simulation::place_struggle(int node, Struggle& struggle) const {

@@ -20,6 +20,7 @@ std::string shorter_step(double length) {
 std::string advice_for(const Struggle& struggle, double length, const SolverSettings& settings) {
   if (struggle.cause == StruggleCause::inverted)
     return "a finer mesh, a shorter time_step or stiffer rock keeps its shape";
+  if (struggle.cause == StruggleCause::found_late) return shorter_step(length);
   if (struggle.relative_penetration > deep)
     return settings.penetration_tolerance ? "blocks lie deep in each other: raise contact_stiffness"
                                           : "blocks lie deep in each other: set penetration_tolerance";

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "base/parallel.hpp"
@@ -174,6 +175,41 @@ TEST(Simulation, a_step_that_cannot_settle_ends_the_run_with_the_contact_named) 
   int cuts = 0;
   for (const Struggle& struggle : simulation.struggles()) cuts += struggle.cuts;
   EXPECT_EQ(cuts, last.cuts);
+}
+
+TEST(Simulation, a_block_that_falls_flat_settles_in_few_iterations_however_long_the_step) {
+  for (const double step : {0.01, 0.1, 1.0}) {
+    Project project = scene(20, {{"fall", StageKind::dynamic, step, 2, {}}});
+    project.gravity = tilted_gravity(30);
+    BlockSystem system = blocks({test::box_block("ground", Vec3(-5, -5, -1), Vec3(20, 5, 0), BodyKind::fixed),
+                                 test::box_block("B", Vec3(0, 0, 1e-5), Vec3(1, 1, 0.25))});
+    system.blocks[1].body = BodyKind::rigid;
+    Simulation simulation(project, system);
+    while (!simulation.finished()) {
+      const StepReport report = simulation.step();
+      EXPECT_LE(report.iterations, 20) << step;
+      EXPECT_EQ(report.cuts, 0) << step;
+    }
+  }
+}
+
+TEST(Simulation, a_step_is_cut_where_blocks_turn_into_each_other_unforeseen) {
+  Project project = scene(30, {{"swing", StageKind::dynamic, 0.01, 1, {}}});
+  project.gravity.setZero();
+  project.velocities = {{.block = "B", .angular = {0, 40, 0}}};
+  // A bar that falls by 10° to one side and turns by 23° to the other in a step: the corner that comes down was above.
+  BlockSystem system = blocks({test::box_block("ground", Vec3(-3, -3, -1), Vec3(3, 3, 0), BodyKind::fixed),
+                               test::box_block("B", Vec3(-1, -0.05, -0.05), Vec3(1, 0.05, 0.05))});
+  const Mat3 turn = Eigen::AngleAxisd(-M_PI / 18, Vec3::UnitY()).toRotationMatrix();
+  for (Vec3& node : system.blocks[1].mesh.nodes) node = turn * node + Vec3(0, 0, 0.25);
+  system.blocks[1].body = BodyKind::rigid;
+  Simulation simulation(project, system);
+  const StepReport report = simulation.step();
+  ASSERT_TRUE(simulation.converged()) << simulation.failure();
+  ASSERT_FALSE(simulation.struggles().empty());
+  EXPECT_EQ(simulation.struggles()[0].cause, StruggleCause::found_late);
+  EXPECT_THAT(simulation.struggles()[0].blocks, testing::ElementsAre("ground", "B"));
+  EXPECT_GT(report.cuts, 0);
 }
 
 TEST(Simulation, steps_that_are_cut_and_settle_say_where_and_easy_ones_say_nothing) {

@@ -10,7 +10,8 @@ using testing::HasSubstr;
 TEST(StruggleAdvice, fits_the_cause) {
   const SolverSettings settings;
   Struggle struggle;
-  for (const StruggleCause cause : {StruggleCause::many_iterations, StruggleCause::not_settled}) {
+  for (const StruggleCause cause :
+       {StruggleCause::many_iterations, StruggleCause::found_late, StruggleCause::not_settled}) {
     struggle.cause = cause;
     EXPECT_THAT(advice_for(struggle, 0.0012, settings), testing::AllOf(HasSubstr("time_step"), HasSubstr("0.0012 s")));
   }

@@ -1,0 +1,59 @@
+#include "solve/late_contacts.hpp"
+
+#include <algorithm>
+
+namespace talus {
+
+/// Returns by how much a node goes against the others of its body, at most [m].
+double LateContacts::place_nodes(const Increment& d) {
+  double most = 0;
+  end_ = set_.nodes.position;
+  std::fill(ways_.begin(), ways_.end(), 0.0);
+  for (const auto* moved : {&set_.moving, &set_.driven})
+    for (const int b : *moved) {
+      const Body& body = set_.bodies[b];
+      const auto nodes_end = body.first_node + body.node_count;
+      Vec3 mean = Vec3::Zero();
+      for (int n = body.first_node; n < nodes_end; ++n) {
+        const Vec3 step = set_.node_increment(n, d);
+        end_[n] += step;
+        ways_[b] = std::max(ways_[b], step.norm());
+        mean += step / body.node_count;
+      }
+      for (int n = body.first_node; n < nodes_end; ++n)
+        most = std::max(most, (end_[n] - set_.nodes.position[n] - mean).norm());
+    }
+  return most;
+}
+
+void LateContacts::tell(ContactDetector& detector) const {
+  for (std::size_t b = 0; b < ways_.size(); ++b)
+    if (ways_[b] > 0) detector.moved(static_cast<int>(b), ways_[b]);
+}
+
+double LateContacts::known_depth(const ContactDetector::Late& late, const ContactLinks& links,
+                                 const Increment& d) const {
+  double deepest = 0;
+  for (int i = 0; i < links.moves().size(); ++i) {
+    const ContactPoint& point = links.point(i);
+    if (point.bodies[0] != late.bodies[0] || point.bodies[1] != late.bodies[1]) continue;
+    deepest = std::max(deepest, (point.overlap - links.gap(i, d)) / point.size);
+  }
+  return deepest;
+}
+
+std::optional<ContactDetector::Late> LateContacts::seek(ContactDetector& detector, const ContactLinks& links,
+                                                        const Increment& d, double reach, double tolerance,
+                                                        double least_turn) {
+  if (place_nodes(d) < least_turn) return std::nullopt;
+  tell(detector);
+  std::optional<ContactDetector::Late> deepest;
+  for (const ContactDetector::Late& late : detector.late(end_, reach, tolerance)) {
+    if (deepest && late.depth <= deepest->depth) continue;
+    if (late.depth > tolerance + known_depth(late, links, d)) deepest = late;
+  }
+  tell(detector);
+  return deepest;
+}
+
+}  // namespace talus
