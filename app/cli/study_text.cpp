@@ -12,7 +12,7 @@ namespace talus::cli {
 namespace {
 
 std::string error_of(const AccuracyRow& row) {
-  if (!row.error) return "–";
+  if (!row.error) return ending_text(row);
   return error_text(*row.error) + (row.error_estimate > 0 ? " ± " + error_text(row.error_estimate) : "");
 }
 
@@ -27,10 +27,14 @@ std::vector<std::size_t> by_cost(const AccuracyStudy& study) {
   return order;
 }
 
-}  // namespace
+std::string runs_text(const std::vector<int>& runs) {
+  std::string text = runs.size() > 1 ? "Runs " : "Run ";
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < runs.size() ? ", " : " and ") + std::to_string(runs[i]);
+  return text;
+}
 
-std::string order_text(const AxisOrder& order) {
-  const std::string name = order.axis == StudyAxis::time_step ? "time step" : "mesh size";
+std::string convergence_text(const AxisOrder& order, const std::string& name) {
   switch (order.fit.convergence) {
     case Convergence::exact:
       return "The " + name + " does not matter: all runs agree to rounding.";
@@ -43,7 +47,31 @@ std::string order_text(const AxisOrder& order) {
       break;
   }
   return "Order in the " + name + ": " + number(order.fit.order, 3) + " (theory " + number(order.theory, 2) + ")" +
-         (order.runs.size() > 3 ? ", fits within " + error_text(order.fit.misfit) : "") + ".";
+         (order.runs.size() > 3 ? ", fits within " + error_text(order.fit.misfit) : "") + "; answers differ by up to " +
+         error_text(order.fit.spread) + ".";
+}
+
+}  // namespace
+
+std::string ending_text(const AccuracyRow& row) {
+  if (!row.run) return "not run";
+  switch (row.run->status) {
+    case StudyStatus::not_converged:
+      return "not converged";
+    case StudyStatus::failed:
+      return "failed";
+    case StudyStatus::completed:
+      break;
+  }
+  return "–";
+}
+
+std::string order_text(const AxisOrder& order) {
+  std::string text = convergence_text(order, order.axis == StudyAxis::time_step ? "time step" : "mesh size");
+  if (!order.cut_runs.empty())
+    text += " " + runs_text(order.cut_runs) + (order.cut_runs.size() > 1 ? " take" : " takes") +
+            " no part: most of the steps had to be cut.";
+  return text;
 }
 
 std::string recommendation_text(const AccuracyStudy& study) {

@@ -26,7 +26,8 @@ struct AxisOrder {
   StudyAxis axis = StudyAxis::time_step;
   double theory = 1;
   OrderFit fit;
-  std::vector<int> runs;  ///< finest first
+  std::vector<int> runs;      ///< finest first
+  std::vector<int> cut_runs;  ///< of the axis, but most of their steps were cut: they have another step than they say
 };
 
 struct AccuracyStudy {
