@@ -5,6 +5,7 @@
 
 #include "paragraph.hpp"
 #include "render/log_axis.hpp"
+#include "render/numbers.hpp"
 #include "table.hpp"
 
 namespace talus::cli {
@@ -46,9 +47,10 @@ std::string convergence_text(const AxisOrder& order, const std::string& name) {
     case Convergence::converging:
       break;
   }
-  return "Order in the " + name + ": " + number(order.fit.order, 3) + " (theory " + number(order.theory, 2) + ")" +
-         (order.runs.size() > 3 ? ", fits within " + error_text(order.fit.misfit) : "") + "; answers differ by up to " +
-         error_text(order.fit.spread) + ".";
+  const std::string where = order.axis == StudyAxis::time_step ? " in vibration" : "";
+  return "Order in the " + name + ": " + format_decimals(order.fit.order, 2) + " (theory " + number(order.theory, 2) +
+         where + ")" + (order.runs.size() > 3 ? ", fits within " + error_text(order.fit.misfit) : "") +
+         "; answers differ by up to " + error_text(order.fit.spread) + ".";
 }
 
 }  // namespace

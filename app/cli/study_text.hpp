@@ -12,7 +12,7 @@ std::string study_text(const AccuracyStudy& study);
 /// How a run without an error ended: "not converged", "failed", "not run"; "–" where it gave too little.
 std::string ending_text(const AccuracyRow& row);
 
-/// "Order in the time step: 0.98 (theory 1), fits within 2 %; answers differ by up to 3 %."
+/// "Order in the time step: 0.98 (theory 1 in vibration), fits within 2 %; answers differ by up to 3 %."
 std::string order_text(const AxisOrder& order);
 
 /// Which run the target asks for, or that none meets it. Of a study with a target.
