@@ -55,19 +55,6 @@ std::string convergence_text(const AxisOrder& order, const std::string& name) {
 
 }  // namespace
 
-std::string ending_text(const AccuracyRow& row) {
-  if (!row.run) return "not run";
-  switch (row.run->status) {
-    case StudyStatus::not_converged:
-      return "not converged";
-    case StudyStatus::failed:
-      return "failed";
-    case StudyStatus::completed:
-      break;
-  }
-  return "–";
-}
-
 std::string order_text(const AxisOrder& order) {
   std::string text = convergence_text(order, order.axis == StudyAxis::time_step ? "time step" : "mesh size");
   if (!order.cut_runs.empty())

@@ -9,9 +9,6 @@ namespace talus::cli {
 /// The table of runs, cheapest first, then orders, what was left out, and the recommendation.
 std::string study_text(const AccuracyStudy& study);
 
-/// How a run without an error ended: "not converged", "failed", "not run"; "–" where it gave too little.
-std::string ending_text(const AccuracyRow& row);
-
 /// "Order in the time step: 0.98 (theory 1 in vibration), fits within 2 %; answers differ by up to 3 %."
 std::string order_text(const AxisOrder& order);
 

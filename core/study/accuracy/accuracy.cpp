@@ -129,6 +129,19 @@ bool AccuracyStudy::complete() const {
   return std::all_of(rows.begin(), rows.end(), [](const AccuracyRow& row) { return row.run.has_value(); });
 }
 
+std::string ending_text(const AccuracyRow& row) {
+  if (!row.run) return "not run";
+  switch (row.run->status) {
+    case StudyStatus::not_converged:
+      return "not converged";
+    case StudyStatus::failed:
+      return "failed";
+    case StudyStatus::completed:
+      break;
+  }
+  return "–";
+}
+
 AccuracyStudy evaluate(const StudyFolder& folder, std::optional<double> target) {
   const Project project = project_of(folder.plan());
   const ErrorMeasure measure(project);

@@ -21,6 +21,9 @@ struct AccuracyRow {
   std::string note;
 };
 
+/// How a run without an error ended, in words: "not converged", "failed", "not run"; "–" where it gave too little.
+std::string ending_text(const AccuracyRow& row);
+
 /// Errors along one axis, everything else being the project's own.
 struct AxisOrder {
   StudyAxis axis = StudyAxis::time_step;
