@@ -21,9 +21,20 @@ int group_of(const AccuracyRow& row, std::vector<std::string>& groups) {
   return static_cast<int>(place);
 }
 
+/// Runs without an answer, which have no point.
+std::string absent_text(const AccuracyStudy& study) {
+  std::string text;
+  for (std::size_t i = 0; i < study.rows.size(); ++i)
+    if (!study.rows[i].error)
+      text += (text.empty() ? "Without a point: run " : ", run ") + std::to_string(i) + " (" + study.rows[i].label +
+              ": " + ending_text(study.rows[i]) + ")";
+  return text.empty() ? text : text + ".";
+}
+
 std::vector<std::string> notes_of(const AccuracyStudy& study) {
   std::vector<std::string> notes;
   for (const AxisOrder& order : study.orders) notes.push_back(order_text(order));
+  if (std::string absent = absent_text(study); !absent.empty()) notes.push_back(std::move(absent));
   if (!study.known_answer)
     notes.push_back("Errors are from run " + std::to_string(study.reference) + ", which is itself off by about " +
                     error_text(study.reference_error) + ".");

@@ -5,6 +5,7 @@
 
 #include "paragraph.hpp"
 #include "render/log_axis.hpp"
+#include "render/numbers.hpp"
 #include "table.hpp"
 
 namespace talus::cli {
@@ -12,7 +13,7 @@ namespace talus::cli {
 namespace {
 
 std::string error_of(const AccuracyRow& row) {
-  if (!row.error) return "–";
+  if (!row.error) return ending_text(row);
   return error_text(*row.error) + (row.error_estimate > 0 ? " ± " + error_text(row.error_estimate) : "");
 }
 
@@ -27,10 +28,14 @@ std::vector<std::size_t> by_cost(const AccuracyStudy& study) {
   return order;
 }
 
-}  // namespace
+std::string runs_text(const std::vector<int>& runs) {
+  std::string text = runs.size() > 1 ? "Runs " : "Run ";
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < runs.size() ? ", " : " and ") + std::to_string(runs[i]);
+  return text;
+}
 
-std::string order_text(const AxisOrder& order) {
-  const std::string name = order.axis == StudyAxis::time_step ? "time step" : "mesh size";
+std::string convergence_text(const AxisOrder& order, const std::string& name) {
   switch (order.fit.convergence) {
     case Convergence::exact:
       return "The " + name + " does not matter: all runs agree to rounding.";
@@ -42,8 +47,20 @@ std::string order_text(const AxisOrder& order) {
     case Convergence::converging:
       break;
   }
-  return "Order in the " + name + ": " + number(order.fit.order, 3) + " (theory " + number(order.theory, 2) + ")" +
-         (order.runs.size() > 3 ? ", fits within " + error_text(order.fit.misfit) : "") + ".";
+  const std::string where = order.axis == StudyAxis::time_step ? " in vibration" : "";
+  return "Order in the " + name + ": " + format_decimals(order.fit.order, 2) + " (theory " + number(order.theory, 2) +
+         where + ")" + (order.runs.size() > 3 ? ", fits within " + error_text(order.fit.misfit) : "") +
+         "; answers differ by up to " + error_text(order.fit.spread) + ".";
+}
+
+}  // namespace
+
+std::string order_text(const AxisOrder& order) {
+  std::string text = convergence_text(order, order.axis == StudyAxis::time_step ? "time step" : "mesh size");
+  if (!order.cut_runs.empty())
+    text += " " + runs_text(order.cut_runs) + (order.cut_runs.size() > 1 ? " take" : " takes") +
+            " no part: most of the steps had to be cut.";
+  return text;
 }
 
 std::string recommendation_text(const AccuracyStudy& study) {

@@ -9,7 +9,7 @@ namespace talus::cli {
 /// The table of runs, cheapest first, then orders, what was left out, and the recommendation.
 std::string study_text(const AccuracyStudy& study);
 
-/// "Order in the time step: 0.98 (theory 1), within 2 %".
+/// "Order in the time step: 0.98 (theory 1 in vibration), fits within 2 %; answers differ by up to 3 %."
 std::string order_text(const AxisOrder& order);
 
 /// Which run the target asks for, or that none meets it. Of a study with a target.

@@ -28,6 +28,11 @@ double step_count(const Project& project) {
   return steps;
 }
 
+bool asks_for_stress(const Project& project) {
+  return std::any_of(project.monitors.begin(), project.monitors.end(),
+                     [](const Monitor& monitor) { return monitor.stress; });
+}
+
 /// Each source once.
 std::string sources_of(const Project& project) {
   std::vector<std::string> sources;
@@ -147,6 +152,7 @@ std::vector<KnownSample> find_known_samples(const std::filesystem::path& folder)
       (sample.source += sample.source.empty() ? "" : "; ") += "published events, paper_events.csv beside the project";
     }
     sample.takes_long = step_count(project) > quick_steps;
+    sample.of_any_body = sample.events.empty() && !asks_for_stress(project);
     if (!project.expect.empty() || !sample.events.empty()) samples.push_back(std::move(sample));
   }
   std::sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
@@ -177,7 +183,7 @@ KnownCase case_of(const KnownSample& sample) {
   known.title = sample.title;
   known.source = sample.source;
   known.takes_long = sample.takes_long;
-  known.of_any_body = sample.events.empty();
+  known.of_any_body = sample.of_any_body;
   known.run = [sample](const CaseOptions& options, Progress& progress) {
     return outcome_of(run_sample(sample, options, progress));
   };

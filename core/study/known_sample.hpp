@@ -18,6 +18,7 @@ struct KnownSample {
   std::filesystem::path events;  ///< empty: none published
   std::string source;            ///< of the expected numbers
   bool takes_long = false;       ///< more than `quick_steps` time steps
+  bool of_any_body = false;      ///< it asks for no stress: rigid and affine blocks must come to the same answer
 };
 
 /// Samples of more time steps than this run only when asked for: the others take a second or two.

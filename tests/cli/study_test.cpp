@@ -99,6 +99,19 @@ TEST_F(Study, ThatIsInterruptedEndsItsRunsAndSaysHowToGoOn) {
   EXPECT_THAT(ending.err, HasSubstr("the same command goes on"));
 }
 
+TEST_F(Study, ShowsARunThatDoesNotConvergeAsARow) {
+  Json project = Json::parse(text_of(sample("spinning_block")), nullptr, true, true);
+  project["solids"][0]["body"] = "rigid";
+  project["solver"]["open_close_limit"] = 1;  // enough for a rigid block, and for no other
+  const auto file = folder_ / "hasty.talus";
+  write_text(file, project.dump());
+  const Ending ending = talus_cli(command(file.string(), {"--values", "body=rigid,affine"}));
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(ending.out, testing::ContainsRegex("\n +1 +affine +not converged "));
+  EXPECT_THAT(text_of(folder() / "accuracy.csv"), HasSubstr(",not-converged,"));
+  EXPECT_EQ(json()["runs"][1]["status"], "not-converged");
+}
+
 TEST_F(Study, OfAnotherProjectIsNotMixedIn) {
   const std::vector<std::string> few{"--axes", "time_step", "--values", "time_step=1,2"};
   ASSERT_EQ(talus_cli(command(sample("free_fall"), few)).exit_code, 0);

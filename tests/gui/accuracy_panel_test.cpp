@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QTest>
 
+#include "io/project_file.hpp"
 #include "listed_runs.hpp"
 #include "studied_window.hpp"
 #include "widgets/theme.hpp"
@@ -93,6 +94,20 @@ TEST_F(AccuracyPanelTest, ChoosesTheCheapestRunWithinATarget) {
   EXPECT_TRUE(says(panel, QStringLiteral("No run of this study is within")));
   ask("soon");
   EXPECT_FALSE(says(panel, QStringLiteral("No run of this study is within")));
+}
+
+TEST_F(AccuracyPanelTest, SaysOfARunThatDidNotConverge) {
+  const std::filesystem::path file = sample("spinning_block");
+  Project project = read_project(file);
+  project.solids[0].body = BodyKind::rigid;
+  project.solver.open_close_limit = 1;  // enough for a rigid block, and for no other
+  std::ofstream(file) << write_project(project);
+  study(file, parse_ladder_wish({"body"}, {"body=rigid,affine"}));
+  window->open(file);
+  AccuracyPanel& panel = opened();
+  ASSERT_EQ(table(panel, "runs").rowCount(), 2);
+  EXPECT_EQ(table(panel, "runs").item(1, 3)->text(), QStringLiteral("not converged"));
+  keepPicture(panel, "accuracy_not_converged.png");
 }
 
 TEST_F(AccuracyPanelTest, ShowsAStudyOfAnotherProjectButGivesNoSettingFromIt) {

@@ -29,8 +29,16 @@ void expect_tolerances_within(const std::string& name, double relative, double a
 TEST(Samples, QuickOnesHaveAnswersAndJiweishanTakesLong) {
   std::vector<std::string> quick, slow;
   for (const KnownSample& s : find_known_samples(folder)) (s.takes_long ? slow : quick).push_back(s.name);
-  EXPECT_THAT(quick, testing::ElementsAre("block_ladder", "free_fall", "incline_slide", "incline_stay", "wedge"));
+  EXPECT_THAT(quick, testing::ElementsAre("arch", "block_ladder", "cantilever", "free_fall", "incline_slide",
+                                          "incline_stay", "spinning_block", "wedge"));
   EXPECT_THAT(slow, testing::ElementsAre("jiweishan"));
+}
+
+TEST(Samples, ThatAskForStressAreOfOneBody) {
+  std::vector<std::string> of_one_body;
+  for (const KnownSample& s : find_known_samples(folder))
+    if (!case_of(s).of_any_body) of_one_body.push_back(s.name);
+  EXPECT_THAT(of_one_body, testing::ElementsAre("arch", "cantilever", "jiweishan"));
 }
 
 TEST(Samples, AreHeldToTheTolerancesOfTheMethod) {
@@ -39,6 +47,9 @@ TEST(Samples, AreHeldToTheTolerancesOfTheMethod) {
   expect_tolerances_within("block_ladder", 1e-3, 1e-6);
   expect_tolerances_within("incline_stay", 0, 1e-9);
   expect_tolerances_within("wedge", 1e-2, 0);
+  expect_tolerances_within("spinning_block", 1e-3, 1e-3);
+  expect_tolerances_within("cantilever", 2e-2, 0);
+  expect_tolerances_within("arch", 1e-2, 1e-6);
 }
 
 TEST(Samples, WedgeSlidesAlongTheLineOfIntersection) {

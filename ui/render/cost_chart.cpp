@@ -17,7 +17,7 @@ namespace {
 constexpr double row_height = 1.62, margin = 1.4, tag_radius = 0.72;
 constexpr double front_width = 0.16, axis_width = 0.06, grid_width = 0.05, bar_width = 0.07;
 
-double drawn_error(const CostPoint& point) { return std::max(point.error, smallest_error); }
+constexpr const char* rounding_label = "rounding";
 
 /// A chart of a given size, laid out once and then painted.
 class CostChart {
@@ -47,15 +47,26 @@ class CostChart {
 
  private:
   void make_axes() {
+    constexpr double below_the_others = 10;
     std::vector<double> seconds, errors;
+    if (plot_.target) errors.push_back(*plot_.target);
     for (const CostPoint& point : plot_.points) {
       seconds.push_back(point.seconds);
-      errors.push_back(drawn_error(point));
+      if (point.error >= smallest_error) errors.push_back(point.error);
     }
-    if (plot_.target) errors.push_back(*plot_.target);
+    has_rounding_ = std::any_of(plot_.points.begin(), plot_.points.end(),
+                                [](const CostPoint& point) { return point.error < smallest_error; });
+    if (!errors.empty()) rounding_ = *std::min_element(errors.begin(), errors.end()) / below_the_others;
+    if (has_rounding_) errors.push_back(rounding_);
     x_ = make_log_axis(seconds);
     y_ = make_log_axis(errors);
+    if (!has_rounding_) return;
+    const auto too_low = [&](double tick) { return tick < 2 * rounding_; };
+    std::erase_if(y_.ticks, too_low);
+    std::erase_if(y_.lesser_ticks, too_low);
   }
+
+  double drawn_error(const CostPoint& point) const { return point.error < smallest_error ? rounding_ : point.error; }
 
   void place() {
     double label_width = text_width("Setting", em_), error_width = text_width("Error", em_), tick_width = 0;
@@ -64,6 +75,7 @@ class CostChart {
       error_width = std::max(error_width, text_width(error_text(point.error), em_, weight_of(point)));
     }
     for (const double tick : y_.ticks) tick_width = std::max(tick_width, text_width(error_tick_text(tick), em_));
+    if (has_rounding_) tick_width = std::max(tick_width, text_width(rounding_label, em_));
     error_column_ = width_ - margin * em_ - 5.2 * em_;
     label_column_ = error_column_ - error_width - 1.4 * em_ - label_width;
     area_.left = margin * em_ + 2.2 * em_ + tick_width + 0.8 * em_;
@@ -118,6 +130,8 @@ class CostChart {
       painter.line({area_.left, y}, {area_.right, y}, grid_width * em_, colours_.frame);
       painter.text({area_.left - 0.7 * em_, y}, error_tick_text(tick), text(AlignX::right));
     }
+    if (has_rounding_)
+      painter.text({area_.left - 0.7 * em_, at(x_.low, rounding_).y}, rounding_label, text(AlignX::right));
     for (const double tick : x_.ticks) {
       const double x = at(tick, y_.low).x;
       painter.line({x, area_.bottom}, {x, area_.top}, grid_width * em_, colours_.frame);
@@ -237,6 +251,8 @@ class CostChart {
   double width_, height_, em_ = 16;
   std::vector<std::size_t> by_cost_;
   LogAxis x_, y_;
+  bool has_rounding_ = false;
+  double rounding_ = smallest_error;  ///< where errors that are rounding are drawn
   PixelRect area_;
   double label_column_ = 0, error_column_ = 0;
   std::vector<PixelPoint> marks_, tags_;

@@ -14,13 +14,14 @@ struct CostPoint {
   int number = 0;          ///< on the chart and in the list beside it
   std::string label;       ///< in the list
   double seconds = 0;      ///< above 0
-  double error = 0;        ///< relative; what is below `smallest_error` is drawn there
+  double error = 0;        ///< relative
   double uncertainty = 0;  ///< of the error, drawn as a bar; 0: none
   int group = 0;           ///< into CostPlot::groups, by colour
   bool on_front = false, recommended = false;
 };
-/// Below this a relative error is rounding.
-inline constexpr double smallest_error = 1e-12;
+/// Below this a relative error is rounding, and drawn at the foot of the chart: it would stretch the axis beyond
+/// reading.
+inline constexpr double smallest_error = 1e-10;
 
 /// Error against seconds, both logarithmic: each run a numbered point, the front of the best drawn through, and beside
 /// it the list of runs.

@@ -58,9 +58,14 @@ double text_width(std::string_view text, double height, FontWeight weight) {
 }
 
 std::vector<std::string> wrapped(std::string_view text, double width, double height, FontWeight weight) {
-  std::vector<std::string> lines;
-  std::istringstream words{std::string(text)};
-  for (std::string word; words >> word;) {
+  std::vector<std::string> words, lines;
+  std::istringstream stream{std::string(text)};
+  for (std::string word; stream >> word;)
+    if (word.front() == '%' && !words.empty())  // stays with its number
+      words.back() += " " + word;
+    else
+      words.push_back(std::move(word));
+  for (const std::string& word : words) {
     if (!lines.empty() && text_width(lines.back() + " " + word, height, weight) <= width)
       lines.back() += " " + word;
     else

@@ -40,7 +40,8 @@ struct TextStyle {
 /// Width of a line of text, pixels. Needs no GL context.
 double text_width(std::string_view text, double height, FontWeight weight = FontWeight::regular);
 
-/// Breaks a text between words so that no line is wider than `width` pixels (a longer word stays whole).
+/// Breaks a text between words so that no line is wider than `width` pixels (a longer word stays whole, and a number
+/// keeps its per cent sign).
 std::vector<std::string> wrapped(std::string_view text, double width, double height, FontWeight weight);
 
 /// What overlays and charts are drawn with, in pixels.

@@ -18,7 +18,7 @@ constexpr int side_width = 430;
 QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 QString errorOf(const AccuracyRow& row) {
-  if (!row.error) return QStringLiteral("–");
+  if (!row.error) return text(ending_text(row));
   const QString error = text(error_text(*row.error));
   return row.error_estimate > 0 ? QObject::tr("%1 ± %2").arg(error, text(error_text(row.error_estimate))) : error;
 }

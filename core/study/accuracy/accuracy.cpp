@@ -32,6 +32,9 @@ int reference_among(const std::vector<AccuracyRow>& rows, int wanted) {
   return best;
 }
 
+/// Its time step is not what its setting says.
+bool mostly_cut(const StudyRun& run) { return 2 * run.cuts > run.steps; }
+
 /// Runs that differ from the project's own on this axis alone, finest first, and the own one among them.
 std::vector<int> runs_along(StudyAxis axis, const std::vector<AccuracyRow>& rows) {
   std::vector<int> runs;
@@ -51,9 +54,10 @@ std::optional<AxisOrder> order_along(StudyAxis axis, const AccuracyStudy& study,
   AxisOrder order;
   order.axis = axis;
   order.theory = theory_of(axis, study.rows.front().setting);
-  order.runs = runs_along(axis, study.rows);
-  if (order.runs.size() < 2) return std::nullopt;
   const auto row = [&](int run) -> const AccuracyRow& { return study.rows[static_cast<std::size_t>(run)]; };
+  for (const int run : runs_along(axis, study.rows))
+    (axis == StudyAxis::time_step && mostly_cut(*row(run).run) ? order.cut_runs : order.runs).push_back(run);
+  if (order.runs.size() < 2) return std::nullopt;
   const AccuracyRow& finest = row(order.runs.front());
   std::vector<AxisDistance> distances;
   for (std::size_t i = 1; i < order.runs.size(); ++i) {
@@ -123,6 +127,19 @@ std::vector<AccuracyRow> read_rows(const StudyFolder& folder) {
 
 bool AccuracyStudy::complete() const {
   return std::all_of(rows.begin(), rows.end(), [](const AccuracyRow& row) { return row.run.has_value(); });
+}
+
+std::string ending_text(const AccuracyRow& row) {
+  if (!row.run) return "not run";
+  switch (row.run->status) {
+    case StudyStatus::not_converged:
+      return "not converged";
+    case StudyStatus::failed:
+      return "failed";
+    case StudyStatus::completed:
+      break;
+  }
+  return "–";
 }
 
 AccuracyStudy evaluate(const StudyFolder& folder, std::optional<double> target) {

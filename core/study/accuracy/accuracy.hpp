@@ -21,12 +21,16 @@ struct AccuracyRow {
   std::string note;
 };
 
+/// How a run without an error ended, in words: "not converged", "failed", "not run"; "–" where it gave too little.
+std::string ending_text(const AccuracyRow& row);
+
 /// Errors along one axis, everything else being the project's own.
 struct AxisOrder {
   StudyAxis axis = StudyAxis::time_step;
   double theory = 1;
   OrderFit fit;
-  std::vector<int> runs;  ///< finest first
+  std::vector<int> runs;      ///< finest first
+  std::vector<int> cut_runs;  ///< of the axis, but most of their steps were cut: they have another step than they say
 };
 
 struct AccuracyStudy {

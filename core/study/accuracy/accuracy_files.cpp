@@ -90,8 +90,10 @@ Json json_of(const AxisOrder& order) {
           {"order", has_order ? Json(order.fit.order) : Json()},
           {"theory", order.theory},
           {"misfit", has_order ? Json(order.fit.misfit) : Json()},
+          {"spread", order.fit.spread},
           {"finest_error", order.fit.finest_error},
-          {"runs", order.runs}};
+          {"runs", order.runs},
+          {"cut_runs", order.cut_runs}};
 }
 
 }  // namespace

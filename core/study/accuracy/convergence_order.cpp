@@ -49,6 +49,7 @@ std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> d
   const auto nearer = [](const AxisDistance& a, const AxisDistance& b) { return a.distance < b.distance; };
   const double largest = std::max_element(distances.begin(), distances.end(), nearer)->distance;
   OrderFit fit;
+  fit.spread = largest;
   if (largest < rounding) {
     fit.convergence = Convergence::exact;
     return fit;
@@ -67,7 +68,8 @@ std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> d
     return fit;
   }
   fit.misfit = std::expm1(misfit(fit.order, finest, distances));
-  fit.finest_error = finest_error(std::min(fit.order, theory), finest, distances.front());
+  const bool certain = distances.size() > 2 && fit.misfit < good_fit;
+  fit.finest_error = finest_error(certain ? fit.order : std::min(fit.order, theory), finest, distances.front());
   return fit;
 }
 

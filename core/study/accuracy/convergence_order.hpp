@@ -13,6 +13,8 @@ struct AxisDistance {
 
 /// Differences below this are rounding.
 inline constexpr double rounding = 1e-10;
+/// Three distances that fit an order this well do not do so by chance.
+inline constexpr double good_fit = 0.1;
 
 enum class Convergence {
   converging,     ///< distances fall with the size, by `order`
@@ -29,14 +31,15 @@ struct OrderFit {
   Convergence convergence = Convergence::converging;
   double order = 0;         ///< p in error = C·sizeᵖ; only while converging
   double misfit = 0;        ///< root mean square of distances about the fit, relative; 0 with two distances
+  double spread = 0;        ///< the largest distance: how much the axis matters at all
   double finest_error = 0;  ///< estimated error of the finest run, by Richardson's extrapolation
 };
 
 /// Fits distance = C (sizeᵖ − finestᵖ) by least squares of logarithms: what remains of error = C·sizeᵖ once it is
 /// measured from the finest run instead of the answer, which need not be known. The finest run's own error C·finestᵖ
 /// follows from the nearest distance, with `theory`'s order where the observed one is higher (a coarse run may come
-/// nearer by chance), and is the largest distance where nothing converges. `distances`: ascending sizes, all above
-/// `finest`. Nothing without any distance.
+/// nearer by chance) unless three distances or more fit it within `good_fit`, and is the largest distance where nothing
+/// converges. `distances`: ascending sizes, all above `finest`. Nothing without any distance.
 std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> distances, double theory);
 
 }  // namespace talus

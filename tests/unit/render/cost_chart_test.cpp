@@ -36,6 +36,18 @@ TEST(CostChart, ShowsRunsInTheColourOfTheirGroupAndRingsTheRecommendedOne) {
   EXPECT_EQ(pixels_of(draw_cost_chart(plot, 900, 600), colours(Theme::light).pick), 0);
 }
 
+TEST(CostChart, DrawsAllErrorsThatAreRoundingAtItsFoot) {
+  CostPlot plot = two_runs();
+  plot.points[1].uncertainty = 0;
+  plot.points.push_back({.number = 2, .label = "rigid", .seconds = 2, .error = 3e-13});  // the widest in the list
+  const Image exact = draw_cost_chart(plot, 900, 600);
+  plot.points[1].error = 0.5 * smallest_error;
+  const Image rounded = draw_cost_chart(plot, 900, 600);
+  const int chart = 450;  // px: the list of runs begins to the right of it
+  for (int y = 0; y < exact.height; ++y)
+    for (int x = 0; x < chart; ++x) ASSERT_TRUE(exact.at(x, y) == rounded.at(x, y)) << x << ' ' << y;
+}
+
 TEST(CostChart, RefusesWhatCannotBeDrawn) {
   EXPECT_THROW(draw_cost_chart({}), std::invalid_argument);
   CostPlot plot = two_runs();

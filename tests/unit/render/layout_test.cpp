@@ -121,6 +121,8 @@ TEST(Wrapped, BreaksBetweenWordsOnly) {
   const auto lines = wrapped("Smallest principal stress", one + 1, 16, FontWeight::semibold);
   EXPECT_EQ(lines, (std::vector<std::string>{"Smallest principal", "stress"}));
   EXPECT_EQ(wrapped("Displacement", 5, 16, FontWeight::regular), (std::vector<std::string>{"Displacement"}));
+  EXPECT_EQ(wrapped("off by 8.4 % at most", 5, 16, FontWeight::regular),
+            (std::vector<std::string>{"off", "by", "8.4 %", "at", "most"}));
 }
 
 TEST(Font, HasGreekThinSpacesAndPowers) {

@@ -50,12 +50,31 @@ nlohmann::json bar(const std::string& integrator) {
   return project;
 }
 
+/// A cube that turns once a second, free of all forces: its corner comes to the opposite one after 4 1/2 turns.
+nlohmann::json spinning_cube(const std::string& body) {
+  return {{"talus", 1},
+          {"gravity", {0, 0, 0}},
+          {"materials", {{"rock", {{"density", 2500}, {"young", 50e9}, {"poisson", 0.25}}}}},
+          {"solids",
+           {{{"name", "cube"},
+             {"box", {{"min", {-0.5, -0.5, -0.5}}, {"max", {0.5, 0.5, 0.5}}}},
+             {"material", "rock"},
+             {"body", body}}}},
+          {"velocities", {{{"block", "cube"}, {"angular", {0, 0, 2 * std::numbers::pi}}}}},
+          {"stages", {{{"name", "spin"}, {"type", "dynamic"}, {"time_step", 0.005}, {"duration", 4.5}}}},
+          {"monitors", {{{"name", "P1"}, {"block", "cube"}, {"at", {0.5, 0.5, 0.5}}}}},
+          {"expect",
+           {{{"quantity", "P1.displacement.x"}, {"time", 4.5}, {"value", -1}, {"tolerance", 0.01}},
+            {{"quantity", "P1.displacement.y"}, {"time", 4.5}, {"value", -1}, {"tolerance", 0.01}}}}};
+}
+
 class AccuracyStudyTest : public testing::Test {
  protected:
-  AccuracyStudy studied(const nlohmann::json& project, std::optional<double> target = {}) {
+  AccuracyStudy studied(const nlohmann::json& project, std::optional<double> target = {},
+                        const LadderWish& wish = parse_ladder_wish({"time_step"}, {})) {
     const auto file = folder_.path() / "bar.talus";
     std::ofstream(file) << project.dump();
-    plan_ = make_plan({file, false, parse_ladder_wish({"time_step"}, {}), "test"});
+    plan_ = make_plan({file, false, wish, "test"});
     const StudyFolder study(folder_.path() / "study", plan_, true);
     NoProgress nobody;
     for (const int run : study.missing_runs()) perform_study_run(study, run, nobody);
@@ -137,6 +156,42 @@ TEST_F(AccuracyStudyTest, ARunThatFailsIsARow) {
   EXPECT_EQ(study.reference, -1);
   for (const AccuracyRow& row : study.rows) EXPECT_EQ(row.run->status, StudyStatus::failed);
   EXPECT_THAT(accuracy_csv(study), testing::HasSubstr(",failed,no,"));
+}
+
+TEST_F(AccuracyStudyTest, ARunThatDoesNotConvergeIsARowAndTheOthersAreJudgedWithoutIt) {
+  nlohmann::json project = spinning_cube("rigid");
+  project["solver"]["open_close_limit"] = 1;  // enough for a rigid block, whose equations are linear, and for no other
+  const AccuracyStudy study = studied(project, 0.01, parse_ladder_wish({"body"}, {"body=affine,rigid"}));
+  ASSERT_EQ(study.rows.size(), 2u);
+  EXPECT_TRUE(study.complete());
+  const AccuracyRow &rigid = study.rows[0], &affine = study.rows[1];
+  EXPECT_EQ(rigid.run->status, StudyStatus::completed);
+  EXPECT_LT(*rigid.error, 1e-12);
+  EXPECT_EQ(affine.run->status, StudyStatus::not_converged);
+  EXPECT_FALSE(affine.error);
+  EXPECT_FALSE(affine.pareto);
+  EXPECT_THAT(affine.note, testing::HasSubstr("cube"));
+  EXPECT_EQ(study.reference, 0);
+  EXPECT_EQ(study.recommended, 0);
+  EXPECT_THAT(accuracy_csv(study), testing::HasSubstr("\n1,affine,affine,"));
+  EXPECT_THAT(accuracy_csv(study), testing::HasSubstr(",,,,not-converged,no,"));
+  const auto json = nlohmann::json::parse(accuracy_json(study))["runs"][1];
+  EXPECT_EQ(json["status"], "not-converged");
+  EXPECT_TRUE(json["error"].is_null());
+  EXPECT_GT(json["iterations"], 0);
+}
+
+/// At 7° a step the equations of a block that deforms do not settle, and the step is cut: it is another one than it
+/// says.
+TEST_F(AccuracyStudyTest, RunsWhoseStepsWereCutTakeNoPartInTheOrder) {
+  const AccuracyStudy study =
+      studied(spinning_cube("affine"), {}, parse_ladder_wish({"time_step"}, {"time_step=4,1,0.5,0.25"}));
+  ASSERT_EQ(study.orders.size(), 1u);
+  const AxisOrder& order = study.orders[0];
+  ASSERT_EQ(order.cut_runs.size(), 1u);
+  EXPECT_EQ(study.rows[static_cast<std::size_t>(order.cut_runs[0])].setting.time_step, 4);
+  EXPECT_EQ(order.runs.size(), 3u);
+  EXPECT_NEAR(order.fit.order, 2, 0.1) << "a turn at the mean of the step's two ends";
 }
 
 TEST_F(AccuracyStudyTest, ItsFilesHoldARowARun) {

@@ -39,6 +39,23 @@ TEST(ConvergenceOrder, AboveTheoryIsNotTrusted) {
   EXPECT_NEAR(fit->finest_error, list[0].distance, 1e-12);  // 2¹ − 1 = 1
 }
 
+TEST(ConvergenceOrder, AboveTheoryIsTrustedWhereThreeDistancesFit) {
+  const auto list = distances(0.25, {0.5, 1, 2}, 2, 0.03);
+  const auto fit = fit_order(0.25, list, 1);
+  EXPECT_NEAR(fit->order, 2, 1e-6);
+  EXPECT_NEAR(fit->finest_error, 0.03 * 0.25 * 0.25, 1e-8);
+  auto scattered = list;
+  scattered[1].distance *= 1.5;
+  const auto doubtful = fit_order(0.25, scattered, 1);
+  EXPECT_GT(doubtful->misfit, good_fit);
+  EXPECT_NEAR(doubtful->finest_error, list[0].distance, 1e-12);  // 2¹ − 1 = 1
+}
+
+TEST(ConvergenceOrder, IsToldWithHowMuchTheAxisMatters) {
+  const auto list = distances(0.25, {0.5, 1, 4}, 2, 0.03);
+  EXPECT_EQ(fit_order(0.25, list, 2)->spread, list.back().distance);
+}
+
 TEST(ConvergenceOrder, OfScatteredDistancesSaysHowWellItFits) {
   auto list = distances(0.25, {0.5, 1, 2, 4}, 1, 0.03);
   list[1].distance *= 1.1;
