@@ -17,6 +17,13 @@ QString memoryWords(double bytes) {
                           : QObject::tr("%1 GB").arg(numbers::figure(bytes / gigabyte, 2));
 }
 
+/// With the range, where not all of it was measured.
+QString secondsWords(const Forecast& forecast) {
+  const QString about = numbers::duration(forecast.seconds);
+  if (forecast.share_seen >= 1) return about;
+  return QObject::tr("%1 (%2 to %3)").arg(about, numbers::duration(forecast.fewest), numbers::duration(forecast.most));
+}
+
 }  // namespace
 
 CostAhead::CostAhead(Workspace& workspace) : workspace_(workspace), words_(makeLabel({}, "strong")) {
@@ -75,10 +82,8 @@ void CostAhead::estimate() {
 
 std::optional<double> CostAhead::error() const {
   const auto& study = workspace_.study();
-  const auto run = study ? run_of(*study, workspace_.document().project()) : std::nullopt;
-  if (run && study->study.rows[static_cast<std::size_t>(*run)].error)
-    return study->study.rows[static_cast<std::size_t>(*run)].error;
-  return forecast_ ? forecast_->error : std::nullopt;
+  const auto studied = study ? error_of(*study, workspace_.document().project()) : std::nullopt;
+  return studied ? studied : forecast_ ? forecast_->error : std::nullopt;
 }
 
 void CostAhead::tell() {
@@ -93,12 +98,13 @@ void CostAhead::tell() {
   } else {
     const auto off = error();
     words_->setText(tr("This run: about %1, %2, error %3")
-                        .arg(numbers::duration(forecast_->seconds), memoryWords(forecast_->memory),
+                        .arg(secondsWords(*forecast_), memoryWords(forecast_->memory),
                              off ? tr("about %1").arg(QString::fromStdString(error_text(*off))) : tr("not known")));
   }
-  words_->setToolTip(
-      tr("Solving alone, on this machine, from a pilot that goes through the run in leaps. The error is "
-         "that of the project's accuracy study, or else what its time steps leave out (step doubling)."));
+  words_->setToolTip(tr(
+      "Solving and writing on this machine, foreseen from the first steps of the run and from the whole of it in "
+      "outline, with rigid blocks in long steps. The error is that of the project's accuracy study, or else what its "
+      "time steps leave out (step doubling)."));
 }
 
 }  // namespace talus

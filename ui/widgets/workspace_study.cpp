@@ -14,7 +14,7 @@ Problem problemOf(const InputError& error) {
 }  // namespace
 
 void Workspace::lookForStudy() {
-  const auto folder = document_.file().empty() ? std::filesystem::path() : document_.studyFolder();
+  const auto folder = document_.file().empty() ? std::filesystem::path() : study_folder_of(document_.file());
   std::error_code none;
   const auto written = std::filesystem::last_write_time(folder / "accuracy.json", none);
   if (folder == studyFolder_ && written == studyWritten_) return;

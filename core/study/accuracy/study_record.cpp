@@ -19,6 +19,10 @@ bool is_under(const Setting& setting, const Project& studied, const Project& pro
 
 }  // namespace
 
+std::filesystem::path study_folder_of(const std::filesystem::path& project_file) {
+  return std::filesystem::path(project_file).replace_extension(".accuracy");
+}
+
 std::optional<StudyRecord> read_study(const std::filesystem::path& folder, std::optional<double> target) {
   std::error_code unreadable;  // as if there were none
   if (!std::filesystem::exists(folder / "accuracy.json", unreadable)) return std::nullopt;
@@ -30,6 +34,11 @@ std::optional<int> run_of(const StudyRecord& record, const Project& project) {
   for (std::size_t i = 0; i < record.study.rows.size(); ++i)
     if (is_under(record.study.rows[i].setting, record.project, project)) return static_cast<int>(i);
   return std::nullopt;
+}
+
+std::optional<double> error_of(const StudyRecord& record, const Project& project) {
+  const auto run = run_of(record, project);
+  return run ? record.study.rows[static_cast<std::size_t>(*run)].error : std::nullopt;
 }
 
 std::vector<int> best_by_cost(const AccuracyStudy& study) {

@@ -50,6 +50,9 @@ TEST_F(StudyRecordTest, KnowsTheRunOfAProjectUnderEachOfItsSettingsAndOfNoOther)
   Project heavier = record->project;
   heavier.materials[0].density = 2700;
   EXPECT_FALSE(run_of(*record, heavier));
+  ASSERT_TRUE(record->study.rows[0].error);
+  EXPECT_EQ(error_of(*record, record->project), record->study.rows[0].error);
+  EXPECT_FALSE(error_of(*record, heavier));
 }
 
 TEST_F(StudyRecordTest, OrdersTheBestByCost) {
