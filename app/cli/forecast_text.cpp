@@ -25,7 +25,8 @@ std::string forecast_text(const RunAhead& ahead) {
   text += " for " + std::to_string(forecast.steps) + " steps, " + number(forecast.memory / 1e6, 2) + " MB.\n" +
           error_sentence(ahead);
   if (!made)
-    text += number(100 * forecast.share_seen, 2) + " % of these seconds were measured, the others are foreseen; that took " +
+    text += number(100 * forecast.share_seen, 2) +
+            " % of these seconds were measured, the others are foreseen; that took " +
             number(forecast.forecast_seconds, 2) + " s.\n";
   return text;
 }
@@ -41,7 +42,9 @@ nlohmann::ordered_json forecast_json(const RunAhead& ahead) {
           {"steps", forecast.steps},
           {"share_seen", forecast.share_seen},
           {"error", error ? Json(*error) : Json()},
-          {"error_from", ahead.studied_error ? Json("study") : forecast.error ? Json("step doubling") : Json()}};
+          {"error_from", ahead.studied_error ? Json("study")
+                         : forecast.error    ? Json("step doubling")
+                                             : Json()}};
 }
 
 }  // namespace talus::cli

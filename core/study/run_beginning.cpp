@@ -51,8 +51,7 @@ std::vector<Part> parts_of(const Project& project, int static_steps) {
   for (int k = 0; k < static_cast<int>(project.stages.size()); ++k) {
     const Stage& whole = project.stages[k];
     const double seen = static_steps * whole.time_step;
-    if (fixed && whole.kind == StageKind::static_ && !whole.until_equilibrium &&
-        length_of(whole) > worthwhile * seen) {
+    if (fixed && whole.kind == StageKind::static_ && !whole.until_equilibrium && length_of(whole) > worthwhile * seen) {
       parts.push_back({in_steps(whole, static_steps, seen), k});
       parts.push_back({in_steps(continued(whole), static_leaps, length_of(whole) - seen), k, false});
     } else {
@@ -86,7 +85,8 @@ class StepTimer final : public RunObserver {
     if (part.counts) note(part, step, seconds);
     in_steps_ += seconds;
     constexpr double last = 1 - 1e-9;
-    if (in_steps_ >= budget_ || fraction >= last) memory_ = memory_held();  // looks at all that is held: too slow for every step
+    if (in_steps_ >= budget_ || fraction >= last)
+      memory_ = memory_held();  // looks at all that is held: too slow for every step
     progress_.report(std::max(in_steps_ / budget_, fraction), "");
     since_ = processor_seconds_of_thread();
   }

@@ -10,6 +10,9 @@ namespace talus {
 
 namespace {
 
+/// A number stays with its unit.
+QString inOneLine(QString words) { return words.replace(u' ', QChar::Nbsp); }
+
 QString memoryWords(double bytes) {
   constexpr double megabyte = 1e6, gigabyte = 1e9;
   if (bytes < megabyte) return QObject::tr("less than 1 MB");
@@ -19,9 +22,9 @@ QString memoryWords(double bytes) {
 
 /// With the range, where not all of it was measured.
 QString secondsWords(const Forecast& forecast) {
-  const QString about = numbers::duration(forecast.seconds);
-  if (forecast.share_seen >= 1) return about;
-  return QObject::tr("%1 (%2 to %3)").arg(about, numbers::duration(forecast.fewest), numbers::duration(forecast.most));
+  const auto words = [](double seconds) { return inOneLine(numbers::duration(seconds)); };
+  if (forecast.share_seen >= 1) return words(forecast.seconds);
+  return QObject::tr("%1 (%2 to %3)").arg(words(forecast.seconds), words(forecast.fewest), words(forecast.most));
 }
 
 }  // namespace
@@ -97,9 +100,10 @@ void CostAhead::tell() {
     words_->setText(tr("This run: estimating…"));
   } else {
     const auto off = error();
-    words_->setText(tr("This run: about %1, %2, error %3")
-                        .arg(secondsWords(*forecast_), memoryWords(forecast_->memory),
-                             off ? tr("about %1").arg(QString::fromStdString(error_text(*off))) : tr("not known")));
+    words_->setText(
+        tr("This run: about %1, %2, error %3")
+            .arg(secondsWords(*forecast_), inOneLine(memoryWords(forecast_->memory)),
+                 off ? tr("about %1").arg(inOneLine(QString::fromStdString(error_text(*off)))) : tr("not known")));
   }
   words_->setToolTip(tr(
       "Solving and writing on this machine, foreseen from the first steps of the run and from the whole of it in "

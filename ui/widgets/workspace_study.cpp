@@ -33,7 +33,7 @@ void Workspace::useSetting(const StudyRecord& record, int run) {
   const AccuracyRow& row = record.study.rows[static_cast<std::size_t>(run)];
   const QString label = QString::fromStdString(row.label);
   try {
-    document_.changeProject(under(row.setting, record.project), tr("use %1").arg(label));
+    document_.changeProject(under(row.setting, *record.project), tr("use %1").arg(label));
     log(tr("the project has the setting %1").arg(label));
   } catch (const InputError& error) {
     addProblem(problemOf(error));
