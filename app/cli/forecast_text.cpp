@@ -8,6 +8,7 @@ namespace talus::cli {
 namespace {
 
 std::string error_sentence(const RunAhead& ahead) {
+  if (!ahead.forecast.failure.empty()) return "It will not converge: " + ahead.forecast.failure + ".\n";
   if (ahead.studied_error) return "Its error is " + error_text(*ahead.studied_error) + " (accuracy study).\n";
   if (ahead.forecast.error)
     return "Its time steps leave out about " + error_text(*ahead.forecast.error) +
@@ -41,6 +42,7 @@ nlohmann::ordered_json forecast_json(const RunAhead& ahead) {
           {"memory", forecast.memory},
           {"steps", forecast.steps},
           {"share_seen", forecast.share_seen},
+          {"failure", forecast.failure.empty() ? Json() : Json(forecast.failure)},
           {"error", error ? Json(*error) : Json()},
           {"error_from", ahead.studied_error ? Json("study")
                          : forecast.error    ? Json("step doubling")

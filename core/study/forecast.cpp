@@ -126,6 +126,7 @@ Forecast forecast(const Project& project, const BlockSystem& system, double budg
   for (const Stage& stage : project.stages) result.steps += std::lround(std::ceil(length_of(stage) / stage.time_step));
   const RunBeginning beginning = run_beginning(project, system, of_beginning * budget, first);
   result.memory = beginning.memory;
+  result.failure = beginning.failure;
   const RunOutline outline(project, system, 1, of_outline * budget, second);
   add_up(project, beginning, outline, result);
   if (outline.came_through() && has_order_in_the_step(project)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "base/progress.hpp"
 #include "mesh/block.hpp"
@@ -16,6 +17,7 @@ struct Forecast {
   long steps = 0;               ///< of the whole run, where no static stage ends sooner
   double share_seen = 0;        ///< of `seconds`, that was measured and not foreseen; 1: the run itself was made
   std::optional<double> error;  ///< of the displacements by step doubling, over the largest; empty: not known
+  std::string failure;          ///< why the run will not converge; `seconds` are those until then; empty: not known to
   double forecast_seconds = 0;  ///< of the processor, that the forecast took
 };
 

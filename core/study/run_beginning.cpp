@@ -134,6 +134,7 @@ RunBeginning run_parts(const Project& project, const BlockSystem& system, int st
   result.around = processor_seconds_of_thread() - begin - timer.in_steps();
   result.memory = std::max(0.0, timer.memory() - memory_before);
   result.whole = all_counts && report.status != RunStatus::stopped;
+  if (result.whole) result.failure = report.reason;  // after long steps it may be theirs
   result.stages = timer.take(report.status == RunStatus::completed);
   return result;
 }

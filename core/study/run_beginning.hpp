@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -26,6 +27,7 @@ struct RunBeginning {
   double around = 0;                   ///< s of the processor, before the first step and after the last
   double memory = 0;                   ///< bytes that were held when the last step was done, beside the blocks
   bool whole = false;                  ///< it is the run: nothing was left out
+  std::string failure;                 ///< of the run, why it does not converge; empty: as far as was seen it does
 };
 
 /// The project whose run is the beginning: static stages of many steps are gone through in `static_steps` of them and a

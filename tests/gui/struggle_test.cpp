@@ -93,6 +93,9 @@ TEST_F(DrivenWindow, ANewRunBeginsWithoutTheTroublesOfTheOneBefore) {
   workspace->goTo(Step::solve);
   const auto words = saidIn(*window->findChild<StepFacts*>());
   EXPECT_EQ(words.filter(QStringLiteral("not settled")).size(), 1) << words.join(u'|').toStdString();
+  const auto* ahead = window->findChild<QLabel*>(QStringLiteral("cost-ahead"));
+  EXPECT_TRUE(wait([&] { return ahead->text().contains(QStringLiteral("will not converge")); }, 20000))
+      << "the same again: " << ahead->text().toStdString();
   rest(300);
   keepPicture(*window, "struggle_failed_step.png");
 

@@ -98,6 +98,9 @@ void CostAhead::tell() {
                                      : tr("%1.").arg(whyNot));
   } else if (!forecast_) {
     words_->setText(tr("This run: estimating…"));
+  } else if (!forecast_->failure.empty()) {
+    words_->setText(tr("This run will not converge; it ends after about %1 of solving: %2")
+                        .arg(secondsWords(*forecast_), QString::fromStdString(forecast_->failure)));
   } else {
     const auto off = error();
     words_->setText(

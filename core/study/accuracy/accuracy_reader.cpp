@@ -34,8 +34,8 @@ AxisOrder order_of(const Json& json) {
   AxisOrder order;
   order.axis = json.at("axis") == to_string(StudyAxis::mesh_size) ? StudyAxis::mesh_size : StudyAxis::time_step;
   order.theory = json.at("theory");
-  for (const Convergence convergence : {Convergence::converging, Convergence::exact, Convergence::not_monotone,
-                                        Convergence::order_assumed})
+  for (const Convergence convergence :
+       {Convergence::converging, Convergence::exact, Convergence::not_monotone, Convergence::order_assumed})
     if (json.at("convergence") == to_string(convergence)) order.fit.convergence = convergence;
   order.fit.order = number_or_none(json.at("order")).value_or(0);
   order.fit.misfit = number_or_none(json.at("misfit")).value_or(0);

@@ -116,6 +116,14 @@ TEST(Forecast, ForeseesWhatItsBudgetDoesNotLastForAndSaysARange) {
   EXPECT_LT(found.forecast_seconds, found.seconds);
 }
 
+TEST(Forecast, SaysThatARunWillNotConverge) {
+  NoProgress progress;
+  Project project = sliding(100);
+  project.solver.open_close_limit = 1;
+  EXPECT_THAT(forecast(project, test::cube_on_slab(), 1e3, progress).failure, testing::HasSubstr("did not settle"));
+  EXPECT_EQ(forecast(sliding(100), test::cube_on_slab(), 1e3, progress).failure, "");
+}
+
 TEST(Forecast, HasNoErrorWhereTheStepsChooseTheirLength) {
   NoProgress progress;
   Project adaptive = sliding(100);
