@@ -2,15 +2,18 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
 #include "chosen_bodies.hpp"
 #include "command.hpp"
 #include "effect_text.hpp"
+#include "forecast_text.hpp"
+#include "model/stage_length.hpp"
 #include "project_choice.hpp"
 #include "report_text.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
 #include "solve/effect_costs.hpp"
-#include "study/forecast.hpp"
+#include "study/accuracy/study_record.hpp"
 #include "table.hpp"
 #include "terminal.hpp"
 
@@ -39,8 +42,10 @@ Json json_of(const Joint& joint) {
 }
 
 Json json_of(const Stage& stage) {
-  const double seconds = stage.steps ? *stage.steps * stage.time_step : stage.duration.value_or(0);
-  return {{"name", stage.name}, {"type", to_string(stage.kind)}, {"time_step", stage.time_step}, {"duration", seconds}};
+  return {{"name", stage.name},
+          {"type", to_string(stage.kind)},
+          {"time_step", stage.time_step},
+          {"duration", length_of(stage)}};
 }
 
 Json json_of(const EffectCost& effect) {
@@ -135,27 +140,18 @@ void print_project(const Json& info, const BlockSystem& system, const std::vecto
             << info["monitors"].size() << " monitors, " << info["expectations"] << " expectations\n";
 }
 
-/// Seconds that a forecast may take, for each of its two ways through the run.
-constexpr double forecast_budget = 3;
+/// Seconds of the processor that a forecast may take.
+constexpr double forecast_budget = 4;
 
-Json json_of(const Forecast& forecast) {
-  return {{"seconds", forecast.seconds},
-          {"memory", forecast.memory},
-          {"steps", forecast.steps},
-          {"share_seen", forecast.share_seen},
-          {"error", forecast.error ? Json(*forecast.error) : Json()}};
-}
-
-std::string text_of(const Forecast& forecast) {
-  std::string text = "This run: about " + number(forecast.seconds, 2) + " s of solving for " +
-                     std::to_string(forecast.steps) + " steps, " + number(forecast.memory / 1e6, 2) + " MB.\n";
-  text += forecast.error ? "Its time steps leave out about " + number(100 * *forecast.error, 2) +
-                               " % of the way that blocks go (step doubling).\n"
-                         : "What its time steps leave out is not known: try study accuracy.\n";
-  if (forecast.share_seen < 1)
-    text += "From the first " + number(100 * forecast.share_seen, 2) + " % of the model time, in " +
-            number(forecast.pilot_seconds, 2) + " s.\n";
-  return text;
+/// A study that cannot be read is a note: all else can be said without it.
+std::optional<double> studied_error(const std::filesystem::path& file, const Project& project) {
+  try {
+    const auto study = read_study(study_folder_of(file));
+    return study ? error_of(*study, project) : std::nullopt;
+  } catch (const InputError& error) {
+    std::cerr << "talus-cli: note: " << error.what() << '\n';
+    return std::nullopt;
+  }
 }
 
 ExitCode inform_of_project(const ProjectChoice& choice, bool with_forecast, bool json) {
@@ -165,18 +161,19 @@ ExitCode inform_of_project(const ProjectChoice& choice, bool with_forecast, bool
   const SceneSize size = about(choice.file, [&] { return scene_size(project, system); });
   const std::vector<EffectCost> costs = effect_costs(project, system, size);
   Json info = json_of_project(project, system, costs);
-  std::optional<Forecast> ahead;
+  std::optional<RunAhead> ahead;
   if (with_forecast && !project.stages.empty()) {
     TerminalProgress progress;
-    ahead = about(choice.file, [&] { return forecast(project, system, forecast_budget, progress); });
-    info["forecast"] = json_of(*ahead);
+    ahead = RunAhead{about(choice.file, [&] { return forecast(project, system, forecast_budget, progress); }),
+                     studied_error(choice.file, project)};
+    info["forecast"] = forecast_json(*ahead);
   }
   if (json) {
     std::cout << info.dump(2) << '\n';
     return done;
   }
   print_project(info, system, costs);
-  if (ahead) std::cout << '\n' << text_of(*ahead);
+  if (ahead) std::cout << '\n' << forecast_text(*ahead);
   return done;
 }
 
@@ -240,7 +237,7 @@ void add_info(CLI::App& program, Invocation& invocation) {
   auto choice = std::make_shared<ProjectChoice>();
   auto no_forecast = std::make_shared<bool>(false);
   add_project(*command, *choice, "PROJECT|RESULTS", "Project file (.talus) or results folder");
-  command->add_flag("--no-forecast", *no_forecast, "Leave out the pilot run that says what a run will cost");
+  command->add_flag("--no-forecast", *no_forecast, "Leave out what a run will cost, which takes some seconds");
   command->callback([&invocation, choice, no_forecast] {
     invocation.run = [&invocation, choice, no_forecast] {
       return std::filesystem::is_directory(choice->file) ? inform_of_results(choice->file, invocation.json)

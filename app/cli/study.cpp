@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "command.hpp"
-#include "io/whole_file.hpp"
 #include "options.hpp"
 #include "study/accuracy/accuracy_files.hpp"
 #include "study/accuracy/choice.hpp"
 #include "study/accuracy/local_engine.hpp"
 #include "study/accuracy/slurm_engine.hpp"
+#include "study/accuracy/study_record.hpp"
 #include "study_chart.hpp"
 #include "study_text.hpp"
 #include "terminal.hpp"
@@ -32,10 +32,8 @@ struct AccuracyOptions {
 
 std::filesystem::path this_program() { return std::filesystem::read_symlink("/proc/self/exe"); }
 
-/// NAME.accuracy beside NAME.talus.
 std::filesystem::path study_folder(const AccuracyOptions& options) {
-  return options.out.empty() ? std::filesystem::path(options.request.project_file).replace_extension(".accuracy")
-                             : options.out;
+  return options.out.empty() ? study_folder_of(options.request.project_file) : options.out;
 }
 
 StudyFolder open_study(const AccuracyOptions& options) {
@@ -71,10 +69,7 @@ bool compute_and_tell(const StudyFolder& study, const AccuracyOptions& options) 
 }
 
 void write_products(const AccuracyStudy& study, const StudyFolder& folder, const AccuracyOptions& options) {
-  replace_whole_file(folder.path() / "accuracy.csv", accuracy_csv(study));
-  replace_whole_file(folder.path() / "accuracy.json", accuracy_json(study));
-  if (study.recommended >= 0)
-    replace_whole_file(folder.path() / "recommended.talus", recommended_project(study, folder.plan(), folder.path()));
+  write_accuracy_files(study, folder);
   write_png(draw_cost_chart(cost_plot(study, options.theme), options.size.width, options.size.height),
             folder.path() / "accuracy.png");
 }

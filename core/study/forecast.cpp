@@ -1,202 +1,140 @@
 #include "study/forecast.hpp"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "bodies/block_motion.hpp"
-#include "solve/simulation.hpp"
-#include "solve/stopwatch.hpp"
+#include "base/part_of_progress.hpp"
+#include "base/processor_time.hpp"
+#include "model/stage_length.hpp"
+#include "study/run_beginning.hpp"
+#include "study/run_outline.hpp"
 
 namespace talus {
 
 namespace {
 
-constexpr int pieces = 20;        ///< of a long stage
-constexpr int timed_steps = 4;    ///< in each, the first of which only settles in
-constexpr double leap = 20;       ///< most steps in one
-constexpr double leaps = 100;     ///< in a stage, where that makes them no longer than `leap`
-constexpr double worthwhile = 3;  ///< steps in a leap below which a stage is gone through as it is
-constexpr int settling = 50;      ///< steps in which blocks of a static stage come to rest; as many tell of the others
-constexpr int static_leaps = 5;   ///< through those
+/// Shares of the budget. Half as long steps are twice as many.
+constexpr double of_beginning = 0.4, of_outline = 0.2, of_finer = 0.4;
+/// What was not seen comes within this factor of what was foreseen, where the stage had begun …
+constexpr double spread = 1.3;
+/// … and within this one where none of its steps were seen, or the outline did not come to its end.
+constexpr double spread_unseen = 2;
+/// Seconds of the processor that were measured come out again within this factor.
+constexpr double spread_measured = 1.1;
 
-/// Stages of the pilot, and what they stand for.
-struct Part {
-  Stage stage;
-  double steps = 0;   ///< of the run
-  bool timed = true;  ///< else a leap
-  bool sampled = false;
+/// Steps that speak for those that were not seen, and what they cost, each as long as its stage's time_step.
+struct Sample {
+  int stage = -1;
+  double from = 0, to = 0;  ///< s since the stage began
+  double searching = 0;     ///< s of the processor a step, for contacts …
+  double other = 0;         ///< … and for everything else
 };
 
-double length_of(const Stage& stage) { return stage.steps ? *stage.steps * stage.time_step : *stage.duration; }
-
-/// The same stage without what happens at its beginning.
-Stage continued(Stage stage) {
-  stage.joints.clear();
-  stage.loads.reset();
-  stage.constraints.reset();
-  stage.blocks.clear();
-  return stage;
-}
-
-/// So many steps of the same stage, of `length` [s] together.
-Stage in_steps(Stage stage, int steps, double length) {
-  stage.duration.reset();
-  stage.steps = steps;
-  stage.time_step = length / steps;
-  return stage;
-}
-
-/// Steps of the run in a leap of a dynamic stage.
-double steps_in_a_leap(const Stage& whole) { return std::min(leap, length_of(whole) / whole.time_step / leaps); }
-
-void add_static(const Stage& whole, std::vector<Part>& parts) {
-  const double steps = length_of(whole) / whole.time_step, timed = settling * whole.time_step;
-  parts.push_back({in_steps(whole, settling, timed), settling});
-  parts.push_back({in_steps(continued(whole), settling, timed), steps - settling, true, true});
-  parts.push_back({in_steps(continued(whole), static_leaps, length_of(whole) - 2 * timed), 0, false, true});
-}
-
-/// `shorter`: by how much leaps are shorter than they could be.
-void add_dynamic(const Stage& whole, double shorter, std::vector<Part>& parts) {
-  const double length = length_of(whole) / pieces, timed = timed_steps * whole.time_step;
-  const int count =
-      static_cast<int>(std::ceil(shorter * (length - timed) / (steps_in_a_leap(whole) * whole.time_step)));
-  for (int k = 0; k < pieces; ++k) {
-    parts.push_back(
-        {in_steps(k == 0 ? whole : continued(whole), timed_steps, timed), length / whole.time_step, true, true});
-    parts.push_back({in_steps(continued(whole), count, length - timed), 0, false, true});
-  }
-}
-
-std::vector<Part> parts_of(const Project& project, double shorter) {
-  std::vector<Part> parts;
-  const bool adaptive = project.solver.time_step_control == TimeStepControl::adaptive;
-  for (const Stage& whole : project.stages) {
-    const double steps = length_of(whole) / whole.time_step;
-    if (!adaptive && whole.kind == StageKind::static_ && !whole.until_equilibrium && steps > 4 * settling)
-      add_static(whole, parts);
-    else if (!adaptive && whole.kind == StageKind::dynamic && steps_in_a_leap(whole) >= worthwhile)
-      add_dynamic(whole, shorter, parts);
-    else
-      parts.push_back({whole, steps});
-  }
-  return parts;
-}
-
-Project with_stages(Project project, const std::vector<Part>& parts) {
-  project.stages.clear();
-  for (const Part& part : parts) project.stages.push_back(part.stage);
-  return project;
-}
-
-/// Bytes that the program has asked for and not given back. (What the system holds for it also counts what was freed.)
-double memory_held() {
-  const auto held = mallinfo2();
-  return static_cast<double>(held.uordblks + held.hblkhd);
-}
-
-/// One way through the pilot's stages.
-class Pilot {
- public:
-  Pilot(const Project& project, const BlockSystem& system, double shorter)
-      : parts_(parts_of(project, shorter)), project_(with_stages(project, parts_)), simulation_(project_, system) {}
-
-  /// False where the budget ended it, or the run did not converge.
-  bool run(double budget, Progress& progress) {
-    std::vector<double> seconds(parts_.size(), 0), counted(parts_.size(), 0), taken(parts_.size(), 0);
-    double spent = 0;
-    while (!simulation_.finished() && spent < budget) {
-      if (progress.cancelled()) throw Cancelled{};
-      double now = 0;
-      int stage = 0;
-      {
-        const Stopwatch watch(now);
-        stage = simulation_.step().stage;
-      }
-      spent += now;
-      if (++taken[stage] > 1 || !parts_[stage].sampled) {
-        seconds[stage] += now;
-        ++counted[stage];
-      }
-      progress.report(std::max(spent / budget, simulation_.time() / simulation_.end_time()), {});
+/// The second half: in the first what has just begun settles.
+Sample sample_of(int number, const Stage& stage, const StageBeginning& seen) {
+  Sample sample;
+  sample.stage = number;
+  for (std::size_t i = 0; i < seen.steps.size(); ++i) {
+    const TimedStep& step = seen.steps[i];
+    sample.to += step.length;
+    if (i < seen.steps.size() / 2) {
+      sample.from = sample.to;
+    } else {
+      sample.searching += step.detecting * step.seconds;
+      sample.other += (1 - step.detecting) * step.seconds;
     }
-    add_up(seconds, counted, taken);
-    return simulation_.converged() && simulation_.finished();
   }
+  const double steps = (sample.to - sample.from) / stage.time_step;
+  sample.searching /= steps;
+  sample.other /= steps;
+  return sample;
+}
 
-  double seconds() const { return seconds_; }
-  double share_seen() const { return simulation_.time() / simulation_.end_time(); }
-  const Simulation& simulation() const { return simulation_; }
+/// Seconds that were measured, and those that are foreseen.
+class Sum {
+ public:
+  void add_measured(double seconds) { measured_ += seconds; }
+  /// `unchanged`: what they would be if there were as much to do as in the sample.
+  void add_foreseen(double seconds, double unchanged, double within, bool may_end_sooner) {
+    foreseen_ += seconds;
+    if (!may_end_sooner) fewest_ += std::min(seconds, unchanged) / within;
+    most_ += std::max(seconds, unchanged) * within;
+  }
+  void tell(Forecast& forecast) const {
+    forecast.seconds = measured_ + foreseen_;
+    forecast.fewest = measured_ / spread_measured + fewest_;
+    forecast.most = measured_ * spread_measured + most_;
+    forecast.share_seen = forecast.seconds > 0 ? measured_ / forecast.seconds : 1;
+  }
 
  private:
-  void add_up(const std::vector<double>& seconds, const std::vector<double>& counted,
-              const std::vector<double>& taken) {
-    double a_step = 0;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      if (counted[i] > 0 && parts_[i].timed) a_step = seconds[i] / counted[i];
-      const bool ended = !parts_[i].sampled && static_cast<int>(i) < simulation_.stage();
-      seconds_ += a_step * (ended ? taken[i] : parts_[i].steps);
-    }
-  }
-
-  std::vector<Part> parts_;
-  Project project_;
-  Simulation simulation_;
-  double seconds_ = 0;
+  double measured_ = 0, foreseen_ = 0, fewest_ = 0, most_ = 0;
 };
 
+/// How many times as much there is to do from `from` to `to` [s] of a stage as in the sample: contacts, unknowns.
+RunOutline::Load growth(const RunOutline& outline, const Sample& sample, int stage, double from, double to) {
+  const auto there = outline.load(stage, from, to), here = outline.load(sample.stage, sample.from, sample.to);
+  if (!outline.came_through() || !there || !here) return {1, 1};
+  return {here->contacts > 0 ? there->contacts / here->contacts : 1, here->awake > 0 ? there->awake / here->awake : 1};
+}
+
+void add_up(const Project& project, const RunBeginning& beginning, const RunOutline& outline, Forecast& forecast) {
+  Sum sum;
+  sum.add_measured(beginning.around);
+  Sample sample;
+  for (int k = 0; k < static_cast<int>(project.stages.size()); ++k) {
+    const Stage& stage = project.stages[k];
+    const StageBeginning seen = k < static_cast<int>(beginning.stages.size()) ? beginning.stages[k] : StageBeginning{};
+    double length = 0;
+    for (const TimedStep& step : seen.steps) {
+      sum.add_measured(step.seconds);
+      length += step.length;
+    }
+    if (!seen.steps.empty()) sample = sample_of(k, stage, seen);
+    const double steps = (length_of(stage) - length) / stage.time_step;
+    if (beginning.whole || seen.ended || sample.stage < 0 || steps < 0.5) continue;
+    const auto more = growth(outline, sample, k, length, length_of(stage));
+    sum.add_foreseen(steps * (sample.searching * more.contacts + sample.other * more.awake),
+                     steps * (sample.searching + sample.other),
+                     seen.steps.empty() || !outline.came_through() ? spread_unseen : spread, stage.until_equilibrium);
+  }
+  sum.tell(forecast);
+}
+
 /// Largest difference of the ways of blocks, over the largest way; empty where nothing moves.
-std::optional<double> difference(const Simulation& a, const Simulation& b) {
+std::optional<double> difference(const RunOutline& a, const RunOutline& b) {
   double largest = 0, apart = 0;
-  for (std::size_t i = 0; i < a.bodies().bodies.size(); ++i) {
-    const Vec3 mine = block_motion(a.bodies(), static_cast<int>(i)).displacement;
-    largest = std::max(largest, mine.norm());
-    apart = std::max(apart, (mine - block_motion(b.bodies(), static_cast<int>(i)).displacement).norm());
+  for (std::size_t i = 0; i < a.displacements().size(); ++i) {
+    largest = std::max(largest, a.displacements()[i].norm());
+    apart = std::max(apart, (a.displacements()[i] - b.displacements()[i]).norm());
   }
   if (largest == 0) return std::nullopt;
   return apart / largest;
 }
 
-/// Steps of the run in a leap of the stage with the longest ones, 0 where there are none.
-double longest_leap(const Project& project) {
-  double longest = 0;
-  for (const Stage& stage : project.stages)
-    if (stage.kind == StageKind::dynamic && project.solver.time_step_control == TimeStepControl::fixed &&
-        steps_in_a_leap(stage) >= worthwhile)
-      longest = std::max(longest, steps_in_a_leap(stage));
-  return longest;
-}
-
-void look_ahead(const Project& project, const BlockSystem& system, double budget, Progress& progress,
-                Forecast& result) {
-  for (const Stage& stage : project.stages) result.steps += std::lround(std::ceil(length_of(stage) / stage.time_step));
-  const double before = memory_held();
-  Pilot pilot(project, system, 1);
-  const bool came_through = pilot.run(budget, progress);
-  result.seconds = pilot.seconds();
-  result.share_seen = pilot.share_seen();
-  result.memory = std::max(0.0, memory_held() - before);
-  const double in_a_leap = longest_leap(project);
-  if (!came_through || in_a_leap == 0) return;
-  Pilot finer(project, system, 2);
-  if (!finer.run(budget, progress)) return;
-  if (const auto apart = difference(pilot.simulation(), finer.simulation())) result.error = *apart * 2 / in_a_leap;
+bool has_order_in_the_step(const Project& project) {
+  return project.solver.time_step_control == TimeStepControl::fixed && longest_leap(project) > 1;
 }
 
 }  // namespace
 
-Project pilot_of(const Project& project) { return with_stages(project, parts_of(project, 1)); }
-
 Forecast forecast(const Project& project, const BlockSystem& system, double budget, Progress& progress) {
+  const double begin = processor_seconds_of_thread();
+  PartOfProgress first(progress, 0, of_beginning, ""), second(progress, of_beginning, of_outline, ""),
+      third(progress, of_beginning + of_outline, of_finer, "");
   Forecast result;
-  double seconds = 0;
-  {
-    const Stopwatch watch(seconds);
-    look_ahead(project, system, budget, progress, result);
+  for (const Stage& stage : project.stages) result.steps += std::lround(std::ceil(length_of(stage) / stage.time_step));
+  const RunBeginning beginning = run_beginning(project, system, of_beginning * budget, first);
+  result.memory = beginning.memory;
+  result.failure = beginning.failure;
+  const RunOutline outline(project, system, 1, of_outline * budget, second);
+  add_up(project, beginning, outline, result);
+  if (outline.came_through() && has_order_in_the_step(project)) {
+    const RunOutline finer(project, system, 2, of_finer * budget, third);
+    const auto apart = finer.came_through() ? difference(outline, finer) : std::nullopt;
+    if (apart) result.error = *apart * 2 / longest_leap(project);
   }
-  result.pilot_seconds = seconds;
+  result.forecast_seconds = processor_seconds_of_thread() - begin;
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "base/progress.hpp"
 #include "mesh/block.hpp"
@@ -8,23 +9,23 @@
 
 namespace talus {
 
-/// What a run will cost with the settings as they are, from a pilot run on this machine.
+/// What a run will cost with the settings as they are, from a few of its steps on this machine.
 struct Forecast {
-  double seconds = 0;           ///< wall time of solving, on the threads that the caller has; writing comes on top
+  double seconds = 0;           ///< of the processor, on one thread: solving and writing
+  double fewest = 0, most = 0;  ///< s between which `seconds` is thought to come out
   double memory = 0;            ///< bytes that solving holds beside the blocks
   long steps = 0;               ///< of the whole run, where no static stage ends sooner
-  double share_seen = 0;        ///< of the run's model time, that the pilot came through; the rest is like its end
+  double share_seen = 0;        ///< of `seconds`, that was measured and not foreseen; 1: the run itself was made
   std::optional<double> error;  ///< of the displacements by step doubling, over the largest; empty: not known
-  double pilot_seconds = 0;     ///< wall time that the forecast took
+  std::string failure;          ///< why the run will not converge; `seconds` are those until then; empty: not known to
+  double forecast_seconds = 0;  ///< of the processor, that the forecast took
 };
 
-/// The pilot: stages of many steps are gone through in leaps, twenty times as long as a step at most, with a few steps
-/// of the true length between them, which are timed. Shorter ones are gone through as they are.
-Project pilot_of(const Project& project);
-
-/// Runs the pilot, for `budget` [s] at most; where that leaves time, a second one with leaps half as long, from which
-/// follows what the steps leave out (first order in the step, Richardson 1911). Throws InputError as Simulation does,
-/// Cancelled.
+/// Spends `budget` [s of the processor] at most, but for the last step of each of its parts: on the beginning of the
+/// run, solved and written as it will be (RunBeginning), and on the whole of it in outline (RunOutline). What remains
+/// of a stage is taken to cost what the last steps that were seen did: their search for contacts in proportion to the
+/// contacts in the outline, everything else to the unknowns awake there. The outline in steps half as long says what
+/// the steps leave out (first order in the step, Richardson 1911). Throws InputError as Simulation does, Cancelled.
 Forecast forecast(const Project& project, const BlockSystem& system, double budget, Progress& progress);
 
 }  // namespace talus

@@ -71,6 +71,23 @@ TEST_F(Study, TellsErrorsCostsAndTheCheapestThatIsGoodEnough) {
     EXPECT_LE(outcome["error"], outcome["value"] == 0 ? 1e-6 : 0.001);  // in m where zero is expected
 }
 
+TEST_F(Study, SaysTheErrorOfARunBeforeItIsMade) {
+  const std::string project = slow_project();
+  const auto forecast = [&] { return Json::parse(talus_cli({"info", project, "--json"}).out)["forecast"]; };
+  EXPECT_EQ(forecast()["error_from"], "step doubling");
+  const Ending ending = talus_cli({"study", "accuracy", project, "--axes", "time_step"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  const Json made = Json::parse(text_of(folder_ / "slow.accuracy" / "accuracy.json"));
+  EXPECT_EQ(forecast()["error_from"], "study");
+  EXPECT_EQ(forecast()["error"], made["runs"][0]["error"]);
+  EXPECT_THAT(talus_cli({"info", project}).out, HasSubstr("(accuracy study)"));
+  write_text(folder_ / "slow.accuracy" / "study.json", "{");
+  const Ending broken = talus_cli({"info", project, "--json"});
+  EXPECT_EQ(broken.exit_code, 0);
+  EXPECT_THAT(broken.err, HasSubstr("study.json"));
+  EXPECT_EQ(Json::parse(broken.out)["forecast"]["error_from"], "step doubling");
+}
+
 TEST_F(Study, ThatWasKilledGoesOnWhereItWas) {
   const auto study = command(slow_project(), {"--axes", "time_step,integrator"});
   std::map<std::string, fs::file_time_type> kept;

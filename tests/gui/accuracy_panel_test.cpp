@@ -120,5 +120,31 @@ TEST_F(AccuracyPanelTest, ShowsAStudyOfAnotherProjectButGivesNoSettingFromIt) {
   EXPECT_FALSE(button(panel, "Use this setting").isEnabled());
 }
 
+TEST_F(AccuracyPanelTest, ShowsAnAccuracyJsonThatCameAlone) {
+  const auto file = slidingCube(100);
+  study(file);
+  window->open(file);
+  const auto alone = folder / "from another machine.json";
+  std::filesystem::rename(folder / "cube.accuracy" / "accuracy.json", alone);
+  std::filesystem::remove_all(folder / "cube.accuracy");
+  workspace->lookForStudy();
+  AccuracyPanel& panel = opened();
+  panel.load(alone);
+  EXPECT_TRUE(says(panel, QStringLiteral("Sliding cube: what accuracy costs")));
+  EXPECT_TRUE(says(panel, QStringLiteral("from another machine.json")));
+  EXPECT_GE(table(panel, "runs").rowCount(), 4);
+  EXPECT_GE(table(panel, "profile").rowCount(), 7);
+  EXPECT_FALSE(button(panel, "Use this setting").isEnabled());
+  EXPECT_EQ(button(panel, "Use this setting").toolTip(), QStringLiteral("The study came without its project"));
+  auto& target = *panel.findChild<QLineEdit*>(QStringLiteral("target"));
+  QTest::keyClicks(&target, QStringLiteral("1000%"));
+  QTest::keyClick(&target, Qt::Key_Return);
+  EXPECT_TRUE(says(panel, QStringLiteral("is the cheapest within")));
+  rest(50);
+  keepPicture(panel, "accuracy_alone.png");
+  panel.load(file);
+  EXPECT_TRUE(says(panel, QStringLiteral("is no accuracy.json"))) << "a project is none";
+}
+
 }  // namespace
 }  // namespace talus

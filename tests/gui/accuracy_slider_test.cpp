@@ -1,6 +1,7 @@
 #include "widgets/accuracy_slider.hpp"
 
 #include <QLabel>
+#include <QProgressBar>
 #include <QTest>
 #include <algorithm>
 
@@ -22,13 +23,66 @@ class AccuracySliderTest : public StudiedWindow {
   }
 };
 
-TEST_F(AccuracySliderTest, SaysHowToGetAStudyWhereThereIsNone) {
-  openAndMesh(slidingCube(100));
+TEST_F(AccuracySliderTest, MakesAStudyThatCanBeStoppedAndGoneOnWith) {
+  qputenv("TALUS_CLI", TALUS_CLI);
+  const auto file = slidingCube(20);
+  openAndMesh(file);
   workspace->goTo(Step::solve);
   EXPECT_FALSE(slider().isEnabled());
-  EXPECT_TRUE(says(QStringLiteral("talus-cli study accuracy cube.talus")));
+  EXPECT_TRUE(says(QStringLiteral("not known yet")));
   rest(2500);
   keepPicture(*window, "accuracy_slider_none.png");
+
+  const auto runs = [&] {
+    int count = 0;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(study_folder_of(file) / "runs", none))
+      count += entry.path().extension() == ".json" ? 1 : 0;
+    return count;
+  };
+  click(button(panel(), "Study accuracy"));
+  ASSERT_TRUE(wait([&] { return runs() >= 2; }));
+  EXPECT_TRUE(says(QStringLiteral("runs have ended")));
+  keepPicture(*window, "accuracy_slider_study.png");
+  theme::install(true);
+  workspace->setDark(true);
+  rest(200);
+  keepPicture(*window, "accuracy_slider_study_dark.png");
+  theme::install(false);
+  workspace->setDark(false);
+  rest(100);
+  Watchdog watchdog;
+  rest(500);
+  click(button(panel(), "Stop"));
+  ASSERT_TRUE(wait([&] { return says(QStringLiteral("not known yet")); }));
+  expectNoWait(watchdog);
+  EXPECT_FALSE(slider().isEnabled());
+  EXPECT_GE(runs(), 2) << "what has ended is kept";
+
+  click(button(panel(), "Study accuracy"));
+  ASSERT_TRUE(wait([&] { return slider().isEnabled(); })) << workspace->problems().size();
+  EXPECT_TRUE(workspace->study()->study.complete());
+  EXPECT_TRUE(says(QStringLiteral("error ")));
+}
+
+TEST_F(AccuracySliderTest, IsDraggedFromDraftToReference) {
+  const auto file = slidingCube(100);
+  study(file);
+  openAndMesh(file);
+  workspace->goTo(Step::solve);
+  rest(300);
+  QSlider& one = slider();
+  ASSERT_TRUE(one.isEnabled());
+  one.setValue(0);
+  const int middle = one.height() / 2;
+  QTest::mousePress(&one, Qt::LeftButton, {}, QPoint(8, middle));
+  QTest::mouseMove(&one, QPoint(one.width() / 2, middle));
+  QTest::mouseMove(&one, QPoint(one.width() - 2, middle));
+  QTest::mouseRelease(&one, Qt::LeftButton, {}, QPoint(one.width() - 2, middle));
+  EXPECT_EQ(one.value(), one.maximum());
+  const AccuracyStudy& made = workspace->study()->study;
+  const AccuracyRow& finest = made.rows[static_cast<std::size_t>(best_by_cost(made).back())];
+  EXPECT_TRUE(says(QString::fromStdString(error_text(*finest.error))));
 }
 
 TEST_F(AccuracySliderTest, GoesFromDraftToReferenceAndChangesTheProjectAsOneStep) {
@@ -71,7 +125,12 @@ TEST_F(AccuracySliderTest, GoesFromDraftToReferenceAndChangesTheProjectAsOneStep
   joint.friction_angle = 25;
   workspace->document().changeJoint(0, joint);
   EXPECT_FALSE(slider().isEnabled());
-  EXPECT_TRUE(says(QStringLiteral("--restart")));
+  EXPECT_TRUE(says(QStringLiteral("before it was changed")));
+  EXPECT_FALSE(button(panel(), "Study again").isEnabled()) << "a study is made of the file";
+  workspace->save();
+  EXPECT_TRUE(button(panel(), "Study again").isEnabled());
+  rest(50);
+  keepPicture(*window, "accuracy_slider_again.png");
 }
 
 }  // namespace

@@ -129,5 +129,29 @@ TEST_F(DrivenWindow, TheRestitutionOfAJointIsEditedAsAShareOfSpeed) {
   keepPicture(*window, "joint_panel.png");
 }
 
+TEST_F(DrivenWindow, OneGoesOnTypingAfterANumberWasAccepted) {
+  window->open(slidingCube());
+  workspace->selection().select({Item::Kind::joint, 0});
+  const auto field = [&](const char* name) -> NumberField* {
+    for (auto* one : window->findChildren<NumberField*>())
+      if (one->accessibleName() == QString::fromUtf8(name)) return one;
+    return nullptr;
+  };
+  ASSERT_NE(field("Friction angle φ"), nullptr);
+  window->activateWindow();
+  field("Friction angle φ")->setFocus();
+  rest(20);
+  QTest::keyClicks(field("Friction angle φ"), QStringLiteral("25"));
+  QTest::keyClick(field("Friction angle φ"), Qt::Key_Return);
+  rest(50);
+  EXPECT_EQ(workspace->document().project().joints[0].friction_angle, 25);
+  EXPECT_EQ(QApplication::focusWidget(), field("Friction angle φ")) << "Return stays";
+  QTest::keyClicks(field("Friction angle φ"), QStringLiteral("26"));
+  QTest::keyClick(field("Friction angle φ"), Qt::Key_Tab);
+  rest(50);
+  EXPECT_EQ(workspace->document().project().joints[0].friction_angle, 26);
+  EXPECT_EQ(QApplication::focusWidget(), field("Cohesion c")) << "Tab goes on";
+}
+
 }  // namespace
 }  // namespace talus

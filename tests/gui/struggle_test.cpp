@@ -3,6 +3,7 @@
 
 #include "driven_window.hpp"
 #include "listed_runs.hpp"
+#include "widgets/step_facts.hpp"
 #include "widgets/struggle_panel.hpp"
 
 namespace talus {
@@ -81,6 +82,33 @@ TEST_F(DrivenWindow, ARunThatDoesNotConvergeIsShownWhereItStruggles) {
   rest(600);
   keepPicture(*window, "struggle_opened_dark.png");
   workspace->setDark(false);
+}
+
+TEST_F(DrivenWindow, ANewRunBeginsWithoutTheTroublesOfTheOneBefore) {
+  openAndMesh(write("dropped.talus", droppedCube(2, 150)));
+  workspace->solve();
+  ASSERT_TRUE(wait([&] { return workspace->step() == Step::results && workspace->frame(); }));
+  auto* strip = window->findChild<QWidget*>(QStringLiteral("problem-strip"));
+  EXPECT_TRUE(strip->isVisible());
+  workspace->goTo(Step::solve);
+  const auto words = saidIn(*window->findChild<StepFacts*>());
+  EXPECT_EQ(words.filter(QStringLiteral("not settled")).size(), 1) << words.join(u'|').toStdString();
+  const auto* ahead = window->findChild<QLabel*>(QStringLiteral("cost-ahead"));
+  EXPECT_TRUE(wait([&] { return ahead->text().contains(QStringLiteral("will not converge")); }, 20000))
+      << "the same again: " << ahead->text().toStdString();
+  rest(300);
+  keepPicture(*window, "struggle_failed_step.png");
+
+  workspace->solve();
+  workspace->job().pause();
+  EXPECT_TRUE(workspace->struggles().empty());
+  EXPECT_EQ(panelInView(*window), nullptr);
+  EXPECT_FALSE(strip->isVisible());
+  EXPECT_TRUE(workspace->problems().empty());
+  rest(300);
+  keepPicture(*window, "struggle_new_run.png");
+  workspace->job().stop();
+  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
 }
 
 TEST_F(DrivenWindow, ARunThatGoesOnSaysWhereItStrugglesMeanwhile) {

@@ -25,8 +25,6 @@ std::filesystem::path Document::folder() const { return std::filesystem::absolut
 
 std::filesystem::path Document::resultsFolder() const { return folder() / (file_.stem().string() + ".results"); }
 
-std::filesystem::path Document::studyFolder() const { return folder() / (file_.stem().string() + ".accuracy"); }
-
 void Document::open(const std::filesystem::path& file) { replace(read_project(file), std::filesystem::absolute(file)); }
 
 void Document::show(Project project) { replace(std::move(project), {}); }

@@ -27,8 +27,6 @@ class Document : public QObject {
   std::filesystem::path folder() const;
   /// NAME.results beside the project file.
   std::filesystem::path resultsFolder() const;
-  /// NAME.accuracy beside the project file: where `talus-cli study accuracy` leaves its study.
-  std::filesystem::path studyFolder() const;
   bool isSaved() const { return undoStack_.isClean(); }
 
   QUndoStack& undoStack() { return undoStack_; }

@@ -7,8 +7,8 @@
 namespace talus {
 
 namespace {
-constexpr int quiet_ms = 400;   // a pause in typing
-constexpr double budget = 1.5;  // s, for each of the forecast's two ways through the run
+constexpr int quiet_ms = 400;  // a pause in typing
+constexpr double budget = 4;   // s of the processor
 }  // namespace
 
 ForecastJob::ForecastJob(QObject* parent) : QObject(parent) {
@@ -34,7 +34,7 @@ void ForecastJob::cancel() {
 void ForecastJob::startWanted() {
   if (!wanted_ || quiet_.isActive() || work_.isBusy()) return;
   dropped_ = false;
-  const auto pilot = [task = *std::exchange(wanted_, std::nullopt)](Progress& progress, const auto& ended) {
+  const auto look = [task = *std::exchange(wanted_, std::nullopt)](Progress& progress, const auto& ended) {
     Outcome outcome;
     try {
       outcome.forecast = forecast(task.project, *task.system, budget, progress);
@@ -43,7 +43,7 @@ void ForecastJob::startWanted() {
     }
     ended(outcome);
   };
-  work_.start<Outcome>(pilot, [this](const Outcome& outcome) { take(outcome); });
+  work_.start<Outcome>(look, [this](const Outcome& outcome) { take(outcome); });
 }
 
 void ForecastJob::take(const Outcome& outcome) {

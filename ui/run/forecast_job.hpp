@@ -11,8 +11,8 @@
 
 namespace talus {
 
-/// Says what a run will cost, from a pilot on a thread of its own. What is asked for last counts: an estimate that goes
-/// on for something else is dropped, and begins anew after a short quiet time.
+/// Says what a run will cost, from some of its steps, on a thread of its own. What is asked for last counts: an
+/// estimate that goes on for something else is dropped, and begins anew after a short quiet time.
 class ForecastJob : public QObject {
   Q_OBJECT
  public:

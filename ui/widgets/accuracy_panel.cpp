@@ -49,7 +49,9 @@ AccuracyPanel::AccuracyPanel(Workspace& workspace, QWidget* parent) : QDialog(pa
   row->addWidget(makeSide());
   column->addWidget(content_, 1);
   empty_ =
-      makeLabel(tr("talus-cli study accuracy PROJECT makes one: error against seconds under many settings."), "muted");
+      makeLabel(tr("Solve → Study accuracy makes one, or talus-cli study accuracy PROJECT: error against seconds under "
+                   "many settings."),
+                "muted");
   empty_->setAlignment(Qt::AlignCenter);
   column->addWidget(empty_, 1);
   connect(&workspace_, &Workspace::studyChanged, this, [this] { show(workspace_.study()); });
@@ -145,14 +147,13 @@ void AccuracyPanel::present() {
 }
 
 void AccuracyPanel::askForFile() {
-  const QString name =
-      QFileDialog::getOpenFileName(this, tr("Open an accuracy study"), {}, tr("Studies (accuracy.json)"));
+  const QString name = QFileDialog::getOpenFileName(this, tr("Open an accuracy study"), {}, tr("Studies (*.json)"));
   if (!name.isEmpty()) load(name.toStdString());
 }
 
 void AccuracyPanel::load(const std::filesystem::path& file) {
   try {
-    show(read_study(file.parent_path()));
+    show(read_accuracy_file(file));
   } catch (const InputError& error) {
     show(std::nullopt);
     note_->setText(QString::fromUtf8(error.what()));
@@ -171,9 +172,9 @@ void AccuracyPanel::show(std::optional<StudyRecord> record) {
   }
   title_->setText(tr("%1: what accuracy costs").arg(text(record_->study.project_name)));
   note_->setText(tr("%1, errors from %2")
-                     .arg(text(record_->folder.string()),
-                          record_->study.known_answer ? tr("the known answer")
-                                                      : tr("run %1, the finest").arg(record_->study.reference)));
+                     .arg(text(record_->place.string()), record_->study.known_answer
+                                                             ? tr("the known answer")
+                                                             : tr("run %1, the finest").arg(record_->study.reference)));
   chart_->show(record_->study);
   showRuns();
   showOrders();
@@ -220,7 +221,7 @@ void AccuracyPanel::setTarget() {
     const auto target = target_->text().trimmed().isEmpty()
                             ? std::nullopt
                             : std::optional<double>(parse_target(target_->text().trimmed().toStdString()));
-    if (auto record = read_study(record_->folder, target)) record_ = std::move(record);
+    aim_at(record_->study, target);
     chart_->show(record_->study);
     tellRecommended();
     if (record_->study.recommended >= 0) choose(record_->study.recommended);
@@ -257,6 +258,7 @@ void AccuracyPanel::refreshUse() {
   if (!record_ || !run_) return;
   const auto has = run_of(*record_, workspace_.document().project());
   const QString whyNot = workspace_.job().isBusy() ? tr("A run goes on")
+                         : !record_->project       ? tr("The study came without its project")
                          : !has          ? tr("The study is of another project, or of this one before it was changed")
                          : *has == *run_ ? tr("The project has this setting")
                                          : QString();

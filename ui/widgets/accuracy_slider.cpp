@@ -14,7 +14,9 @@ AccuracySlider::AccuracySlider(Workspace& workspace)
       slider_(new QSlider(Qt::Horizontal)),
       figures_(makeLabel({}, "strong")),
       words_(makeLabel({}, "small")),
-      use_(makeButton(tr("Use"))) {
+      use_(makeButton(tr("Use"))),
+      study_(makeButton({})),
+      bar_(new QProgressBar) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 10, 12, 10);
   column->setSpacing(4);
@@ -32,13 +34,28 @@ AccuracySlider::AccuracySlider(Workspace& workspace)
   column->addLayout(chosen);
   words_->setWordWrap(true);
   column->addWidget(words_);
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(tr("Share of the study that is done"));
+  auto* study = new QHBoxLayout;
+  study->setContentsMargins(0, 4, 0, 0);
+  study->setSpacing(8);
+  study->addWidget(study_);
+  study->addWidget(bar_, 1);
+  study->addStretch();
+  column->addLayout(study);
   slider_->setPageStep(1);
   slider_->setAccessibleName(tr("From the cheapest setting to the most accurate one"));
   connect(slider_, &QSlider::valueChanged, this, &AccuracySlider::tell);
   connect(use_, &QPushButton::clicked, this, [this] { workspace_.useSetting(*workspace_.study(), best_[position()]); });
+  connect(study_, &QPushButton::clicked, this, &AccuracySlider::startOrStop);
+  connect(&job_, &StudyJob::progressed, this, &AccuracySlider::tellHowTheStudyGoes);
+  connect(&job_, &StudyJob::ended, this, &AccuracySlider::takeEnd);
   connect(&workspace_, &Workspace::studyChanged, this, &AccuracySlider::refresh);
+  connect(&workspace_, &Workspace::projectOpened, &job_, &StudyJob::cancel);
   connect(&workspace_, &Workspace::projectOpened, this, &AccuracySlider::refresh);
   connect(&workspace_.document(), &Document::projectChanged, this, &AccuracySlider::refresh);
+  connect(&workspace_.document(), &Document::savedChanged, this, &AccuracySlider::tell);
   connect(&workspace_.job(), &SolverJob::stateChanged, this, &AccuracySlider::refresh);
   refresh();
 }
@@ -66,28 +83,60 @@ void AccuracySlider::refresh() {
 }
 
 void AccuracySlider::tell() {
-  if (best_.empty()) {
-    const QString file = QString::fromStdString(workspace_.document().file().filename().string());
-    const QString how = tr("talus-cli study accuracy %1").arg(file.isEmpty() ? tr("PROJECT") : file);
-    say({}, workspace_.study() && !has_
-                ? tr("The study is of this project before it was changed. Run it again: %1 --restart").arg(how)
-                : tr("What accuracy costs is not known yet. Run a study: %1").arg(how));
-    use_->setEnabled(false);
-    return;
-  }
+  figures_->setVisible(!best_.empty());
+  use_->setVisible(!best_.empty());
+  study_->setVisible(best_.empty() || job_.isBusy());
+  bar_->setVisible(job_.isBusy());
+  if (best_.empty()) return tellHowToGetAStudy();
   const AccuracyRow& chosen = row(best_[position()]);
   const bool own = best_[position()] == has_;
-  say(tr("%1, error %2")
-          .arg(numbers::duration(chosen.run->cpu_seconds), QString::fromStdString(error_text(*chosen.error))),
-      QString::fromStdString(chosen.label) + (own ? tr(": as the project is now") : QString()));
+  figures_->setText(
+      tr("%1, error %2")
+          .arg(numbers::duration(chosen.run->cpu_seconds), QString::fromStdString(error_text(*chosen.error))));
+  words_->setText(QString::fromStdString(chosen.label) + (own ? tr(": as the project is now") : QString()));
   use_->setEnabled(!own);
 }
 
-void AccuracySlider::say(const QString& figures, const QString& words) {
-  figures_->setText(figures);
-  words_->setText(words);
-  figures_->setVisible(!figures.isEmpty());
-  use_->setVisible(!figures.isEmpty());
+void AccuracySlider::tellHowToGetAStudy() {
+  if (job_.isBusy()) return;
+  const bool outdated = workspace_.study() && !has_;
+  words_->setText(outdated ? tr("The study is of this project before it was changed.")
+                           : tr("What accuracy costs is not known yet. A study solves the project under some twenty "
+                                "settings, from the cheapest to the finest, and tells error and seconds of each."));
+  study_->setText(outdated ? tr("Study again") : tr("Study accuracy"));
+  const bool saved = workspace_.document().isSaved() && !workspace_.document().file().empty();
+  study_->setEnabled(saved);
+  study_->setToolTip(saved
+                         ? tr("In the background; it takes many times as long as one run. What it has is kept when it "
+                              "is stopped")
+                         : tr("A study is made of the project's file: save it first"));
+}
+
+void AccuracySlider::tellHowTheStudyGoes(double fraction, const QString& what) {
+  const auto left = job_.timeLeft().seconds();
+  bar_->setValue(static_cast<int>(1000 * fraction));
+  words_->setText(left ? tr("%1; %2 left").arg(what, numbers::duration(*left)) : what);
+}
+
+void AccuracySlider::startOrStop() {
+  if (job_.isBusy()) {
+    study_->setEnabled(false);
+    job_.cancel();
+    return;
+  }
+  job_.begin({workspace_.document().file(), false, {}, TALUS_VERSION});
+  study_->setText(tr("Stop"));
+  study_->setToolTip(tr("Runs that have ended are kept; the study can go on later"));
+  tellHowTheStudyGoes(0, tr("The study begins"));
+  tell();
+}
+
+void AccuracySlider::takeEnd(const QString& problem) {
+  if (!problem.isEmpty())
+    workspace_.addProblem(
+        {Problem::Severity::warning, tr("accuracy study"), problem, tr("what has ended is kept"), {}});
+  workspace_.lookForStudy();
+  refresh();
 }
 
 }  // namespace talus

@@ -10,11 +10,21 @@ namespace talus {
 
 namespace {
 
+/// A number stays with its unit.
+QString inOneLine(QString words) { return words.replace(u' ', QChar::Nbsp); }
+
 QString memoryWords(double bytes) {
   constexpr double megabyte = 1e6, gigabyte = 1e9;
   if (bytes < megabyte) return QObject::tr("less than 1 MB");
   return bytes < gigabyte ? QObject::tr("%1 MB").arg(numbers::whole(std::lround(bytes / megabyte)))
                           : QObject::tr("%1 GB").arg(numbers::figure(bytes / gigabyte, 2));
+}
+
+/// With the range, where not all of it was measured.
+QString secondsWords(const Forecast& forecast) {
+  const auto words = [](double seconds) { return inOneLine(numbers::duration(seconds)); };
+  if (forecast.share_seen >= 1) return words(forecast.seconds);
+  return QObject::tr("%1 (%2 to %3)").arg(words(forecast.seconds), words(forecast.fewest), words(forecast.most));
 }
 
 }  // namespace
@@ -75,10 +85,8 @@ void CostAhead::estimate() {
 
 std::optional<double> CostAhead::error() const {
   const auto& study = workspace_.study();
-  const auto run = study ? run_of(*study, workspace_.document().project()) : std::nullopt;
-  if (run && study->study.rows[static_cast<std::size_t>(*run)].error)
-    return study->study.rows[static_cast<std::size_t>(*run)].error;
-  return forecast_ ? forecast_->error : std::nullopt;
+  const auto studied = study ? error_of(*study, workspace_.document().project()) : std::nullopt;
+  return studied ? studied : forecast_ ? forecast_->error : std::nullopt;
 }
 
 void CostAhead::tell() {
@@ -90,15 +98,20 @@ void CostAhead::tell() {
                                      : tr("%1.").arg(whyNot));
   } else if (!forecast_) {
     words_->setText(tr("This run: estimating…"));
+  } else if (!forecast_->failure.empty()) {
+    words_->setText(tr("This run will not converge; it ends after about %1 of solving: %2")
+                        .arg(secondsWords(*forecast_), QString::fromStdString(forecast_->failure)));
   } else {
     const auto off = error();
-    words_->setText(tr("This run: about %1, %2, error %3")
-                        .arg(numbers::duration(forecast_->seconds), memoryWords(forecast_->memory),
-                             off ? tr("about %1").arg(QString::fromStdString(error_text(*off))) : tr("not known")));
+    words_->setText(
+        tr("This run: about %1, %2, error %3")
+            .arg(secondsWords(*forecast_), inOneLine(memoryWords(forecast_->memory)),
+                 off ? tr("about %1").arg(inOneLine(QString::fromStdString(error_text(*off)))) : tr("not known")));
   }
-  words_->setToolTip(
-      tr("Solving alone, on this machine, from a pilot that goes through the run in leaps. The error is "
-         "that of the project's accuracy study, or else what its time steps leave out (step doubling)."));
+  words_->setToolTip(tr(
+      "Solving and writing on this machine, foreseen from the first steps of the run and from the whole of it in "
+      "outline, with rigid blocks in long steps. The error is that of the project's accuracy study, or else what its "
+      "time steps leave out (step doubling)."));
 }
 
 }  // namespace talus

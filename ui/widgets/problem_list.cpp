@@ -116,6 +116,9 @@ ProblemStrip::ProblemStrip(Workspace& workspace)
   row->addWidget(close, 0, Qt::AlignTop);
   connect(&workspace, &Workspace::problemAdded, this, &ProblemStrip::show);
   connect(&workspace, &Workspace::projectOpened, this, &QWidget::hide);
+  connect(&workspace, &Workspace::strugglesChanged, this, [this, &workspace] {
+    if (where_ && workspace.struggles().empty()) hide();  // it was of a run before
+  });
   hide();
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/property_panel.hpp"
 
+#include <QApplication>
 #include <algorithm>
 #include <array>
 
@@ -40,6 +41,7 @@ Section* PropertyPanel::addSection(const QString& title, const QString& note) {
 }
 
 void PropertyPanel::rebuild() {
+  const QString typedIn = nameOfFieldInUse();
   delete scrolled_;
   content_ = new QWidget;
   setMargins(new QVBoxLayout(content_), 0, 0);
@@ -84,6 +86,19 @@ void PropertyPanel::rebuild() {
   static_cast<QVBoxLayout*>(content_->layout())->addStretch();
   scrolled_ = makeScrolled(content_);
   column_->addWidget(scrolled_, 1);
+  goOnIn(typedIn);
+}
+
+QString PropertyPanel::nameOfFieldInUse() const {
+  const auto* field = qobject_cast<NumberField*>(QApplication::focusWidget());
+  return field && isAncestorOf(field) ? field->accessibleName() : QString();
+}
+
+void PropertyPanel::goOnIn(const QString& name) {
+  const auto fields = findChildren<NumberField*>();
+  const auto field =
+      std::find_if(fields.begin(), fields.end(), [&](const auto* one) { return one->accessibleName() == name; });
+  if (!name.isEmpty() && field != fields.end()) (*field)->setFocus();
 }
 
 void PropertyPanel::showSolid(int index) {

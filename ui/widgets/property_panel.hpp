@@ -19,6 +19,10 @@ class PropertyPanel : public QWidget {
 
  private:
   void rebuild();
+  /// Of the number that has the keyboard; empty: none here.
+  QString nameOfFieldInUse() const;
+  /// Gives the keyboard to the number of that name, if it is there.
+  void goOnIn(const QString& name);
   void showProject();
   void showSolver(const SolverSettings& solver);
   void showSolid(int index);
@@ -44,10 +48,10 @@ class PropertyPanel : public QWidget {
     double scale = 1;
     QString unit;
   };
-  /// A number that can be typed over; `change` may throw InputError, which the field then shows.
   /// A choice among words; `change` is called with the number of the one that was chosen, and may throw InputError.
   void addChoice(Section* section, const QString& name, const QString& tip, const QStringList& words, int present,
                  const std::function<void(int)>& change);
+  /// A number that can be typed over; `change` may throw InputError, which the field then shows.
   void addNumber(Section* section, const QString& name, const Quantity& quantity, double value,
                  const std::function<void(double)>& change);
 

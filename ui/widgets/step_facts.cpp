@@ -80,7 +80,9 @@ void StepFacts::refresh() {
   }
   const StepReport& step = workspace_.steps().back();
   time_->setText(tr("%1 s").arg(numbers::fixed(step.time, 2)));
-  step_->setText(tr("%1, Δt %2 ms").arg(numbers::whole(step.step), numbers::significant(step.time_step * 1e3)));
+  step_->setText(step.time_step > 0
+                     ? tr("%1, Δt %2 ms").arg(numbers::whole(step.step), numbers::significant(step.time_step * 1e3))
+                     : tr("%1, not settled").arg(numbers::whole(step.step)));
   pace_->setText(tr("%1 ms a step").arg(numbers::significant(pace(workspace_.steps()) * 1e3, 2)));
   iterations_->setText(step.cuts > 0
                            ? tr("%1, step cut %2").arg(step.iterations).arg(numbers::counted(step.cuts, "time"))

@@ -24,6 +24,8 @@ Problem problemOf(const RunReport& report) {
 void Workspace::start(bool solve) {
   loader_.close();
   forgetResults();
+  std::erase_if(problems_, [](const Problem& problem) { return problem.where.has_value(); });  // of the run before
+  emit problemsChanged();
   if (!systemIsCurrent()) setSystem(nullptr);
   builtFrom_ = document_.project();
   namesFromProject();

@@ -14,7 +14,7 @@ Problem problemOf(const InputError& error) {
 }  // namespace
 
 void Workspace::lookForStudy() {
-  const auto folder = document_.file().empty() ? std::filesystem::path() : document_.studyFolder();
+  const auto folder = document_.file().empty() ? std::filesystem::path() : study_folder_of(document_.file());
   std::error_code none;
   const auto written = std::filesystem::last_write_time(folder / "accuracy.json", none);
   if (folder == studyFolder_ && written == studyWritten_) return;
@@ -33,7 +33,7 @@ void Workspace::useSetting(const StudyRecord& record, int run) {
   const AccuracyRow& row = record.study.rows[static_cast<std::size_t>(run)];
   const QString label = QString::fromStdString(row.label);
   try {
-    document_.changeProject(under(row.setting, record.project), tr("use %1").arg(label));
+    document_.changeProject(under(row.setting, *record.project), tr("use %1").arg(label));
     log(tr("the project has the setting %1").arg(label));
   } catch (const InputError& error) {
     addProblem(problemOf(error));

@@ -93,20 +93,20 @@ void measure_errors(AccuracyStudy& study, const ErrorMeasure& measure) {
   }
 }
 
-void choose(AccuracyStudy& study) {
-  std::vector<std::optional<CostAndError>> measured, held;
+/// What each run costs and how far off it is, `safe` with its estimate on top.
+std::vector<std::optional<CostAndError>> offers_of(const AccuracyStudy& study, bool safe) {
+  std::vector<std::optional<CostAndError>> offers;
   for (const AccuracyRow& row : study.rows) {
-    std::optional<CostAndError> offer, safe;
-    if (row.error) {
-      offer = CostAndError{row.run->cpu_seconds, *row.error};
-      safe = CostAndError{row.run->cpu_seconds, *row.error + row.error_estimate};
-    }
-    measured.push_back(offer);
-    held.push_back(safe);
+    std::optional<CostAndError> offer;
+    if (row.error) offer = CostAndError{row.run->cpu_seconds, *row.error + (safe ? row.error_estimate : 0)};
+    offers.push_back(offer);
   }
-  const std::vector<bool> front = pareto_front(measured);
+  return offers;
+}
+
+void mark_the_best(AccuracyStudy& study) {
+  const std::vector<bool> front = pareto_front(offers_of(study, false));
   for (std::size_t i = 0; i < study.rows.size(); ++i) study.rows[i].pareto = front[i];
-  if (study.target) study.recommended = cheapest_within(*study.target, held);
 }
 
 std::vector<AccuracyRow> read_rows(const StudyFolder& folder) {
@@ -160,8 +160,14 @@ AccuracyStudy evaluate(const StudyFolder& folder, std::optional<double> target) 
       study.orders.push_back(std::move(*order));
     }
   measure_errors(study, measure);
-  choose(study);
+  mark_the_best(study);
+  aim_at(study, target);
   return study;
+}
+
+void aim_at(AccuracyStudy& study, std::optional<double> target) {
+  study.target = target;
+  study.recommended = target ? cheapest_within(*target, offers_of(study, true)) : -1;
 }
 
 }  // namespace talus

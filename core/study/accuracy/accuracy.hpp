@@ -51,4 +51,7 @@ struct AccuracyStudy {
 /// Of the runs that have ended so far. Throws InputError for a file that cannot be understood.
 AccuracyStudy evaluate(const StudyFolder& study, std::optional<double> target);
 
+/// Takes another target, or none, and chooses the cheapest run that meets it.
+void aim_at(AccuracyStudy& study, std::optional<double> target);
+
 }  // namespace talus

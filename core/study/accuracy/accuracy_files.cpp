@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "io/project_file.hpp"
+#include "io/whole_file.hpp"
 #include "model/number_text.hpp"
 #include "study/accuracy/setting_json.hpp"
 #include "study/accuracy/study_run_json.hpp"
@@ -133,6 +134,13 @@ std::string recommended_project(const AccuracyStudy& study, const StudyPlan& pla
     if (auto* file = std::get_if<FileShape>(&solid.shape))
       file->path = std::filesystem::relative(plan.project_file.parent_path() / file->path, folder).string();
   return write_project(project, plan.project_text);
+}
+
+void write_accuracy_files(const AccuracyStudy& study, const StudyFolder& folder) {
+  replace_whole_file(folder.path() / "accuracy.csv", accuracy_csv(study));
+  replace_whole_file(folder.path() / "accuracy.json", accuracy_json(study));
+  if (study.recommended >= 0)
+    replace_whole_file(folder.path() / "recommended.talus", recommended_project(study, folder.plan(), folder.path()));
 }
 
 }  // namespace talus

@@ -16,4 +16,7 @@ std::string accuracy_json(const AccuracyStudy& study);
 /// The project under the recommended setting, as the text of a project file; paths in it are relative to `folder`.
 std::string recommended_project(const AccuracyStudy& study, const StudyPlan& plan, const std::filesystem::path& folder);
 
+/// accuracy.csv, accuracy.json and, where there is a recommendation, recommended.talus in the study's folder.
+void write_accuracy_files(const AccuracyStudy& study, const StudyFolder& folder);
+
 }  // namespace talus

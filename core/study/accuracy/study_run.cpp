@@ -12,6 +12,8 @@
 #include "geometry/block_builder.hpp"
 #include "io/project_file.hpp"
 #include "io/whole_file.hpp"
+#include "mesh/unknowns.hpp"
+#include "model/stage_length.hpp"
 #include "solve/run.hpp"
 #include "study/accuracy/study_run_json.hpp"
 
@@ -35,10 +37,6 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double duration_of(const Stage& stage) {
-  return stage.steps ? *stage.steps * stage.time_step : stage.duration.value_or(0);
-}
-
 /// Notes where everything is at the quarters of every stage, between two steps by linear interpolation.
 class Observer final : public RunObserver {
  public:
@@ -58,7 +56,7 @@ class Observer final : public RunObserver {
     for (const MonitorSample& sample : row.monitors) now_.push_back(sample.displacement);
     if (step.stage != stage_) begin(step.stage);
     const Stage& stage = project_.stages[static_cast<std::size_t>(stage_)];
-    const double since = step.time - stage_begin_, duration = duration_of(stage);
+    const double since = step.time - stage_begin_, duration = length_of(stage);
     const double slack = 1e-9 * duration;
     if (!stage.until_equilibrium)
       for (; quarter_ <= 4 && quarter_ * duration / 4 <= since + slack; ++quarter_)
@@ -113,12 +111,6 @@ class Observer final : public RunObserver {
   std::vector<Vec3> before_, now_;          ///< m
   std::vector<StudyMoment> moments_;
 };
-
-long unknowns_of(const Block& block) {
-  if (block.body == BodyKind::fixed) return 0;
-  if (block.body == BodyKind::rigid) return 6;
-  return block.body == BodyKind::affine ? 12 : 3 * static_cast<long>(block.mesh.nodes.size());
-}
 
 void count(const BlockSystem& system, StudyRun& run) {
   for (const Block& block : system.blocks) {

@@ -50,9 +50,18 @@ StudyStatus status_of(const std::string& word) {
 }
 
 StudyRun run_of(const Json& json) {
+  StudyRun run = run_figures_of(json);
+  run.reason = json.at("reason");
+  for (const Json& one : json.at("expect")) run.expect.push_back(expectation_of(one));
+  for (const Json& one : json.at("moments")) run.moments.push_back(moment_of(one));
+  return run;
+}
+
+}  // namespace
+
+StudyRun run_figures_of(const Json& json) {
   StudyRun run;
   run.status = status_of(json.at("status"));
-  run.reason = json.at("reason");
   run.cpu_seconds = json.at("cpu_seconds");
   run.wall_seconds = json.at("wall_seconds");
   run.mesh_seconds = json.at("mesh_seconds");
@@ -62,14 +71,10 @@ StudyRun run_of(const Json& json) {
   run.steps = json.at("steps");
   run.iterations = json.at("iterations");
   run.cuts = json.at("cuts");
-  for (const Json& one : json.at("expect")) run.expect.push_back(expectation_of(one));
-  for (const Json& one : json.at("moments")) run.moments.push_back(moment_of(one));
   run.phases = phases_of(json.at("phases"));
   for (const Json& one : json.at("effects")) run.effects.push_back(effect_of(one));
   return run;
 }
-
-}  // namespace
 
 Json phases_json(const Phases& phases) {
   return {{"detect", phases.detect}, {"assemble", phases.assemble}, {"factor", phases.factor},

@@ -16,6 +16,10 @@ std::string study_run_text(const StudyRun& run);
 /// numbers are there.
 std::optional<StudyRun> read_study_run(const std::filesystem::path& file);
 
+/// What the file of a run and a row of accuracy.json both have: status, cost, counts, phases and effects. Throws
+/// nlohmann::json::exception for what is no run.
+StudyRun run_figures_of(const nlohmann::ordered_json& json);
+
 /// As summary.json has them.
 nlohmann::ordered_json phases_json(const Phases& phases);
 nlohmann::ordered_json effects_json(const std::vector<EffectOutcome>& effects);

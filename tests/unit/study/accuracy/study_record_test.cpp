@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "base/error.hpp"
 #include "io/whole_file.hpp"
 #include "study/accuracy/accuracy_files.hpp"
 #include "study/temporary_folder.hpp"
@@ -37,7 +38,7 @@ TEST_F(StudyRecordTest, IsReadWhereOneLies) {
   EXPECT_FALSE(read_study(folder_.path() / "other.accuracy"));
   const auto record = read_study(folder_.path() / "fall.accuracy");
   ASSERT_TRUE(record);
-  EXPECT_EQ(record->folder, folder_.path() / "fall.accuracy");
+  EXPECT_EQ(record->place, folder_.path() / "fall.accuracy");
   EXPECT_EQ(record->study.rows.size(), 5u);
   EXPECT_TRUE(record->study.complete());
 }
@@ -46,10 +47,37 @@ TEST_F(StudyRecordTest, KnowsTheRunOfAProjectUnderEachOfItsSettingsAndOfNoOther)
   const auto record = read_study(folder_.path() / "fall.accuracy");
   ASSERT_TRUE(record);
   for (std::size_t i = 0; i < record->study.rows.size(); ++i)
-    EXPECT_EQ(run_of(*record, under(record->study.rows[i].setting, record->project)), static_cast<int>(i));
-  Project heavier = record->project;
+    EXPECT_EQ(run_of(*record, under(record->study.rows[i].setting, *record->project)), static_cast<int>(i));
+  Project heavier = *record->project;
   heavier.materials[0].density = 2700;
   EXPECT_FALSE(run_of(*record, heavier));
+  ASSERT_TRUE(record->study.rows[0].error);
+  EXPECT_EQ(error_of(*record, *record->project), record->study.rows[0].error);
+  EXPECT_FALSE(error_of(*record, heavier));
+}
+
+TEST_F(StudyRecordTest, IsReadFromItsJsonAloneWithAllButTheProject) {
+  const auto file = folder_.path() / "fall.accuracy" / "accuracy.json", alone = folder_.path() / "sent.json";
+  std::filesystem::copy_file(file, alone);
+  EXPECT_EQ(read_accuracy_file(file).project, read_study(file.parent_path())->project);
+  const StudyRecord record = read_accuracy_file(alone);
+  EXPECT_FALSE(record.project);
+  EXPECT_EQ(accuracy_json(record.study), accuracy_json(read_study(file.parent_path())->study));
+  EXPECT_FALSE(run_of(record, *read_study(file.parent_path())->project));
+  replace_whole_file(alone, "{}");
+  EXPECT_THROW(read_accuracy_file(alone), InputError);
+  EXPECT_THROW(read_accuracy_file(folder_.path() / "none.json"), InputError);
+}
+
+TEST_F(StudyRecordTest, ChoosesAnewForAnotherTarget) {
+  AccuracyStudy study = read_study(folder_.path() / "fall.accuracy")->study;
+  EXPECT_EQ(study.recommended, -1);
+  aim_at(study, 1e3);
+  ASSERT_GE(study.recommended, 0);
+  for (const AccuracyRow& row : study.rows)
+    EXPECT_LE(study.rows[static_cast<std::size_t>(study.recommended)].run->cpu_seconds, row.run->cpu_seconds);
+  aim_at(study, std::nullopt);
+  EXPECT_EQ(study.recommended, -1);
 }
 
 TEST_F(StudyRecordTest, OrdersTheBestByCost) {

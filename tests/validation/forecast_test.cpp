@@ -1,0 +1,49 @@
+#include "study/forecast.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/processor_time.hpp"
+#include "geometry/block_builder.hpp"
+#include "io/project_file.hpp"
+#include "solve/run.hpp"
+#include "study/temporary_folder.hpp"
+
+namespace talus {
+namespace {
+
+struct Nobody final : RunObserver {
+  void on_step(const StepReport&, const HistoryRow&, double) override {}
+  void on_frame(std::shared_ptr<const Frame>) override {}
+  bool go_on() override { return true; }
+};
+
+/// What is foreseen of a sample against what its run then takes, both in the processor's time of one thread.
+class ForecastOfSample : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ForecastOfSample, IsWithin30PercentOfTheRun) {
+  const std::string name = GetParam();
+  const auto folder = std::filesystem::path(TALUS_SOURCE_DIR) / "samples" / name;
+  const Project project = read_project(folder / (name + ".talus"));
+  NoProgress progress;
+  const BlockSystem system = build_blocks(project, folder, progress);
+  constexpr double budget = 4;
+  const Forecast said = forecast(project, system, budget, progress);
+  const TemporaryFolder results;
+  Nobody nobody;
+  const double begin = processor_seconds_of_thread();
+  run(project, system, {results.path() / "results", write_project(project), 1}, nobody);
+  const double measured = processor_seconds_of_thread() - begin;
+  std::printf("| `%s` | %.3g | %.3g to %.3g | %.3g | %.2f | %.0f %% | %.2g |\n", name.c_str(), said.seconds,
+              said.fewest, said.most, measured, said.seconds / measured, 100 * said.share_seen, said.forecast_seconds);
+  EXPECT_LT(said.seconds, 1.3 * measured);
+  EXPECT_GT(said.seconds, measured / 1.3);
+  EXPECT_LT(said.fewest, measured * 1.1) << "twice the same work differs by some per cent in time";
+  EXPECT_GT(said.most, measured / 1.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ForecastOfSample,
+                         ::testing::Values("block_ladder", "free_fall", "incline_slide", "incline_stay", "jiweishan",
+                                           "step_slope", "wedge"));
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,55 @@
+#include "run/study_job.hpp"
+
+#include <cstdlib>
+#include <string>
+
+#include "base/error.hpp"
+#include "study/accuracy/accuracy_files.hpp"
+#include "study/accuracy/local_engine.hpp"
+#include "study/accuracy/study_record.hpp"
+
+namespace talus {
+
+namespace {
+
+StudyFolder folder_for(const StudyPlan& plan) {
+  const std::filesystem::path place = study_folder_of(plan.project_file);
+  try {
+    return {place, plan, false};
+  } catch (const InputError&) {
+    return {place, plan, true};  // refuses, too, a folder that holds no study
+  }
+}
+
+void make_study(const StudyRequest& request, Progress& progress) {
+  const StudyFolder folder = folder_for(make_plan(request));
+  run_locally(folder, {command_line_program(), free_cores()}, progress);
+  write_accuracy_files(evaluate(folder, std::nullopt), folder);
+}
+
+}  // namespace
+
+StudyJob::StudyJob(QObject* parent) : QObject(parent) {
+  connect(&work_, &VerifyJob::progressed, this, &StudyJob::progressed);
+  connect(&work_, &VerifyJob::ended, this, [this] { emit ended(problem_); });
+}
+
+void StudyJob::begin(const StudyRequest& request) {
+  problem_.clear();
+  const auto make = [request](Progress& progress, const auto& ended) {
+    try {
+      make_study(request, progress);
+    } catch (const std::exception& error) {
+      ended(std::string(error.what()));
+    }
+  };
+  work_.start<std::string>(make, [this](const std::string& problem) { problem_ = QString::fromStdString(problem); });
+}
+
+std::filesystem::path command_line_program() {
+  if (const char* named = std::getenv("TALUS_CLI")) return named;
+  std::error_code unreadable;
+  return std::filesystem::read_symlink("/proc/self/exe", unreadable).parent_path() / "talus-cli";
+}
+
+}  // namespace talus
