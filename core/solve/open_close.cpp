@@ -286,7 +286,7 @@ void OpenClose::prepare(const Increment& d, double touching) {
 
 Settling OpenClose::settle(Increment& d) {
   Settling result;
-  double last = 1e300;
+  double least = 1e300;  // that was half of what was least before
   int in_vain = 0, stalls = 0;
   evaluate(d, Friction::coupled);
   for (;; ++result.iterations) {
@@ -294,13 +294,13 @@ Settling OpenClose::settle(Increment& d) {
     result.force_scale = force_scale_;
     if (!std::isfinite(result.residual)) return result;
     const double round_off = std::max(settings_.round_off * force_scale_, settings_.rounding * rounding_);
-    stalls = result.residual > 0.5 * last ? stalls + 1 : 0;
+    stalls = result.residual > 0.5 * least ? stalls + 1 : 0;
+    if (stalls == 0) least = result.residual;
     const bool stalled = stalls >= 2 && result.residual <= round_off;
     const bool stands = result.iterations == 0 && result.residual <= rounding_of_positions_ && d.isZero(0);
     result.settled = result.residual <= tolerance_ * force_scale_ || stalled || stands;
     if (result.settled || result.iterations >= settings_.iteration_limit) break;
     if (result.iterations >= settings_.slow && result.worst_freedom < 0) result.worst_freedom = worst_freedom();
-    last = result.residual;
     if (in_vain == settings_.patience) {
       in_vain = 0;
       result.iterations += settle_with_care(d, settings_.iteration_limit - result.iterations - 1);

@@ -39,8 +39,10 @@ AxisOrder order_of(const Json& json) {
     if (json.at("convergence") == to_string(convergence)) order.fit.convergence = convergence;
   order.fit.order = number_or_none(json.at("order")).value_or(0);
   order.fit.misfit = number_or_none(json.at("misfit")).value_or(0);
+  order.fit.spread = json.at("spread");
   order.fit.finest_error = json.at("finest_error");
   order.runs = json.at("runs").get<std::vector<int>>();
+  order.cut_runs = json.at("cut_runs").get<std::vector<int>>();
   return order;
 }
 
