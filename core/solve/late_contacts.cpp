@@ -4,26 +4,30 @@
 
 namespace talus {
 
-/// Returns by how much a node goes against the others of its body, at most [m].
-double LateContacts::place_nodes(const Increment& d) {
-  double most = 0;
+bool LateContacts::turns(const Increment& d, double least_turn) const {
+  return std::any_of(set_.moving.begin(), set_.moving.end(), [&](int b) {
+    const Body& body = set_.bodies[b];
+    const int nodes_end = body.first_node + body.node_count;
+    Vec3 mean = Vec3::Zero();
+    for (int n = body.first_node; n < nodes_end; ++n) mean += set_.node_increment(n, d) / body.node_count;
+    for (int n = body.first_node; n < nodes_end; ++n)
+      if ((set_.node_increment(n, d) - mean).norm() >= least_turn) return true;
+    return false;
+  });
+}
+
+void LateContacts::place_nodes(const Increment& d) {
   end_ = set_.nodes.position;
   std::fill(ways_.begin(), ways_.end(), 0.0);
   for (const auto* moved : {&set_.moving, &set_.driven})
     for (const int b : *moved) {
       const Body& body = set_.bodies[b];
-      const auto nodes_end = body.first_node + body.node_count;
-      Vec3 mean = Vec3::Zero();
-      for (int n = body.first_node; n < nodes_end; ++n) {
+      for (int n = body.first_node; n < body.first_node + body.node_count; ++n) {
         const Vec3 step = set_.node_increment(n, d);
         end_[n] += step;
         ways_[b] = std::max(ways_[b], step.norm());
-        mean += step / body.node_count;
       }
-      for (int n = body.first_node; n < nodes_end; ++n)
-        most = std::max(most, (end_[n] - set_.nodes.position[n] - mean).norm());
     }
-  return most;
 }
 
 void LateContacts::tell(ContactDetector& detector) const {
@@ -45,7 +49,8 @@ double LateContacts::known_depth(const ContactDetector::Late& late, const Contac
 std::optional<ContactDetector::Late> LateContacts::seek(ContactDetector& detector, const ContactLinks& links,
                                                         const Increment& d, double reach, double tolerance,
                                                         double least_turn) {
-  if (place_nodes(d) < least_turn) return std::nullopt;
+  if (!turns(d, least_turn)) return std::nullopt;
+  place_nodes(d);
   tell(detector);
   std::optional<ContactDetector::Late> deepest;
   for (const ContactDetector::Late& late : detector.late(end_, reach, tolerance)) {

@@ -23,7 +23,8 @@ class LateContacts {
                                             double reach, double tolerance, double least_turn);
 
  private:
-  double place_nodes(const Increment& d);
+  bool turns(const Increment& d, double least_turn) const;
+  void place_nodes(const Increment& d);
   void tell(ContactDetector& detector) const;
   double known_depth(const ContactDetector::Late& late, const ContactLinks& links, const Increment& d) const;
   const BodySet& set_;

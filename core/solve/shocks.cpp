@@ -63,29 +63,28 @@ Slackening slackening_of(const BodySet& set, const Body& body, const StepContext
   return sum;
 }
 
-/// The body's accelerations at the start of the step become those at its end.
-void begin_as_it_ends(BodySet& set, const Body& body, const StepContext& step, const Increment& d) {
-  const auto carry = [&](int n) { set.nodes.acceleration[n] = end_acceleration(set, step, n, d); };
+/// Gives a body other accelerations to go on with: `of_node`(node) [m/s²], and `moment` [N m] of a rigid one.
+void go_on_with(BodySet& set, const Body& body, const auto& of_node, const auto& moment) {
   if (body.rigid >= 0) {
     RigidBody& rigid = set.rigid[body.rigid];
-    carry(rigid.centre);
-    rigid.moment = end_moment(rigid, step, d);
-  } else {
-    const auto [first, count] = carriers(body);
-    for (int n = first; n < first + count; ++n) carry(n);
-  }
-}
-
-void let_go(BodySet& set, int index) {
-  const Body& body = set.bodies[index];
-  if (body.rigid >= 0) {
-    RigidBody& rigid = set.rigid[body.rigid];
-    set.nodes.acceleration[rigid.centre].setZero();
-    rigid.moment.setZero();
+    set.nodes.acceleration[rigid.centre] = of_node(rigid.centre);
+    rigid.moment = moment(rigid);
     return;
   }
   const auto [first, count] = carriers(body);
-  std::fill_n(set.nodes.acceleration.begin() + first, count, Vec3::Zero());
+  for (int n = first; n < first + count; ++n) set.nodes.acceleration[n] = of_node(n);
+}
+
+/// The body's accelerations at the start of the step become those at its end.
+void begin_as_it_ends(BodySet& set, const Body& body, const StepContext& step, const Increment& d) {
+  go_on_with(
+      set, body, [&](int n) { return end_acceleration(set, step, n, d); },
+      [&](const RigidBody& rigid) { return end_moment(rigid, step, d); });
+}
+
+void let_go(BodySet& set, const Body& body) {
+  const auto none = [](const auto&) { return Vec3(Vec3::Zero()); };
+  go_on_with(set, body, none, none);
 }
 
 }  // namespace
@@ -107,7 +106,7 @@ void Shocks::forget(BodySet& set) {
   for (const int b : set.moving) {
     const double change = (pushes_[b] - before_[b]).norm();
     struck_[b] = change > sudden * std::max(pushes_[b].norm(), before_[b].norm());
-    if (struck_[b]) let_go(set, b);
+    if (struck_[b]) let_go(set, set.bodies[b]);
   }
 }
 
