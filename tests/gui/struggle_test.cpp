@@ -5,6 +5,7 @@
 #include "listed_runs.hpp"
 #include "widgets/step_facts.hpp"
 #include "widgets/struggle_panel.hpp"
+#include "widgets/theme.hpp"
 
 namespace talus {
 namespace {
@@ -98,6 +99,12 @@ TEST_F(DrivenWindow, ANewRunBeginsWithoutTheTroublesOfTheOneBefore) {
       << "the same again: " << ahead->text().toStdString();
   rest(300);
   keepPicture(*window, "struggle_failed_step.png");
+  theme::install(true);
+  workspace->setDark(true);
+  rest(300);
+  keepPicture(*window, "struggle_failed_step_dark.png");
+  theme::install(false);
+  workspace->setDark(false);
 
   workspace->solve();
   workspace->job().pause();
