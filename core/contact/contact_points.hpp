@@ -72,6 +72,7 @@ struct StepGeometry {
   std::span<const Vec3> normals;        ///< a facet; up to date for those in the pairs that are searched
   std::span<const double> penetration;  ///< m, a body: the deepest of the last step
   std::span<const double> widths;       ///< m, a body: where it is thinnest
+  std::span<const double> first_areas;  ///< m², a facet: before any body deformed
   const ContactSettings& settings;
   double reach;
   std::span<const char> moved;  ///< a body: it took part in a step and was not fixed

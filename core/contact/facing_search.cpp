@@ -13,6 +13,7 @@ namespace {
 constexpr double least_area = 1e-14;   // of the size squared: no overlap
 constexpr double vertex_snap = 1e-3;   // a corner with this share of a vertex missing is still that vertex's
 constexpr double seen_tilt = 1e-4;     // rad between facets: what is less misleads nobody, and may be rounding
+constexpr double seen_spread = 1e-9;   // of a facet's area: what is less may be rounding
 constexpr double least_facet = 1e-12;  // of the longest side squared: a needle has no projection
 
 /// A facet in the common plane, counter-clockwise there.
@@ -37,6 +38,14 @@ struct Projected {
     return cross(points[(k + 1) % 3] - p, points[(k + 2) % 3] - p) / twice_area;
   }
 };
+
+/// Area of the finer of two facets over what it was before bodies deformed. Contact is measured by the latter: one that
+/// got stiffer because what it presses spreads would hold energy that nobody gave.
+double spread(const StepGeometry& step, const FacetPair& pair) {
+  const int finer = step.first_areas[pair.a] < step.first_areas[pair.b] ? pair.a : pair.b;
+  const double ratio = facet_area(step.features.facets[finer], step.x) / step.first_areas[finer];
+  return std::abs(ratio - 1) < seen_spread ? 1 : ratio;
+}
 
 /// Directions, in the common plane, in which the convex creases that the whole overlap lies along look out of their
 /// facet.
@@ -111,11 +120,12 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
   const double size = step.broad.scale(fa.body, fb.body).size;
   if (!(polygon.area > least_area * size * size)) return;
 
+  const double spread_by = spread(step, pair);
   const std::size_t first = corners_.size(), first_covered = found.covered.size();
   double least_gap = std::numeric_limits<double>::infinity();
   for (int i = 0; i < polygon.count; ++i) {
     if (!(polygon.weights[i] > 0)) continue;  // one of three corners in one place
-    Corner c{0, pair, polygon.weights[i], {}, n};
+    Corner c{0, pair, polygon.weights[i] / spread_by, {}, n};
     Vec3 apart = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
       c.shares[a.local[k]] = a.share(polygon.corners[i], k);
