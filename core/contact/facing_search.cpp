@@ -12,7 +12,7 @@ namespace {
 
 constexpr double least_area = 1e-14;   // of the size squared: no overlap
 constexpr double vertex_snap = 1e-3;   // a corner with this share of a vertex missing is still that vertex's
-constexpr double seen_tilt = 1e-4;     // rad between facets: what is less misleads nobody, and may be rounding
+constexpr double seen_tilt = 1e-9;     // rad between facets: what is less may be rounding
 constexpr double seen_spread = 1e-9;   // of a facet's area: what is less may be rounding
 constexpr double least_facet = 1e-12;  // of the longest side squared: a needle has no projection
 
@@ -173,8 +173,9 @@ void FacingSearch::place_corners(const StepGeometry& step, std::size_t first) {
   }
 }
 
-/// The features whose meeting the corner is. A vertex that lies amid a facet slides along this one: by the plane
-/// between both it would rise or sink by half the angle between them.
+/// The features whose meeting the corner is. A vertex that lies amid a facet slides along this one, and so does a
+/// crease that crosses an edge of the mesh: by the plane between both they would rise or sink by half the angle between
+/// them.
 void FacingSearch::name(const StepGeometry& step, Corner& c, FoundPoints& found) {
   const ContactFacet &fa = step.features.facets[c.facets.a], &fb = step.features.facets[c.facets.b];
   const auto a = c.shares.begin(), b = a + 3, end = c.shares.end();
@@ -185,15 +186,18 @@ void FacingSearch::name(const StepGeometry& step, Corner& c, FoundPoints& found)
     c.key = vertex_key(fa.nodes[va], fb.patch);
     if (at_b)
       found.covered.push_back({vertex_key(fb.nodes[vb], fa.patch), fb.nodes[vb], c.facets.a, -c.normal});
-    else if (tilted)
-      c.normal = step.normals[c.facets.b];
+    else
+      c.along = 1;
   } else if (at_b) {
     c.key = vertex_key(fb.nodes[vb], fa.patch);
-    if (tilted) c.normal = -step.normals[c.facets.a];
+    c.along = 0;
   } else {
     const auto ea = std::min_element(a, b) - a, eb = std::min_element(b, end) - b;
     c.key = crossing_key(step.features, fa.edges[ea], fa.patch, fb.edges[eb], fb.patch);
+    const bool parts_a = step.features.edges[fa.edges[ea]].parts, parts_b = step.features.edges[fb.edges[eb]].parts;
+    if (parts_a != parts_b) c.along = parts_a ? 1 : 0;
   }
+  if (c.along >= 0 && tilted) c.normal = c.along == 1 ? step.normals[c.facets.b] : Vec3(-step.normals[c.facets.a]);
 }
 
 void FacingSearch::merge(const StepGeometry& step, FoundPoints& found) {
@@ -212,6 +216,7 @@ void FacingSearch::merge(const StepGeometry& step, FoundPoints& found) {
       p.normal += c.weight * c.normal;
       if (c.weight > heaviest || end == i) {
         heaviest = c.weight;
+        p.along = c.along;
         p.facets = {c.facets.a, c.facets.b};
       }
     }
