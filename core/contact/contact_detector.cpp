@@ -38,6 +38,7 @@ struct ContactDetector::State {
   bool joints_bond() const;
   double bond_reach() const;
   void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach);
+  void measure_bodies(std::span<const Vec3> x);
   StepGeometry look(std::span<const Vec3> x, double reach);
   void find_points(std::span<const Vec3> x, double reach);
   bool is_given(std::uint64_t key) const;
@@ -66,6 +67,7 @@ struct ContactDetector::State {
   std::vector<char> asleep;         // a body
   std::vector<double> penetration;  // m, a movable body: the deepest of the last step
   std::vector<double> widths;       // m, a body, as it was seen first
+  std::vector<double> first_areas;  // m², a facet, as it was seen first
   std::vector<int> pressed;         // bodies whose penetration the next step may change
   std::vector<char> moved;          // a body: it took part in a step and neither was fixed nor asleep
   bool all_have_moved = false;      // that are free to
@@ -125,15 +127,19 @@ void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, s
   }
 }
 
+void ContactDetector::State::measure_bodies(std::span<const Vec3> x) {
+  for (const ContactBody& body : bodies) widths.push_back(least_width(body, x));
+  for (const ContactFacet& facet : features.facets) first_areas.push_back(facet_area(facet, x));
+}
+
 /// Fills `near` with the pairs of facets that matter.
 StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach) {
   keep_near_pairs(broad.find(x, reach), x, reach);
-  return {features, broad, x, broad.normals(), penetration, widths, settings, reach, moved};
+  return {features, broad, x, broad.normals(), penetration, widths, first_areas, settings, reach, moved};
 }
 
 void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
-  if (widths.empty())
-    for (const ContactBody& body : bodies) widths.push_back(least_width(body, x));
+  if (widths.empty()) measure_bodies(x);
   const StepGeometry step = look(x, reach);
   found.clear();
   if (settings.model == ContactModel::facet_wise) {

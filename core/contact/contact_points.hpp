@@ -22,6 +22,7 @@ struct FoundPoint {
   std::array<int, 2> bodies;  ///< once the stencil is closed
   std::array<int, 2> patches;
   int node;                      ///< whose contact it is; −1: two edges'
+  int along = -1;                ///< facing facets: which of the two it slides along; −1: halfway between them
   int joint;                     ///< −1: the pair's
   Vec3 normal = Vec3::Zero();    ///< from the second body to the first
   Vec3 position = Vec3::Zero();  ///< on the first
@@ -72,6 +73,7 @@ struct StepGeometry {
   std::span<const Vec3> normals;        ///< a facet; up to date for those in the pairs that are searched
   std::span<const double> penetration;  ///< m, a body: the deepest of the last step
   std::span<const double> widths;       ///< m, a body: where it is thinnest
+  std::span<const double> first_areas;  ///< m², a facet: before any body deformed
   const ContactSettings& settings;
   double reach;
   std::span<const char> moved;  ///< a body: it took part in a step and was not fixed
@@ -159,6 +161,7 @@ class FacingSearch {
     double weight;  // m²
     std::array<double, 6> shares;
     Vec3 normal;
+    int along = -1;  // as of a found point
   };
   void overlap(const StepGeometry& step, const FacetPair& pair, FoundPoints& found);
   void place_corners(const StepGeometry& step, std::size_t first);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double least_area = 1e-14;   // of the size squared: no overlap
 constexpr double vertex_snap = 1e-3;   // a corner with this share of a vertex missing is still that vertex's
-constexpr double seen_tilt = 1e-4;     // rad between facets: what is less misleads nobody, and may be rounding
+constexpr double seen_tilt = 1e-9;     // rad between facets: what is less may be rounding
+constexpr double seen_spread = 1e-9;   // of a facet's area: what is less may be rounding
 constexpr double least_facet = 1e-12;  // of the longest side squared: a needle has no projection
 
 /// A facet in the common plane, counter-clockwise there.
@@ -37,6 +38,14 @@ struct Projected {
     return cross(points[(k + 1) % 3] - p, points[(k + 2) % 3] - p) / twice_area;
   }
 };
+
+/// Area of the finer of two facets over what it was before bodies deformed. Contact is measured by the latter: one that
+/// got stiffer because what it presses spreads would hold energy that nobody gave.
+double spread(const StepGeometry& step, const FacetPair& pair) {
+  const int finer = step.first_areas[pair.a] < step.first_areas[pair.b] ? pair.a : pair.b;
+  const double ratio = facet_area(step.features.facets[finer], step.x) / step.first_areas[finer];
+  return std::abs(ratio - 1) < seen_spread ? 1 : ratio;
+}
 
 /// Directions, in the common plane, in which the convex creases that the whole overlap lies along look out of their
 /// facet.
@@ -111,11 +120,12 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
   const double size = step.broad.scale(fa.body, fb.body).size;
   if (!(polygon.area > least_area * size * size)) return;
 
+  const double spread_by = spread(step, pair);
   const std::size_t first = corners_.size(), first_covered = found.covered.size();
   double least_gap = std::numeric_limits<double>::infinity();
   for (int i = 0; i < polygon.count; ++i) {
     if (!(polygon.weights[i] > 0)) continue;  // one of three corners in one place
-    Corner c{0, pair, polygon.weights[i], {}, n};
+    Corner c{0, pair, polygon.weights[i] / spread_by, {}, n};
     Vec3 apart = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
       c.shares[a.local[k]] = a.share(polygon.corners[i], k);
@@ -163,8 +173,9 @@ void FacingSearch::place_corners(const StepGeometry& step, std::size_t first) {
   }
 }
 
-/// The features whose meeting the corner is. A vertex that lies amid a facet slides along this one: by the plane
-/// between both it would rise or sink by half the angle between them.
+/// The features whose meeting the corner is. A vertex that lies amid a facet slides along this one, and so does a
+/// crease that crosses an edge of the mesh: by the plane between both they would rise or sink by half the angle between
+/// them.
 void FacingSearch::name(const StepGeometry& step, Corner& c, FoundPoints& found) {
   const ContactFacet &fa = step.features.facets[c.facets.a], &fb = step.features.facets[c.facets.b];
   const auto a = c.shares.begin(), b = a + 3, end = c.shares.end();
@@ -175,15 +186,18 @@ void FacingSearch::name(const StepGeometry& step, Corner& c, FoundPoints& found)
     c.key = vertex_key(fa.nodes[va], fb.patch);
     if (at_b)
       found.covered.push_back({vertex_key(fb.nodes[vb], fa.patch), fb.nodes[vb], c.facets.a, -c.normal});
-    else if (tilted)
-      c.normal = step.normals[c.facets.b];
+    else
+      c.along = 1;
   } else if (at_b) {
     c.key = vertex_key(fb.nodes[vb], fa.patch);
-    if (tilted) c.normal = -step.normals[c.facets.a];
+    c.along = 0;
   } else {
     const auto ea = std::min_element(a, b) - a, eb = std::min_element(b, end) - b;
     c.key = crossing_key(step.features, fa.edges[ea], fa.patch, fb.edges[eb], fb.patch);
+    const bool parts_a = step.features.edges[fa.edges[ea]].parts, parts_b = step.features.edges[fb.edges[eb]].parts;
+    if (parts_a != parts_b) c.along = parts_a ? 1 : 0;
   }
+  if (c.along >= 0 && tilted) c.normal = c.along == 1 ? step.normals[c.facets.b] : Vec3(-step.normals[c.facets.a]);
 }
 
 void FacingSearch::merge(const StepGeometry& step, FoundPoints& found) {
@@ -202,6 +216,7 @@ void FacingSearch::merge(const StepGeometry& step, FoundPoints& found) {
       p.normal += c.weight * c.normal;
       if (c.weight > heaviest || end == i) {
         heaviest = c.weight;
+        p.along = c.along;
         p.facets = {c.facets.a, c.facets.b};
       }
     }

@@ -1,8 +1,14 @@
 #include "contact/features.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace talus {
+
+double facet_area(const ContactFacet& facet, std::span<const Vec3> x) {
+  const Vec3 u = x[facet.nodes[1]] - x[facet.nodes[0]], v = x[facet.nodes[2]] - x[facet.nodes[0]];
+  return u.cross(v).norm() / 2;
+}
 
 ContactFeatures::ContactFeatures(std::span<const ContactBody> bodies) {
   int nodes = 0;

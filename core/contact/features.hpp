@@ -20,6 +20,9 @@ struct ContactFacet {
   int joint;
 };
 
+/// With nodes at `x` [m]. [m²]
+double facet_area(const ContactFacet& facet, std::span<const Vec3> x);
+
 struct ContactEdge {
   std::array<int, 2> nodes;
   std::array<int, 2> facets;

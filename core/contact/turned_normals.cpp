@@ -22,6 +22,7 @@ Vec3 direction(const ContactFeatures& features, const FoundPoint& p, const Posit
     return edge_direction(features.edges[a], at).cross(edge_direction(features.edges[b], at)).stableNormalized();
   }
   const auto of_side = [&](int k) { return facet_normal(features, p.facets[k], at); };
+  if (p.node < 0 && p.along >= 0) return of_side(p.along);
   if (p.node < 0) return (of_side(1) - of_side(0)).stableNormalized();
   return of_side(features.facets[features.facets_at(p.node)[0]].body == p.bodies[0] ? 1 : 0);
 }

@@ -15,11 +15,8 @@ struct Cause {
 /// Short, since every row of the table says it; docs/stability.md has the whole.
 const std::vector<Cause>& causes() {
   static const std::vector<Cause> list{
-      {"friction exactly at the slope: an elastic cube keeps the speed it starts with", {"incline_50"}},
-      {"a static stage under a ratio of 10 000 gives back 5e-6", {"heavy_on_light"}},
       {"a contact comes and goes in a corner, and is deep when it is found again",
        {"interlocked_16", "card_house_4_hit"}},
-      {"501 stones settle on by 1e-6 m after the static stage", {"arch_501"}},
   };
   return list;
 }

@@ -51,11 +51,12 @@ TEST_F(AccuracySliderTest, MakesAStudyThatCanBeStoppedAndGoneOnWith) {
   theme::install(false);
   workspace->setDark(false);
   rest(100);
-  Watchdog watchdog;
-  rest(500);
-  click(button(panel(), "Stop"));
-  ASSERT_TRUE(wait([&] { return says(QStringLiteral("not known yet")); }));
-  expectNoWait(watchdog);
+  expectNoWait([&](const Watchdog&) {
+    if (says(QStringLiteral("not known yet"))) click(button(panel(), "Study accuracy"));
+    rest(500);
+    click(button(panel(), "Stop"));
+    ASSERT_TRUE(wait([&] { return says(QStringLiteral("not known yet")); }));
+  });
   EXPECT_FALSE(slider().isEnabled());
   EXPECT_GE(runs(), 2) << "what has ended is kept";
 

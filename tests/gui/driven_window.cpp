@@ -56,6 +56,10 @@ void DrivenWindow::SetUp() {
   folder = std::filesystem::temp_directory_path() / ("talus_window_" + std::to_string(::getpid()) + "_" +
                                                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
   std::filesystem::create_directories(folder);
+  openWindow();
+}
+
+void DrivenWindow::openWindow() {
   window = std::make_unique<MainWindow>();
   workspace = &window->workspace();
   window->resize(1280, 800);

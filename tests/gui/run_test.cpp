@@ -137,30 +137,29 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileASolveRuns) {
   workspace->solve();
   ASSERT_TRUE(wait([&] { return workspace->frameTimes().size() > 2; }));
   rest(500);  // the first drawing compiles shaders
-  Watchdog watchdog;
-  const int drawn = window->viewport().surface().drawings();
-  rest(4000);
-  ASSERT_TRUE(workspace->job().isBusy());
-  EXPECT_GT(window->viewport().surface().drawings(), drawn + 4) << "the view must follow the run";
-  EXPECT_GT(watchdog.beats(), 100);
-  expectNoWait(watchdog);
-  RecordProperty("longest_wait_ms", static_cast<int>(watchdog.longestWait()));
-  std::printf("longest wait %.1f ms, %d drawings, last %.1f ms\n", watchdog.longestWait(),
-              window->viewport().surface().drawings() - drawn, window->viewport().surface().lastSeconds() * 1e3);
+  const RenderSurface& surface = window->viewport().surface();
+  expectNoWait([&](const Watchdog& watchdog) {
+    const int drawn = surface.drawings();
+    ASSERT_TRUE(wait([&] { return watchdog.beats() > 400 && surface.drawings() > drawn + 4; }))
+        << "the view must follow the run: " << surface.drawings() - drawn << " drawings";
+  });
+  EXPECT_TRUE(workspace->job().isBusy());
 }
 
 TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileJiweishanIsMeshedAndSolved) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers make everything several times slower";
 #endif
-  window->open(sample("jiweishan"));
-  rest(200);
-  Watchdog watchdog;
-  workspace->solve();
-  ASSERT_TRUE(wait([&] { return workspace->steps().size() > 1000; }));
-  EXPECT_TRUE(workspace->job().isBusy());
-  expectNoWait(watchdog);
-  std::printf("longest wait %.1f ms, %d drawings\n", watchdog.longestWait(), window->viewport().surface().drawings());
+  const auto file = sample("jiweishan");
+  expectNoWait([&](Watchdog& watchdog) {
+    openWindow();
+    window->open(file);
+    rest(200);
+    watchdog.restart();
+    workspace->solve();
+    ASSERT_TRUE(wait([&] { return workspace->steps().size() > 1000; }));
+    EXPECT_TRUE(workspace->job().isBusy());
+  });
 }
 
 TEST_F(DrivenWindow, ClosingStopsTheRunFirst) {

@@ -47,6 +47,19 @@ void expect_sound(const ContactSet& contacts) {
   }
 }
 
+TEST(Facing, AreaIsThatBeforeBodiesSpread) {
+  for (const bool finer_spreads : {true, false}) {
+    Scene scene = block_on_slab({2, 1.5, -1e-6}, true);
+    scene.detect(reach);
+    const int spreads = finer_spreads ? 1 : 0;
+    for (int i = 0; i < scene.node_count(spreads); ++i) scene.x[scene.first_node(spreads) + i].head<2>() *= 1.01;
+    const ContactSet& contacts = scene.detect(reach);
+    EXPECT_NEAR(total_area(contacts), 1, 1e-12) << "finer spreads: " << finer_spreads;
+    expect_upward(contacts);
+    expect_sound(contacts);
+  }
+}
+
 TEST(Facing, AreaIsTheFacesAtEveryOffset) {
   for (double dx : {1.0, 1.1, 1 + 1.0 / 7, 10.0 / 7, 5.0 / 7 - 1e-9, 5.0 / 7 + 1e-13, 0.77, 2.2222}) {
     for (double dy : {1.0, 4.0 / 6, 1.2345, 2.0 - 1e-12, 8.0 / 6 - 1.0 / 3}) {

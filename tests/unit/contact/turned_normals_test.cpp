@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "base/units.hpp"
 #include "blocks.hpp"
@@ -68,19 +69,40 @@ TEST(TurnedNormals, EdgesAcrossEachOther) {
   expect_told_beforehand(scene, {0.2, 1, 0.4}, 0.5, {0.02, -0.01, 0}, 1e-12);
 }
 
-TEST(TurnedNormals, AVertexAmidAFacingFacetHasItsNormal) {
+/// A block that leans by `degrees` on a plane whose mesh is finer than it.
+Scene leaning(double degrees) {
   Scene scene;
-  scene.add(box({-3, -3, -1}, {3, 3, 0}), true);
-  const Mat3 r = Eigen::AngleAxisd(radians(1), Vec3(1, 0.3, 0).normalized()).toRotationMatrix();
+  scene.add(box({-3, -3, -1}, {3, 3, 0}, {9, 9, 1}), true);
+  const Mat3 r = Eigen::AngleAxisd(radians(degrees), Vec3(1, 0.3, 0).normalized()).toRotationMatrix();
   scene.add(mapped(box({-0.5, -0.4, 0}, {0.5, 0.6, 1}), [&](const Vec3& p) { return Vec3(r * p); }));
-  int vertices = 0;
-  for (const ContactPoint& p : scene.detect(reach).points) {
-    if (p.key >> 62 != 1) continue;
-    EXPECT_EQ(p.normal, -Vec3::UnitZ());
-    EXPECT_GT(p.area, 0);
-    ++vertices;
+  return scene;
+}
+
+std::function<Vec3(int)> at(const Scene& scene) {
+  return [&scene](int node) { return scene.x[node]; };
+}
+
+TEST(TurnedNormals, VerticesAndEdgesOfABlockHaveTheNormalOfThePlaneTheyLieIn) {
+  for (const double degrees : {1.0, 1e-6}) {
+    Scene scene = leaning(degrees);
+    const ContactSet& contacts = scene.detect(reach);
+    const Scene further = leaning(degrees + 0.5);
+    int vertices = 0, crossings = 0;
+    for (int i = 0; i < static_cast<int>(contacts.points.size()); ++i) {
+      const ContactPoint& p = contacts.points[i];
+      const Vec3 from_rim = (p.position - Vec3(0, 0.1, p.position.z())).cwiseAbs();
+      const bool on_rim = std::abs(from_rim.head<2>().maxCoeff() - 0.5) < 1e-3;
+      const bool is_crossing = p.key >> 62 == 2;
+      if (!on_rim || (!is_crossing && p.key >> 62 != 1)) continue;
+      EXPECT_EQ(p.normal, -Vec3::UnitZ()) << degrees << "°, " << p.position.transpose();
+      EXPECT_LT((scene.detector().turned(i, at(scene), at(further)).normal + Vec3::UnitZ()).norm(), 1e-12)
+          << "once the block has turned further";
+      EXPECT_GT(p.area, 0);
+      (is_crossing ? crossings : vertices) += 1;
+    }
+    EXPECT_EQ(vertices, 4);
+    EXPECT_GT(crossings, 8);
   }
-  EXPECT_EQ(vertices, 4);
 }
 
 }  // namespace
