@@ -23,6 +23,7 @@ struct Request {
   std::vector<std::string> names;
   bool all = false, list = false, tables = false;
   bool stability = false;
+  int nudges = 0;
   std::string group;
   std::filesystem::path samples, markdown;
   VerifyOptions options;
@@ -55,8 +56,13 @@ ExitCode verify_cases(const Request& request, bool json) {
 }
 
 StabilityRequest of_stability(const Request& request) {
-  return {request.names, request.group,    request.all,
-          request.list,  request.markdown, {request.options.run.threads, request.options.repeat}};
+  return {request.names,
+          request.group,
+          request.all,
+          request.list,
+          request.nudges,
+          request.markdown,
+          {request.options.run.threads, request.options.repeat}};
 }
 
 /// Options that have to do with known cases alone.
@@ -92,6 +98,14 @@ CLI::Option* add_stability_options(CLI::App& command, Request& request) {
       "Run the scenes chosen to break contact codes instead: a row each with the deepest penetration and what energy "
       "grew by (both must stay below their limits), iterations a step, and in words what did not hold");
   command.add_option("--group", request.group, "Only scenes of this group")->type_name("G")->needs(stability);
+  command
+      .add_option("--nudge", request.nudges,
+                  "Run each scene N times more, with gravity and initial velocities greater by 1e-10 of themselves, by "
+                  "2e-10, …: chance must not decide whether it holds")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->type_name("N")
+      ->capture_default_str()
+      ->needs(stability);
   return stability;
 }
 

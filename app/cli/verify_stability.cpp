@@ -10,7 +10,12 @@
 namespace talus::cli {
 
 ExitCode run_stability(const StabilityRequest& request, bool json) {
-  const auto scenes = chosen_scenes(stability_scenes(), request.names, request.all || request.list, request.group);
+  std::vector<StabilityScene> scenes;
+  for (const StabilityScene& one :
+       chosen_scenes(stability_scenes(), request.names, request.all || request.list, request.group)) {
+    const auto nudged = with_nudges(one, request.nudges);
+    scenes.insert(scenes.end(), nudged.begin(), nudged.end());
+  }
   if (request.list) {
     std::cout << (json ? list_json(scenes) : list_text(scenes));
     return done;

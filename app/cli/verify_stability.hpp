@@ -14,6 +14,7 @@ struct StabilityRequest {
   std::vector<std::string> names;
   std::string group;  ///< empty: all
   bool all = false, list = false;
+  int nudges = 0;                  ///< how often each scene is run again, hardly changed
   std::filesystem::path markdown;  ///< page to write into; empty: none
   TrialOptions options;
 };

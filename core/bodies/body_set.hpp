@@ -56,6 +56,9 @@ struct Body {
 
   bool built_fixed() const { return kind == BodyKind::fixed; }
   bool one_piece() const { return kind == BodyKind::rigid || kind == BodyKind::affine; }
+  /// Nodes whose motion is that of a body that is not rigid: the four that carry an affine one, else all.
+  int first_free() const { return kind == BodyKind::affine ? first_carrier : first_node; }
+  int free_count() const { return kind == BodyKind::affine ? 4 : node_count; }
 };
 
 /// Increments of a step [m]: 3 numbers a freedom.

@@ -8,13 +8,6 @@
 
 namespace talus {
 
-namespace {
-
-int first_of(const Body& body) { return body.kind == BodyKind::affine ? body.first_carrier : body.first_node; }
-int count_of(const Body& body) { return body.kind == BodyKind::affine ? 4 : body.node_count; }
-
-}  // namespace
-
 Eigen::VectorXd InverseMasses::velocities(int index, const Eigen::VectorXd& impulses) {
   std::optional<Factor>& factor = factors_[index];
   if (!factor) {
@@ -24,10 +17,10 @@ Eigen::VectorXd InverseMasses::velocities(int index, const Eigen::VectorXd& impu
       const Element& element = set_.elements[e];
       for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b)
-          entries.emplace_back(element.nodes[a] - first_of(body), element.nodes[b] - first_of(body),
+          entries.emplace_back(element.nodes[a] - body.first_free(), element.nodes[b] - body.first_free(),
                                element.mass / 20 * (a == b ? 2 : 1));
     }
-    Eigen::SparseMatrix<double> mass(count_of(body), count_of(body));
+    Eigen::SparseMatrix<double> mass(body.free_count(), body.free_count());
     mass.setFromTriplets(entries.begin(), entries.end());
     factor.emplace(mass);
   }
@@ -76,7 +69,7 @@ void StruckPoint::add(const BodySet& set, InverseMasses& masses, int index, std:
     turning_.push_back(turning);
     return;
   }
-  Deforming deforming{first_of(body), Eigen::VectorXd::Zero(count_of(body)), {}};
+  Deforming deforming{body.first_free(), Eigen::VectorXd::Zero(body.free_count()), {}};
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     if (set.nodes.body[nodes[k]] != index) continue;
     if (body.kind == BodyKind::affine)

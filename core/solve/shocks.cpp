@@ -21,12 +21,6 @@ constexpr double visible = 1e-4;
 /// Of the mesh size: an acceleration that moves a body by less in a step is rounding.
 constexpr double least_way = 1e-9;
 
-/// First of the nodes that carry a body that is not rigid, and how many they are.
-std::pair<int, int> carriers(const Body& body) {
-  if (body.first_carrier >= 0) return {body.first_carrier, 4};
-  return {body.first_node, body.node_count};
-}
-
 /// How the acceleration of a body changes over a step, its parts weighed alike but for a common factor.
 struct Slackening {
   double before = 0;  ///< a₀·a₀
@@ -57,8 +51,7 @@ Slackening slackening_of(const BodySet& set, const Body& body, const StepContext
     sum.add(rigid.angular_momentum, rigid.moment, end_moment(rigid, step, d),
             rigid.inertia_now().inverse() / rigid.mass);
   } else {
-    const auto [first, count] = carriers(body);
-    for (int n = first; n < first + count; ++n) add_node(n);
+    for (int n = 0; n < body.free_count(); ++n) add_node(body.first_free() + n);
   }
   return sum;
 }
@@ -71,8 +64,10 @@ void go_on_with(BodySet& set, const Body& body, const auto& of_node, const auto&
     rigid.moment = moment(rigid);
     return;
   }
-  const auto [first, count] = carriers(body);
-  for (int n = first; n < first + count; ++n) set.nodes.acceleration[n] = of_node(n);
+  for (int i = 0; i < body.free_count(); ++i) {
+    const int n = body.first_free() + i;
+    set.nodes.acceleration[n] = of_node(n);
+  }
 }
 
 /// The body's accelerations at the start of the step become those at its end.

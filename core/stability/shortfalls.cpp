@@ -23,7 +23,8 @@ const std::vector<Cause>& causes() {
 
 }  // namespace
 
-std::string known_shortfall(const std::string& scene) {
+std::string known_shortfall(const std::string& name) {
+  const std::string scene = name.substr(0, name.find('+'));
   for (const Cause& cause : causes())
     if (std::find(cause.scenes.begin(), cause.scenes.end(), scene) != cause.scenes.end()) return cause.words;
   return "";

@@ -19,4 +19,21 @@ const Moment& Course::end_of_stage(int stage) const {
   return *last;
 }
 
+std::vector<StabilityScene> with_nudges(const StabilityScene& scene, int times) {
+  std::vector<StabilityScene> scenes(times + 1, scene);
+  for (int i = 1; i <= times; ++i) {
+    scenes[i].name += "+" + std::to_string(i);
+    scenes[i].build = [build = scene.build, factor = 1 + 1e-10 * i] {
+      CaseScene nudged = build();
+      nudged.project.gravity *= factor;
+      for (InitialVelocity& velocity : nudged.project.velocities) {
+        velocity.linear *= factor;
+        velocity.angular *= factor;
+      }
+      return nudged;
+    };
+  }
+  return scenes;
+}
+
 }  // namespace talus

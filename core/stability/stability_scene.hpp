@@ -39,4 +39,9 @@ struct StabilityScene {
   std::function<CaseScene()> build;
 };
 
+/// The scene, and `times` more with gravity and initial velocities greater by 1e-10 of themselves, by 2e-10, …:
+/// where blocks tumble, rounding decides what they meet, and what holds by chance alone does not hold. The others are
+/// named "scene+1", "scene+2", ….
+std::vector<StabilityScene> with_nudges(const StabilityScene& scene, int times);
+
 }  // namespace talus
