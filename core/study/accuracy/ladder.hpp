@@ -32,8 +32,8 @@ struct LadderWish {
   std::map<StudyAxis, std::vector<std::string>> values{};
 };
 
-/// From "body,time_step" and "time_step=4,2,1"; an axis whose values are given is one
-/// that is asked for. Throws InputError.
+/// From "body,time_step" and "time_step=4,2,1"; an axis whose values are given is one that is asked for.
+/// Throws InputError.
 LadderWish parse_ladder_wish(const std::vector<std::string>& axes, const std::vector<std::string>& values);
 
 /// A setting, or a whole axis, that was not taken, and why.
