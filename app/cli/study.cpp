@@ -125,14 +125,15 @@ ExitCode run_one(const std::filesystem::path& folder, int number) {
 void add_ladder_options(CLI::App& command, AccuracyOptions& options) {
   command
       .add_option("--axes", options.axes,
-                  "What to vary: body, strain, integrator, time_step, mesh_size, penetration_tolerance, with commas "
-                  "between (default: all)")
+                  "What to vary: body, strain, integrator, time_step, static_step, mesh_size, penetration_tolerance, "
+                  "with commas between (default: those of --values, else all)")
       ->allow_extra_args(false)
       ->type_name("A,B,…");
   command
-      .add_option("--values", options.values,
-                  "Values of an axis, like time_step=4,2,1,0.5 (factors of the project's own), body=rigid,affine or "
-                  "penetration_tolerance=off,1e-4; may be given again")
+      .add_option(
+          "--values", options.values,
+          "Vary this axis, by these values: time_step=4,2,1,0.5 (factors of the project's own), body=rigid,affine "
+          "or penetration_tolerance=off,1e-4; may be given again")
       ->allow_extra_args(false)
       ->type_name("AXIS=V,W,…");
   command

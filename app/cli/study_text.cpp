@@ -35,6 +35,11 @@ std::string runs_text(const std::vector<int>& runs) {
   return text;
 }
 
+std::string name_of(StudyAxis axis) {
+  if (axis == StudyAxis::mesh_size) return "mesh size";
+  return axis == StudyAxis::time_step ? "time step" : "step of static stages";
+}
+
 std::string convergence_text(const AxisOrder& order, const std::string& name) {
   switch (order.fit.convergence) {
     case Convergence::exact:
@@ -42,13 +47,16 @@ std::string convergence_text(const AxisOrder& order, const std::string& name) {
     case Convergence::not_monotone:
       return "No order in the " + name + ": answers scatter by " + error_text(order.fit.finest_error) +
              " instead of closing in.";
+    case Convergence::not_expected:
+      return "The " + name + ": answers differ by up to " + error_text(order.fit.spread) +
+             ", and no order is expected.";
     case Convergence::order_assumed:
-      return "Order in the " + name + ": too few runs; theory's " + number(order.theory, 2) + " was taken.";
+      return "Order in the " + name + ": too few runs; theory's " + number(*order.theory, 2) + " was taken.";
     case Convergence::converging:
       break;
   }
   const std::string where = order.axis == StudyAxis::time_step ? " in vibration" : "";
-  return "Order in the " + name + ": " + format_decimals(order.fit.order, 2) + " (theory " + number(order.theory, 2) +
+  return "Order in the " + name + ": " + format_decimals(order.fit.order, 2) + " (theory " + number(*order.theory, 2) +
          where + ")" + (order.runs.size() > 3 ? ", fits within " + error_text(order.fit.misfit) : "") +
          "; answers differ by up to " + error_text(order.fit.spread) + ".";
 }
@@ -56,7 +64,7 @@ std::string convergence_text(const AxisOrder& order, const std::string& name) {
 }  // namespace
 
 std::string order_text(const AxisOrder& order) {
-  std::string text = convergence_text(order, order.axis == StudyAxis::time_step ? "time step" : "mesh size");
+  std::string text = convergence_text(order, name_of(order.axis));
   if (!order.cut_runs.empty())
     text += " " + runs_text(order.cut_runs) + (order.cut_runs.size() > 1 ? " take" : " takes") +
             " no part: most of the steps had to be cut.";

@@ -50,8 +50,23 @@ Mat3 ShearContact::spring_at(int i, const Increment& d) const {
   const Mat3 stuck = point.shear_stiffness * (Mat3::Identity() - point.normal * point.normal.transpose());
   const Vec3 trial = spring_force(i, d);
   const double length = trial.norm();
-  if (length <= strength_[i]) return stuck;
+  if (!slides(i, length)) return stuck;
   return strength_[i] / length * (stuck - point.shear_stiffness * trial * trial.transpose() / (length * length));
+}
+
+bool ShearContact::let_slide(const Increment& d) {
+  constexpr double found_anew = 1e-3;  // share of the strength: the gap is measured where the point is now
+  slides_on_.assign(links_.contacts().points.size(), false);
+  bool any = false;
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    const double strength = strength_[i];
+    const bool slid = point.mode == ContactMode::slip && point.shear_start.norm() > (1 - found_anew) * strength;
+    if (strength == 0 || !slid || spring_force(i, d).norm() <= strength) continue;
+    slides_on_[i] = any = true;
+  }
+  if (!any) stick();
+  return any;
 }
 
 void ShearContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
@@ -64,7 +79,7 @@ void ShearContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) c
     }
     const Vec3 trial = spring_force(i, d);
     const double length = trial.norm();
-    if (length <= strength_[i] || !resists_elastically(point, links_.gap(i, d))) continue;
+    if (!slides(i, length) || !resists_elastically(point, links_.gap(i, d))) continue;
     const double growth = point.friction * point.normal_stiffness;  // N/m, of the strength as the gap closes
     links_.moves().add_spring(i, d, growth / length * trial * point.normal.transpose(), sum);
   }

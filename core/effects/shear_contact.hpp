@@ -27,6 +27,10 @@ class ShearContact final : public Effect {
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
   /// The Hessian takes contacts that are open by less than this share of their size for closed and sticking.
   void count_as_closed(double share) { touching_ = share; }
+  /// Points that slid at the end of the last step, and are beyond their strength at `d`, slide to the tangent although
+  /// they are on the border of sticking. Whether there are any. None any more by `stick`.
+  bool let_slide(const Increment& d);
+  void stick() { slides_on_.clear(); }
   void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
   double stored_energy() const override { return stored_; }
@@ -50,12 +54,16 @@ class ShearContact final : public Effect {
   double strength(int point) const { return strength_[point]; }
 
  private:
+  bool slides(int point, double spring_force) const {
+    return spring_force > strength_[point] || (!slides_on_.empty() && slides_on_[point]);
+  }
   /// By how much the force falls as the point moves, in stick or in slip, its strength held [N/m].
   Mat3 spring_at(int point, const Increment& d) const;
 
   const ContactLinks& links_;
   const std::vector<int>& points_;
   std::vector<double> strength_;  ///< N, a point of the contact set; zero where it does not resist shear
+  std::vector<bool> slides_on_;   ///< a point of the contact set; empty: none
   double touching_ = 0;
   double stored_ = 0;  ///< J, in the springs at the end of the last step
 };

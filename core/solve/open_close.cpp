@@ -161,6 +161,15 @@ double OpenClose::imbalance() const {
   return largest > 0 ? inertia / largest : 0;
 }
 
+void OpenClose::solve_at_the_start(Friction friction) {
+  assemble(zero_, closing_tolerance);
+  linear_.outdate();  // solved exactly
+  beyond_.set_zero();
+  if (friction == Friction::coupled)
+    for (const auto& effect : composition_->effects) effect->add_unsymmetric(zero_, beyond_);
+  linear_.solve(matrix_, beyond_, gradient_, 0, direction_);
+}
+
 const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
   evaluate(zero_, Friction::coupled);
   for (const auto& effect : composition_->effects) {
@@ -169,10 +178,11 @@ const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
     effect->add_gradient(zero_, part_);
     gradient_ -= part_;
   }
-  assemble(zero_, closing_tolerance);
-  linear_.outdate();  // solved exactly
-  beyond_.set_zero();
-  linear_.solve(matrix_, beyond_, gradient_, 0, direction_);
+  solve_at_the_start(Friction::lagged);
+  if (ShearContact* shear = composition_->shear; shear && shear->let_slide(-direction_)) {
+    solve_at_the_start(Friction::coupled);
+    shear->stick();
+  }
   direction_ *= -(1 - step.integration.alpha_m) / (step.integration.beta * step.length * step.length);
   return direction_;
 }

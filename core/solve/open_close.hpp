@@ -58,7 +58,7 @@ class OpenClose {
   double residual_at(const Increment& d);
   /// Accelerations a₀ [m/s²] at the start of a stage, 3 numbers a movable node: (M + βΔ²K/(1 − α_m)) a₀ balances all
   /// forces but inertia at D = 0. What is too stiff for the step to resolve, a sticking contact for instance, is thus
-  /// not set off by a load that begins with the stage. Between begin_step and settle.
+  /// not set off by a load that begins with the stage; what slides goes on sliding. Between begin_step and settle.
   const Eigen::VectorXd& start_accelerations(const StepContext& step);
 
   /// ∇Π_e·D of each effect at the last D that was looked at [J].
@@ -81,6 +81,7 @@ class OpenClose {
   void assemble_constant(const StepContext& step);
   void assemble(const Increment& d, double touching);
   void find_direction(const Increment& d, Friction friction);
+  void solve_at_the_start(Friction friction);
   /// To what smooth effects bear, and no further than contacts were sought.
   void shorten_direction(const Increment& d);
   void move(Increment& d, bool early);

@@ -8,6 +8,7 @@
 #include "model/stage_length.hpp"
 #include "study/run_beginning.hpp"
 #include "study/run_outline.hpp"
+#include "study/step_doubling.hpp"
 
 namespace talus {
 
@@ -15,6 +16,8 @@ namespace {
 
 /// Shares of the budget. Half as long steps are twice as many.
 constexpr double of_beginning = 0.4, of_outline = 0.2, of_finer = 0.4;
+/// Of a run that was made itself, for the same in half steps: what is left.
+constexpr double of_doubling = of_outline + of_finer;
 /// What was not seen comes within this factor of what was foreseen, where the stage had begun …
 constexpr double spread = 1.3;
 /// … and within this one where none of its steps were seen, or the outline did not come to its end.
@@ -112,6 +115,15 @@ std::optional<double> difference(const RunOutline& a, const RunOutline& b) {
   return apart / largest;
 }
 
+/// By step doubling of the outline, which knows what blocks do as a whole and nothing of strain.
+std::optional<double> error_in_outline(const Project& project, const BlockSystem& system, const RunOutline& outline,
+                                       double budget, Progress& progress) {
+  const RunOutline finer(project, system, 2, budget, progress);
+  const auto apart = finer.came_through() ? difference(outline, finer) : std::nullopt;
+  if (!apart) return std::nullopt;
+  return *apart * 2 / longest_leap(project);
+}
+
 bool has_order_in_the_step(const Project& project) {
   return project.solver.time_step_control == TimeStepControl::fixed && longest_leap(project) > 1;
 }
@@ -129,10 +141,11 @@ Forecast forecast(const Project& project, const BlockSystem& system, double budg
   result.failure = beginning.failure;
   const RunOutline outline(project, system, 1, of_outline * budget, second);
   add_up(project, beginning, outline, result);
-  if (outline.came_through() && has_order_in_the_step(project)) {
-    const RunOutline finer(project, system, 2, of_finer * budget, third);
-    const auto apart = finer.came_through() ? difference(outline, finer) : std::nullopt;
-    if (apart) result.error = *apart * 2 / longest_leap(project);
+  if (has_order_in_the_step(project)) {
+    if (beginning.whole && cost_of_step_doubling * result.seconds < of_doubling * budget)
+      result.error = error_by_step_doubling(project, system, of_doubling * budget, third);
+    else if (outline.came_through())
+      result.error = error_in_outline(project, system, outline, of_finer * budget, third);
   }
   result.forecast_seconds = processor_seconds_of_thread() - begin;
   return result;

@@ -127,6 +127,7 @@ TEST_F(Study, ShowsARunThatDoesNotConvergeAsARow) {
   EXPECT_THAT(ending.out, testing::ContainsRegex("\n +1 +affine +not converged "));
   EXPECT_THAT(text_of(folder() / "accuracy.csv"), HasSubstr(",not-converged,"));
   EXPECT_EQ(json()["runs"][1]["status"], "not-converged");
+  EXPECT_EQ(json()["runs"].size(), 2u) << "an axis whose values are given is the one that is run";
 }
 
 TEST_F(Study, OfAnotherProjectIsNotMixedIn) {

@@ -107,7 +107,12 @@ TEST_F(AccuracyPanelTest, SaysOfARunThatDidNotConverge) {
   AccuracyPanel& panel = opened();
   ASSERT_EQ(table(panel, "runs").rowCount(), 2);
   EXPECT_EQ(table(panel, "runs").item(1, 3)->text(), QStringLiteral("not converged"));
+  EXPECT_FALSE(table(panel, "orders").isVisible()) << "there is none";
   keepPicture(panel, "accuracy_not_converged.png");
+  theme::install(true);
+  rest(100);
+  keepPicture(panel, "accuracy_not_converged_dark.png");
+  theme::install(false);
 }
 
 TEST_F(AccuracyPanelTest, ShowsAStudyOfAnotherProjectButGivesNoSettingFromIt) {

@@ -63,6 +63,8 @@ TEST_F(AccuracySliderTest, MakesAStudyThatCanBeStoppedAndGoneOnWith) {
   click(button(panel(), "Study accuracy"));
   ASSERT_TRUE(wait([&] { return slider().isEnabled(); })) << workspace->problems().size();
   EXPECT_TRUE(workspace->study()->study.complete());
+  for (const char* name : {"accuracy.csv", "accuracy.json", "accuracy.png"})
+    EXPECT_TRUE(std::filesystem::exists(study_folder_of(file) / name)) << name;
   EXPECT_TRUE(says(QStringLiteral("error ")));
 }
 

@@ -1,10 +1,12 @@
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 
 #include "driven_window.hpp"
 #include "listed_runs.hpp"
 #include "widgets/step_facts.hpp"
 #include "widgets/struggle_panel.hpp"
+#include "widgets/theme.hpp"
 
 namespace talus {
 namespace {
@@ -93,11 +95,21 @@ TEST_F(DrivenWindow, ANewRunBeginsWithoutTheTroublesOfTheOneBefore) {
   workspace->goTo(Step::solve);
   const auto words = saidIn(*window->findChild<StepFacts*>());
   EXPECT_EQ(words.filter(QStringLiteral("not settled")).size(), 1) << words.join(u'|').toStdString();
+  for (const auto* bar : window->findChildren<QProgressBar*>())
+    if (bar->accessibleName() == QStringLiteral("Share of the run that is done")) {
+      EXPECT_EQ(bar->value(), static_cast<int>(1000 * workspace->steps().back().time / 0.3));
+    }
   const auto* ahead = window->findChild<QLabel*>(QStringLiteral("cost-ahead"));
   EXPECT_TRUE(wait([&] { return ahead->text().contains(QStringLiteral("will not converge")); }, 20000))
       << "the same again: " << ahead->text().toStdString();
   rest(300);
   keepPicture(*window, "struggle_failed_step.png");
+  theme::install(true);
+  workspace->setDark(true);
+  rest(300);
+  keepPicture(*window, "struggle_failed_step_dark.png");
+  theme::install(false);
+  workspace->setDark(false);
 
   workspace->solve();
   workspace->job().pause();

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/child_process.hpp"
 #include "base/error.hpp"
-#include "study/accuracy/accuracy_files.hpp"
 #include "study/accuracy/local_engine.hpp"
 #include "study/accuracy/study_record.hpp"
 
@@ -21,10 +21,20 @@ StudyFolder folder_for(const StudyPlan& plan) {
   }
 }
 
+/// By talus-cli, as a user would: the chart is drawn by a process of its own, where the window's own pictures are not.
+void draw_up(const StudyFolder& folder) {
+  const std::vector<std::string> command{"study", "accuracy", folder.plan().project_file.string(), "--collect"};
+  const int exit_code = output_of(command_line_program().string(), command).exit_code;
+  constexpr int not_all_completed = 1;  // that the study tells, a row a run
+  if (exit_code == 0 || exit_code == not_all_completed) return;
+  throw InputError(folder.path().string(), "cannot be drawn up",
+                   "talus-cli study accuracy " + folder.plan().project_file.string() + " --collect says why");
+}
+
 void make_study(const StudyRequest& request, Progress& progress) {
   const StudyFolder folder = folder_for(make_plan(request));
   run_locally(folder, {command_line_program(), free_cores()}, progress);
-  write_accuracy_files(evaluate(folder, std::nullopt), folder);
+  draw_up(folder);
 }
 
 }  // namespace

@@ -27,6 +27,11 @@ QString secondsOf(const AccuracyRow& row) {
   return row.run ? numbers::significant(row.run->cpu_seconds) : QStringLiteral("–");
 }
 
+QString nameOf(StudyAxis axis) {
+  if (axis == StudyAxis::mesh_size) return QObject::tr("mesh size");
+  return axis == StudyAxis::time_step ? QObject::tr("time step") : QObject::tr("static step");
+}
+
 QLabel* makeWords() {
   auto* label = makeLabel({}, "muted");
   label->setWordWrap(true);
@@ -125,7 +130,8 @@ QWidget* AccuracyPanel::makeSide() {
   profile_ = new RunProfile;
   column->addWidget(profile_);
   column->addSpacing(8);
-  column->addWidget(makeLabel(tr("Orders of convergence"), "section"));
+  ordersTitle_ = makeLabel(tr("Orders of convergence"), "section");
+  column->addWidget(ordersTitle_);
   orders_ = new PlainTable;
   orders_->setObjectName(QStringLiteral("orders"));
   orders_->setSelectionMode(QAbstractItemView::NoSelection);
@@ -203,9 +209,9 @@ void AccuracyPanel::showOrders() {
   std::vector<QStringList> rows;
   for (const AxisOrder& order : record_->study.orders) {
     const bool has = order.fit.convergence == Convergence::converging;
-    rows.push_back({order.axis == StudyAxis::time_step ? tr("time step") : tr("mesh size"),
-                    text(to_string(order.fit.convergence)),
-                    has ? numbers::significant(order.fit.order) : QStringLiteral("–"), numbers::figure(order.theory, 2),
+    rows.push_back({nameOf(order.axis), text(to_string(order.fit.convergence)),
+                    has ? numbers::significant(order.fit.order) : QStringLiteral("–"),
+                    order.theory ? numbers::figure(*order.theory, 2) : QStringLiteral("–"),
                     text(error_text(order.fit.finest_error))});
   }
   orders_->setContent({tr("Along"), tr("Runs are"), tr("Order"), tr("Theory"), tr("Finest off by")}, rows,
@@ -213,6 +219,8 @@ void AccuracyPanel::showOrders() {
   orders_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   orders_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   orders_->fitHeight(orders_->rowCount());
+  orders_->setVisible(!rows.empty());
+  ordersTitle_->setVisible(!rows.empty());
 }
 
 void AccuracyPanel::setTarget() {

@@ -40,7 +40,7 @@ class AccuracyPanel : public QDialog {
   Workspace& workspace_;
   std::optional<StudyRecord> record_;
   std::optional<int> run_;
-  QLabel *title_, *note_, *empty_;
+  QLabel *title_, *note_, *empty_, *ordersTitle_;
   AccuracyChart* chart_;
   PlainTable *runs_, *orders_;
   QLineEdit* target_;

@@ -131,7 +131,9 @@ void Plot::drawAxes(QPainter& painter) const {
   for (size_t i = 0; i < xTicks_.size(); i += skip) {
     QString label = QString::fromStdString(xLabels[i]);
     if (i + skip >= xTicks_.size()) label += QStringLiteral(" s");
-    painter.drawText(QRectF(xAt(xTicks_[i]) - 30, area_.bottom() + 4, 60, 14), Qt::AlignCenter, label);
+    const double half = painter.fontMetrics().horizontalAdvance(label) / 2.0 + 1;
+    const double middle = std::min(xAt(xTicks_[i]), width() - half);  // the last one and its unit stay in the picture
+    painter.drawText(QRectF(middle - half, area_.bottom() + 4, 2 * half, 14), Qt::AlignCenter, label);
   }
 }
 

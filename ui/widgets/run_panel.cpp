@@ -1,5 +1,8 @@
 #include "widgets/run_panel.hpp"
 
+#include <algorithm>
+
+#include "model/stage_length.hpp"
 #include "widgets/accuracy_slider.hpp"
 #include "widgets/cost_ahead.hpp"
 #include "widgets/effect_list.hpp"
@@ -34,6 +37,14 @@ QString stateWords(JobState state, const std::optional<RunReport>& report) {
       return QObject::tr("did not converge");
   }
   return {};
+}
+
+/// Of model time, by a run that has ended.
+double shareOf(const RunReport& report, const std::vector<StepReport>& steps, const Project& project) {
+  double whole = 0;
+  for (const Stage& stage : project.stages) whole += length_of(stage);
+  if (report.status == RunStatus::completed || whole <= 0) return 1;
+  return steps.empty() ? 0 : std::min(1.0, steps.back().time / whole);
 }
 
 }  // namespace
@@ -94,7 +105,9 @@ void RunPanel::refresh() {
   const auto& report = workspace_.report();
   header_->setTitle(tr("Run"), stateWords(job.state(), report));
   const bool busy = job.isBusy();
-  const double fraction = busy ? workspace_.fraction() : report ? 1 : 0;
+  const double fraction = busy     ? workspace_.fraction()
+                          : report ? shareOf(*report, workspace_.steps(), workspace_.document().project())
+                                   : 0;
   percent_->setText(busy || report ? tr("%1 %").arg(static_cast<int>(100 * fraction)) : QStringLiteral("–"));
   if (!busy && report && report->status != RunStatus::completed)
     percent_->setText(report->status == RunStatus::stopped ? tr("stopped") : tr("not converged"));

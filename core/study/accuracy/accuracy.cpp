@@ -15,7 +15,8 @@ bool completed(const AccuracyRow& row) { return row.run && row.run->status == St
 
 /// Newmark's method with γ = 1 is of first order in the step, generalized-alpha of second; linear tetrahedra give
 /// displacements of second order in the mesh size.
-double theory_of(StudyAxis axis, const Setting& own) {
+std::optional<double> theory_of(StudyAxis axis, const Setting& own) {
+  if (axis == StudyAxis::static_step) return std::nullopt;
   if (axis == StudyAxis::mesh_size) return 2;
   return own.integrator == Integrator::generalized_alpha ? 2 : 1;
 }
@@ -40,7 +41,7 @@ std::vector<int> runs_along(StudyAxis axis, const std::vector<AccuracyRow>& rows
   std::vector<int> runs;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Setting other = rows[i].setting;
-    (axis == StudyAxis::time_step ? other.time_step : other.mesh_size) = 1;
+    set_own_size(axis, other);
     if (completed(rows[i]) && other == rows.front().setting) runs.push_back(static_cast<int>(i));
   }
   std::sort(runs.begin(), runs.end(), [&](int a, int b) {
@@ -56,7 +57,7 @@ std::optional<AxisOrder> order_along(StudyAxis axis, const AccuracyStudy& study,
   order.theory = theory_of(axis, study.rows.front().setting);
   const auto row = [&](int run) -> const AccuracyRow& { return study.rows[static_cast<std::size_t>(run)]; };
   for (const int run : runs_along(axis, study.rows))
-    (axis == StudyAxis::time_step && mostly_cut(*row(run).run) ? order.cut_runs : order.runs).push_back(run);
+    (axis != StudyAxis::mesh_size && mostly_cut(*row(run).run) ? order.cut_runs : order.runs).push_back(run);
   if (order.runs.size() < 2) return std::nullopt;
   const AccuracyRow& finest = row(order.runs.front());
   std::vector<AxisDistance> distances;
@@ -154,7 +155,7 @@ AccuracyStudy evaluate(const StudyFolder& folder, std::optional<double> target) 
   study.rows = read_rows(folder);
   study.reference = reference_among(study.rows, folder.plan().ladder.finest);
   if (study.reference < 0) return study;
-  for (const StudyAxis axis : {StudyAxis::time_step, StudyAxis::mesh_size})
+  for (const StudyAxis axis : sized_axes)
     if (auto order = order_along(axis, study, measure)) {
       study.reference_error += order->fit.finest_error;
       study.orders.push_back(std::move(*order));

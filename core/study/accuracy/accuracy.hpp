@@ -27,7 +27,7 @@ std::string ending_text(const AccuracyRow& row);
 /// Errors along one axis, everything else being the project's own.
 struct AxisOrder {
   StudyAxis axis = StudyAxis::time_step;
-  double theory = 1;
+  std::optional<double> theory;  ///< none: none is expected
   OrderFit fit;
   std::vector<int> runs;      ///< finest first
   std::vector<int> cut_runs;  ///< of the axis, but most of their steps were cut: they have another step than they say

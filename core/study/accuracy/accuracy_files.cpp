@@ -36,6 +36,7 @@ std::string line_of(std::size_t number, const AccuracyRow& row) {
                                std::string(to_string(s.strain)),
                                std::string(to_string(s.integrator)),
                                number_text(s.time_step),
+                               number_text(s.static_step),
                                number_text(s.mesh_size),
                                tolerance_text(s),
                                std::to_string(run.dofs),
@@ -89,7 +90,7 @@ Json json_of(const AxisOrder& order) {
   return {{"axis", to_string(order.axis)},
           {"convergence", to_string(order.fit.convergence)},
           {"order", has_order ? Json(order.fit.order) : Json()},
-          {"theory", order.theory},
+          {"theory", or_null(order.theory)},
           {"misfit", has_order ? Json(order.fit.misfit) : Json()},
           {"spread", order.fit.spread},
           {"finest_error", order.fit.finest_error},
@@ -101,8 +102,10 @@ Json json_of(const AxisOrder& order) {
 
 std::string accuracy_csv(const AccuracyStudy& study) {
   std::string text =
-      "number,label,body,strain,integrator,time_step,mesh_size,penetration_tolerance,dofs,blocks,tetrahedra,steps,"
-      "iterations,cuts,cpu_seconds,wall_seconds,mesh_seconds,error,error_estimate,from_finest,status,pareto,note\n";
+      "number,label,body,strain,integrator,time_step,static_step,mesh_size,penetration_tolerance,dofs,blocks,"
+      "tetrahedra,"
+      "steps,iterations,cuts,cpu_seconds,wall_seconds,mesh_seconds,error,error_estimate,from_finest,status,pareto,"
+      "note\n";
   for (std::size_t i = 0; i < study.rows.size(); ++i) text += line_of(i, study.rows[i]);
   return text;
 }

@@ -32,10 +32,11 @@ AccuracyRow row_of(const Json& json) {
 
 AxisOrder order_of(const Json& json) {
   AxisOrder order;
-  order.axis = json.at("axis") == to_string(StudyAxis::mesh_size) ? StudyAxis::mesh_size : StudyAxis::time_step;
-  order.theory = json.at("theory");
-  for (const Convergence convergence :
-       {Convergence::converging, Convergence::exact, Convergence::not_monotone, Convergence::order_assumed})
+  for (const StudyAxis axis : sized_axes)
+    if (json.at("axis") == to_string(axis)) order.axis = axis;
+  order.theory = number_or_none(json.at("theory"));
+  for (const Convergence convergence : {Convergence::converging, Convergence::exact, Convergence::not_monotone,
+                                        Convergence::order_assumed, Convergence::not_expected})
     if (json.at("convergence") == to_string(convergence)) order.fit.convergence = convergence;
   order.fit.order = number_or_none(json.at("order")).value_or(0);
   order.fit.misfit = number_or_none(json.at("misfit")).value_or(0);

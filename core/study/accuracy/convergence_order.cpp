@@ -44,7 +44,8 @@ double finest_error(double order, double finest, const AxisDistance& next) {
 
 }  // namespace
 
-std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> distances, double theory) {
+std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> distances,
+                                  std::optional<double> theory) {
   if (distances.empty()) return std::nullopt;
   const auto nearer = [](const AxisDistance& a, const AxisDistance& b) { return a.distance < b.distance; };
   const double largest = std::max_element(distances.begin(), distances.end(), nearer)->distance;
@@ -54,9 +55,14 @@ std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> d
     fit.convergence = Convergence::exact;
     return fit;
   }
+  if (!theory) {
+    fit.convergence = Convergence::not_expected;
+    fit.finest_error = largest;
+    return fit;
+  }
   if (distances.size() == 1) {
     fit.convergence = Convergence::order_assumed;
-    fit.finest_error = finest_error(theory, finest, distances.front());
+    fit.finest_error = finest_error(*theory, finest, distances.front());
     return fit;
   }
   const bool rising = std::is_sorted(distances.begin(), distances.end(), nearer);
@@ -69,7 +75,7 @@ std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> d
   }
   fit.misfit = std::expm1(misfit(fit.order, finest, distances));
   const bool certain = distances.size() > 2 && fit.misfit < good_fit;
-  fit.finest_error = finest_error(certain ? fit.order : std::min(fit.order, theory), finest, distances.front());
+  fit.finest_error = finest_error(certain ? fit.order : std::min(fit.order, *theory), finest, distances.front());
   return fit;
 }
 

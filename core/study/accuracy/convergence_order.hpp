@@ -21,9 +21,10 @@ enum class Convergence {
   exact,          ///< all runs agree to rounding
   not_monotone,   ///< distances do not fall with the size: no order can be told
   order_assumed,  ///< two runs only: theory's order was taken
+  not_expected,   ///< theory knows no order: answers scatter
 };
 constexpr const char* to_string(Convergence convergence) {
-  constexpr const char* words[] = {"converging", "exact", "not monotone", "order assumed"};
+  constexpr const char* words[] = {"converging", "exact", "not monotone", "order assumed", "not expected"};
   return words[static_cast<int>(convergence)];
 }
 
@@ -39,7 +40,7 @@ struct OrderFit {
 /// measured from the finest run instead of the answer, which need not be known. The finest run's own error C·finestᵖ
 /// follows from the nearest distance, with `theory`'s order where the observed one is higher (a coarse run may come
 /// nearer by chance) unless three distances or more fit it within `good_fit`, and is the largest distance where nothing
-/// converges. `distances`: ascending sizes, all above `finest`. Nothing without any distance.
-std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> distances, double theory);
+/// converges or `theory` is none. `distances`: ascending sizes, all above `finest`. Nothing without any distance.
+std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> distances, std::optional<double> theory);
 
 }  // namespace talus

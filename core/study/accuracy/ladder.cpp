@@ -15,8 +15,9 @@ namespace {
 
 using Values = std::vector<std::string>;
 
-constexpr StudyAxis all_axes[] = {StudyAxis::body,      StudyAxis::strain,    StudyAxis::integrator,
-                                  StudyAxis::time_step, StudyAxis::mesh_size, StudyAxis::penetration_tolerance};
+constexpr StudyAxis all_axes[] = {
+    StudyAxis::body,        StudyAxis::strain,    StudyAxis::integrator,           StudyAxis::time_step,
+    StudyAxis::static_step, StudyAxis::mesh_size, StudyAxis::penetration_tolerance};
 
 Values usual_values(StudyAxis axis) {
   switch (axis) {
@@ -28,6 +29,8 @@ Values usual_values(StudyAxis axis) {
       return {"newmark", "constant-acceleration", "generalized-alpha"};
     case StudyAxis::time_step:
       return {"4", "2", "1", "0.5", "0.25"};
+    case StudyAxis::static_step:
+      return {"1", "0.5"};
     case StudyAxis::mesh_size:
       return {"2", "1", "0.5"};
     case StudyAxis::penetration_tolerance:
@@ -94,6 +97,9 @@ void set(Setting& setting, StudyAxis axis, const std::string& word) {
     case StudyAxis::time_step:
       setting.time_step = positive_number(axis, word);
       break;
+    case StudyAxis::static_step:
+      setting.static_step = positive_number(axis, word);
+      break;
     case StudyAxis::mesh_size:
       setting.mesh_size = positive_number(axis, word);
       break;
@@ -110,11 +116,16 @@ bool deforms_by_its_mesh(const Setting& setting) {
 /// Why no value of the axis can change this project's answer; empty where some may.
 std::string reason_against(StudyAxis axis, const Project& project) {
   const Setting own = own_setting(project);
-  const auto dynamic = [](const Stage& stage) { return stage.kind == StageKind::dynamic; };
+  const auto has = [&](StageKind kind) {
+    return std::any_of(project.stages.begin(), project.stages.end(), [&](const Stage& s) { return s.kind == kind; });
+  };
   switch (axis) {
     case StudyAxis::integrator:
     case StudyAxis::time_step:
-      if (std::none_of(project.stages.begin(), project.stages.end(), dynamic)) return "no stage is dynamic";
+      if (!has(StageKind::dynamic)) return "no stage is dynamic";
+      break;
+    case StudyAxis::static_step:
+      if (!has(StageKind::static_)) return "no stage is static";
       break;
     case StudyAxis::strain:
       if (own.body == BodyKind::rigid) return "rigid blocks have no strain";
@@ -240,7 +251,14 @@ class LadderBuilder {
 }  // namespace
 
 double size_on(StudyAxis axis, const Setting& setting) {
-  return axis == StudyAxis::time_step ? setting.time_step : setting.mesh_size;
+  if (axis == StudyAxis::mesh_size) return setting.mesh_size;
+  return axis == StudyAxis::time_step ? setting.time_step : setting.static_step;
+}
+
+void set_own_size(StudyAxis axis, Setting& setting) {
+  if (axis == StudyAxis::mesh_size) setting.mesh_size = 1;
+  if (axis == StudyAxis::time_step) setting.time_step = 1;
+  if (axis == StudyAxis::static_step) setting.static_step = 1;
 }
 
 LadderWish parse_ladder_wish(const std::vector<std::string>& axes, const std::vector<std::string>& values) {
@@ -253,8 +271,7 @@ LadderWish parse_ladder_wish(const std::vector<std::string>& axes, const std::ve
       throw InputError("values '" + text + "'", "is no axis with values", "write them like time_step=4,2,1,0.5");
     const StudyAxis axis = axis_named(text.substr(0, equals));
     wish.values[axis] = split(text.substr(equals + 1));
-    if (!wish.axes.empty() && std::find(wish.axes.begin(), wish.axes.end(), axis) == wish.axes.end())
-      wish.axes.push_back(axis);
+    if (std::find(wish.axes.begin(), wish.axes.end(), axis) == wish.axes.end()) wish.axes.push_back(axis);
   }
   return wish;
 }

@@ -9,27 +9,31 @@
 namespace talus {
 
 /// What an accuracy study varies.
-enum class StudyAxis { body, strain, integrator, time_step, mesh_size, penetration_tolerance };
+enum class StudyAxis { body, strain, integrator, time_step, static_step, mesh_size, penetration_tolerance };
 
 constexpr std::string_view to_string(StudyAxis axis) {
-  constexpr std::string_view words[] = {"body",      "strain",    "integrator",
-                                        "time_step", "mesh_size", "penetration_tolerance"};
+  constexpr std::string_view words[] = {"body",        "strain",    "integrator",           "time_step",
+                                        "static_step", "mesh_size", "penetration_tolerance"};
   return words[static_cast<int>(axis)];
 }
 
-/// Axes whose values have a size, along which errors have an order.
-constexpr bool has_size(StudyAxis axis) { return axis == StudyAxis::time_step || axis == StudyAxis::mesh_size; }
+/// Axes whose values have a size. Errors have an order along time step and mesh size. A static step has a size and no
+/// order: it is a way to rest, and a shorter one is another way, neither nearer to rest nor further from it.
+inline constexpr StudyAxis sized_axes[] = {StudyAxis::time_step, StudyAxis::static_step, StudyAxis::mesh_size};
 /// Of such an axis: a factor of the project's own.
 double size_on(StudyAxis axis, const Setting& setting);
+/// The project's own size on it.
+void set_own_size(StudyAxis axis, Setting& setting);
 
 /// Which axes, and which values of each, as the user writes them: bodies, strains and integrators by the words of the
 /// project file, factors as numbers, tolerances as numbers or "off".
 struct LadderWish {
-  std::vector<StudyAxis> axes;  ///< all when empty
+  std::vector<StudyAxis> axes;  ///< all where empty
   std::map<StudyAxis, std::vector<std::string>> values{};
 };
 
-/// From "body,time_step" and "time_step=4,2,1"; `values` adds axes that are not named. Throws InputError.
+/// From "body,time_step" and "time_step=4,2,1"; an axis whose values are given is one
+/// that is asked for. Throws InputError.
 LadderWish parse_ladder_wish(const std::vector<std::string>& axes, const std::vector<std::string>& values);
 
 /// A setting, or a whole axis, that was not taken, and why.

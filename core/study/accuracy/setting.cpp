@@ -38,10 +38,8 @@ void set_bodies(Project& project, BodyKind wanted) {
     for (BlockChange& change : stage.blocks) set_body(change.body, wanted);
 }
 
-/// A static stage keeps its steps: they are ways to rest, not steps in time. Inertia ∼ 1/Δ² holds the rock back in each
-/// of them, so that more and shorter ones leave it less settled.
 void scale_step(Stage& stage, double factor) {
-  if (factor == 1 || stage.kind == StageKind::static_) return;
+  if (factor == 1) return;
   stage.time_step *= factor;
   if (!stage.steps) return;
   const double steps = *stage.steps / factor;
@@ -104,7 +102,8 @@ Project under(const Setting& setting, const Project& given) {
     project.solver.spectral_radius = SolverSettings{}.spectral_radius;
   project.solver.integrator = setting.integrator;
   project.solver.penetration_tolerance = setting.penetration_tolerance;
-  for (Stage& stage : project.stages) scale_step(stage, setting.time_step);
+  for (Stage& stage : project.stages)
+    scale_step(stage, stage.kind == StageKind::static_ ? setting.static_step : setting.time_step);
   scale_mesh(project, setting.mesh_size);
   return project;
 }
@@ -125,6 +124,7 @@ std::string label_of(const Setting& setting, const Setting& own) {
   add(setting.strain != own.strain, std::string(to_string(setting.strain)));
   add(setting.integrator != own.integrator, std::string(to_string(setting.integrator)));
   add(setting.time_step != own.time_step, multiple("Δ", setting.time_step));
+  add(setting.static_step != own.static_step, "static " + multiple("Δ", setting.static_step));
   add(setting.mesh_size != own.mesh_size, multiple("h", setting.mesh_size));
   add(setting.penetration_tolerance != own.penetration_tolerance, "tolerance " + tolerance_text(setting));
   add(setting == own, "the project's own");

@@ -14,6 +14,7 @@ struct Setting {
   Strain strain = Strain::corotational;
   Integrator integrator = Integrator::newmark;
   double time_step = 1;                         ///< of dynamic stages, in units of the project's own
+  double static_step = 1;                       ///< of static stages, likewise
   double mesh_size = 1;                         ///< of every solid, in units of the project's own
   std::optional<double> penetration_tolerance;  ///< of the mesh size; empty: springs as they are
   bool operator==(const Setting&) const = default;

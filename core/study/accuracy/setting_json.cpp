@@ -20,6 +20,7 @@ Json setting_json(const Setting& setting) {
           {"strain", to_string(setting.strain)},
           {"integrator", to_string(setting.integrator)},
           {"time_step", setting.time_step},
+          {"static_step", setting.static_step},
           {"mesh_size", setting.mesh_size},
           {"penetration_tolerance", setting.penetration_tolerance ? Json(*setting.penetration_tolerance) : Json()}};
 }
@@ -33,6 +34,7 @@ Setting setting_of(const Json& json) {
   setting.integrator = kind_of(json.at("integrator"),
                                {Integrator::newmark, Integrator::constant_acceleration, Integrator::generalized_alpha});
   setting.time_step = json.at("time_step");
+  setting.static_step = json.value("static_step", 1.0);  // studies made before there were others
   setting.mesh_size = json.at("mesh_size");
   if (const Json& tolerance = json.at("penetration_tolerance"); !tolerance.is_null())
     setting.penetration_tolerance = tolerance.get<double>();

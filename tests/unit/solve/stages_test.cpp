@@ -60,6 +60,23 @@ TEST(Stages, a_joint_that_loses_its_strength_lets_the_block_go) {
   EXPECT_NEAR(block_motion(simulation.bodies(), 1).velocity.x() / expected, 1, 0.01);
 }
 
+/// A static stage leaves a creeping block on the border between sticking and sliding.
+TEST(Stages, what_slid_when_a_static_stage_ended_slides_on_with_its_whole_acceleration) {
+  for (const Integrator integrator : {Integrator::newmark, Integrator::generalized_alpha}) {
+    Project project = test::rock_project(
+        15, {{"settle", StageKind::static_, 0.001, 20, {}}, {"slide", StageKind::dynamic, 0.01, 5, {}}});
+    project.gravity = test::tilted_gravity(30);
+    project.solver.integrator = integrator;
+    const BlockSystem system = test::cube_on_slab();
+    Simulation simulation(project, system);
+    while (!simulation.stage_ended()) simulation.step();
+    const double start = block_motion(simulation.bodies(), 1).displacement.x();
+    run_to_the_end(simulation);
+    const double a = 9.81 * (std::sin(M_PI / 6) - std::tan(M_PI / 12) * std::cos(M_PI / 6)), t = 0.05;
+    EXPECT_NEAR((block_motion(simulation.bodies(), 1).displacement.x() - start) / (a * t * t / 2), 1, 1e-5);
+  }
+}
+
 TEST(Stages, a_block_held_in_a_stage_stands_still_keeps_its_stress_and_falls_when_let_go) {
   Stage wait{"wait", StageKind::dynamic, 0.01, 20, {}}, fall{"fall", StageKind::dynamic, 0.01, 50, {}};
   wait.blocks = {{"B", BodyKind::fixed}};

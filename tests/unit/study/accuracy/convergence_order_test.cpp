@@ -56,6 +56,13 @@ TEST(ConvergenceOrder, IsToldWithHowMuchTheAxisMatters) {
   EXPECT_EQ(fit_order(0.25, list, 2)->spread, list.back().distance);
 }
 
+TEST(ConvergenceOrder, WhereTheoryKnowsNoneIsTheLargestDistance) {
+  const auto fit = fit_order(0.5, distances(0.5, {1}, 2, 0.1), std::nullopt);
+  EXPECT_EQ(fit->convergence, Convergence::not_expected);
+  EXPECT_EQ(fit->finest_error, fit->spread);
+  EXPECT_EQ(fit_order(0.5, std::vector<AxisDistance>{{1, 1e-12}}, std::nullopt)->convergence, Convergence::exact);
+}
+
 TEST(ConvergenceOrder, OfScatteredDistancesSaysHowWellItFits) {
   auto list = distances(0.25, {0.5, 1, 2, 4}, 1, 0.03);
   list[1].distance *= 1.1;

@@ -40,12 +40,21 @@ TEST(Ladder, TakesTheValuesThatAreGiven) {
   EXPECT_EQ(ladder.finest, 1);
 }
 
+TEST(Ladder, TakesTheAxesWhoseValuesAreGiven) {
+  const Ladder alone = make_ladder(sample("incline_slide"), parse_ladder_wish({}, {"time_step=1,0.5"}));
+  EXPECT_THAT(labels(alone), testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · Δ/2"));
+  const Ladder both = make_ladder(sample("incline_slide"), parse_ladder_wish({"static_step"}, {"time_step=0.5"}));
+  EXPECT_THAT(labels(both),
+              testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · Δ/2", "tetrahedra · static Δ/2"));
+}
+
 TEST(Ladder, LeavesOutWhatMakesNoSenseAndSaysWhy) {
   Project project = sample("free_fall");
   project.in_situ = {InSituStress{}};
   const Ladder ladder = make_ladder(project, {});
   EXPECT_THAT(ladder.left_out, Contains(Field(&LeftOut::reason, "rigid blocks bear no stress in situ")));
   EXPECT_THAT(ladder.left_out, Contains(Field(&LeftOut::reason, HasSubstr("nothing it could touch"))));
+  EXPECT_THAT(ladder.left_out, Contains(Field(&LeftOut::reason, "no stage is static")));
   for (const Setting& setting : ladder.settings) EXPECT_NE(setting.body, BodyKind::rigid);
 }
 

@@ -43,6 +43,9 @@ TEST(Setting, KeepsTheModelTimeOfStages) {
   Setting setting = own_setting(project);
   setting.time_step = 0.5;
   EXPECT_EQ(under(setting, project).stages[0], project.stages[0]);  // static: as it is
+  setting.static_step = 0.5;
+  EXPECT_EQ(under(setting, project).stages[0].steps, 40);
+  EXPECT_DOUBLE_EQ(under(setting, project).stages[0].time_step, 0.0005);
   EXPECT_EQ(under(setting, project).stages[1].duration, 1);
   EXPECT_DOUBLE_EQ(under(setting, project).stages[1].time_step, 0.005);
   project.stages[1].duration.reset();
@@ -69,13 +72,14 @@ TEST(Setting, IsCalledByWhatIsNotTheProjectsOwn) {
   EXPECT_EQ(label_of(own, own), "tetrahedra · the project's own");
   Setting other = own;
   other.time_step = 0.5;
+  other.static_step = 0.5;
   other.mesh_size = 2;
   other.penetration_tolerance = 1e-3;
-  EXPECT_EQ(label_of(other, own), "tetrahedra · Δ/2 · 2h · tolerance 0.001");
+  EXPECT_EQ(label_of(other, own), "tetrahedra · Δ/2 · static Δ/2 · 2h · tolerance 0.001");
 }
 
 TEST(Setting, SurvivesItsJson) {
-  Setting setting{BodyKind::affine, Strain::incremental, Integrator::generalized_alpha, 0.3, 1.7, 1e-4};
+  Setting setting{BodyKind::affine, Strain::incremental, Integrator::generalized_alpha, 0.3, 0.7, 1.7, 1e-4};
   EXPECT_EQ(setting_of(setting_json(setting)), setting);
   setting.body.reset();
   setting.penetration_tolerance.reset();
