@@ -11,7 +11,7 @@ namespace talus {
 namespace {
 
 /// A push that changes by more than this share of the larger is a blow.
-constexpr double sudden = 0.5;
+constexpr double sudden = 0.3;
 /// An acceleration of which less than this share is left is over. Stiff contacts swing to and fro with a third.
 constexpr double gone = 0.25;
 /// A push that gives back more than this share of a body's kinetic energy in a step is a blow that dies away.
