@@ -23,7 +23,8 @@ bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal, 
       const Vec3 along = (step.x[e.nodes[1]] - step.x[e.nodes[0]]).stableNormalized();
       if (std::abs(along.dot(normal)) > tolerance) continue;
       const std::array<Vec3, 2> into = into_facets(step, e);
-      if (into[0].dot(normal) >= -tolerance && into[1].dot(normal) >= -tolerance) return true;
+      const bool convex = into[1].dot(step.fresh_normal(e.facets[0])) < 0;
+      if (convex && into[0].dot(normal) >= -tolerance && into[1].dot(normal) >= -tolerance) return true;
     }
   return false;
 }

@@ -11,7 +11,7 @@ namespace talus {
 /// node's normal cone.
 double rise(const StepGeometry& step, int node, const Vec3& normal);
 
-/// Whether an edge that ends at the node lies along the plane of `normal`, to within `tolerance` (sine), and the
+/// Whether a convex edge that ends at the node lies along the plane of `normal`, to within `tolerance` (sine), and the
 /// opposite of the normal in the edge's cone. At a convex node that says no more than its own cone; where a rim ends in
 /// a concave corner, as that of a square hole does, the rim's edges bear though the corner as a whole cannot.
 bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal, double tolerance);

@@ -42,7 +42,7 @@ struct ContactDetector::State {
   StepGeometry look(std::span<const Vec3> x, double reach);
   void find_points(std::span<const Vec3> x, double reach);
   bool is_given(std::uint64_t key) const;
-  double late_overlap(const FoundPoint& found) const;
+  double late_overlap(const FoundPoint& found, double normal_stiffness) const;
   ContactPoint complete(const FoundPoint& found, bool& known) const;
   void complete_all(ContactSet& contacts);
   void bond(std::span<ContactPoint> points) const;
@@ -135,7 +135,7 @@ void ContactDetector::State::measure_bodies(std::span<const Vec3> x) {
 /// Fills `near` with the pairs of facets that matter.
 StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach) {
   keep_near_pairs(broad.find(x, reach), x, reach);
-  return {features, broad, x, broad.normals(), penetration, widths, first_areas, settings, reach, moved};
+  return {features, broad, x, broad.normals(), penetration, widths, first_areas, settings, reach, moved, memory};
 }
 
 void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
@@ -155,10 +155,11 @@ void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) 
             [](const FoundPoint& p, const FoundPoint& q) { return p.key < q.key; });
 }
 
-/// A contact that shows up deeper than any was in the last step was there before and was not seen, where features give
-/// way to one another. It pushes against what comes on top: pushing back all of it would make energy from nothing.
-double ContactDetector::State::late_overlap(const FoundPoint& f) const {
-  return std::max(0.0, -f.gap - std::max(penetration[f.bodies[0]], penetration[f.bodies[1]]));
+/// A contact that shows up deep was there before and was not seen, where features give way to one another. It takes
+/// over what one did there in the last step, and pushes against what comes on top: pushing back all of it would make
+/// energy from nothing.
+double ContactDetector::State::late_overlap(const FoundPoint& f, double normal_stiffness) const {
+  return f.gap < 0 ? std::max(0.0, -f.gap - memory.known_compression(f, normal_stiffness)) : 0;
 }
 
 ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) const {
@@ -201,7 +202,7 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) 
     // A vertex is stiffer than the corner of an area that it was: the same gap would push harder all of a sudden.
     if (past->lost_area) p.overlap = std::max(p.overlap, -f.gap - past->spring_force / p.normal_stiffness);
   } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {
-    p.overlap = late_overlap(f);
+    p.overlap = late_overlap(f, p.normal_stiffness);
   }
   p.gap = f.gap + p.overlap;
   return p;

@@ -1,8 +1,11 @@
 #include "contact/contact_memory.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "base/units.hpp"
 
 namespace talus {
 namespace {
@@ -11,7 +14,6 @@ namespace {
 constexpr double along_features = 2;  // of the same two patches or creases
 constexpr double across_features = 0.5;
 constexpr double least_agreement = 0.2;  // cosine between normals of two contacts that are one
-
 }  // namespace
 
 void ContactMemory::claim(std::span<const FoundPoint> points) {
@@ -109,6 +111,33 @@ std::optional<ContactMemory::Recollection> ContactMemory::recall(const FoundPoin
   return all;
 }
 
+double ContactMemory::depth_along(int body, const Vec3& direction, int but) const {
+  const double flush = std::cos(radians(flush_angle));
+  double deepest = 0;
+  const auto look = [&](const Memo& memo) {
+    const bool first = memo.bodies[0] == body;
+    if (memo.bodies[first ? 1 : 0] == but || !((first ? 1 : -1) * memo.normal.dot(direction) > flush)) return;
+    deepest = std::max(deepest, memo.overlap - memo.gap);
+  };
+  for (int i = of_body_begin_[body]; i < of_body_begin_[body + 1]; ++i) look(memos_[of_body_[i]]);
+  resting_.visit(body, look);
+  return deepest;
+}
+
+double ContactMemory::known_compression(const FoundPoint& point, double stiffness) const {
+  const auto contacts_of = [&](int body) {
+    return std::span(of_body_).subspan(of_body_begin_[body], of_body_begin_[body + 1] - of_body_begin_[body]);
+  };
+  const auto first = contacts_of(point.bodies[0]), second = contacts_of(point.bodies[1]);
+  double most = 0;
+  for (const int m : first.size() < second.size() ? first : second) {
+    const Memo& memo = memos_[m];
+    if (memo.bodies != point.bodies || !(memo.normal.dot(point.normal) > std::cos(radians(flush_angle)))) continue;
+    most = std::max(most, std::min(-memo.gap, (memo.normal_force - memo.multiplier) / stiffness));
+  }
+  return most;
+}
+
 bool ContactMemory::ever_broken(std::uint64_t family) const {
   return std::binary_search(broken_.begin(), broken_.end(), family);
 }
@@ -149,6 +178,7 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
     broken_.erase(std::unique(broken_.begin(), broken_.end()), broken_.end());
   }
   sort_by_family();
+  sort_by_body();
 }
 
 void ContactMemory::sort_by_family() {
@@ -159,6 +189,16 @@ void ContactMemory::sort_by_family() {
     if (p.family != q.family) return p.family < q.family;
     return p.position.x() != q.position.x() ? p.position.x() < q.position.x() : a < b;
   });
+}
+
+void ContactMemory::sort_by_body() {
+  std::fill(of_body_begin_.begin(), of_body_begin_.end(), 0);
+  for (const Memo& memo : memos_)
+    for (const int body : memo.bodies) ++of_body_begin_[body];
+  std::partial_sum(of_body_begin_.begin(), of_body_begin_.end(), of_body_begin_.begin());  // where each body's end
+  of_body_.resize(2 * memos_.size());
+  for (int m = static_cast<int>(memos_.size()) - 1; m >= 0; --m)
+    for (const int body : memos_[m].bodies) of_body_[--of_body_begin_[body]] = m;
 }
 
 void ContactMemory::rest(std::span<const int> changed, const std::function<bool(int)>& rests) {
@@ -179,6 +219,7 @@ void ContactMemory::rest(std::span<const int> changed, const std::function<bool(
   std::sort(memos_.begin(), memos_.end(), [](const Memo& p, const Memo& q) { return p.key < q.key; });
   any_bonded_ = std::any_of(memos_.begin(), memos_.end(), [](const Memo& m) { return m.bonded; });
   sort_by_family();
+  sort_by_body();
 }
 
 }  // namespace talus

@@ -30,7 +30,8 @@ class ContactMemory {
   };
 
   /// `by_key_alone`: the facet-wise model knows nothing of the features around.
-  ContactMemory(std::size_t bodies, bool by_key_alone) : by_key_alone_(by_key_alone), resting_(bodies) {}
+  ContactMemory(std::size_t bodies, bool by_key_alone)
+      : by_key_alone_(by_key_alone), resting_(bodies), of_body_begin_(bodies + 1, 0) {}
 
   /// Must precede recall(): gives every former contact to the point that has its key. One that lost its key hands its
   /// force on, once: corners of facing facets to nobody while the same patches go on facing each other, for then their
@@ -45,6 +46,13 @@ class ContactMemory {
 
   /// Whether the contact with this key was closed or bonded when the last step was accepted.
   bool remembers(std::uint64_t key) const { return with_key(key) != nullptr; }
+
+  /// How deep the body lay, when the last step was accepted, in those that pushed it along `direction`, other than
+  /// `but`; 0 where none did. [m]
+  double depth_along(int body, const Vec3& direction, int but) const;
+  /// How far a spring of this stiffness [N/m] may give at a point from the beginning, and neither push harder nor hold
+  /// more than one did between the same bodies, along this normal or nearly so, when the last step was accepted. [m]
+  double known_compression(const FoundPoint& point, double stiffness) const;
 
   /// Whether a bond between these two patches ever broke.
   bool ever_broken(std::uint64_t family) const;
@@ -70,12 +78,15 @@ class ContactMemory {
   const FoundPoint* heir_of(const Memo& memo, std::span<const FoundPoint> points) const;
   static void add_forces(const Memo& memo, const FoundPoint& point, Recollection& sum);
   void sort_by_family();
+  void sort_by_body();
 
   bool by_key_alone_;
   bool any_bonded_ = false;
   RestingContacts resting_;
   std::vector<Memo> memos_;                            // sorted by key
   std::vector<int> by_family_;                         // numbers of memos_, sorted by family and then along x
+  std::vector<int> of_body_;                           // numbers of memos_: those of body b from …
+  std::vector<int> of_body_begin_;                     // … of_body_begin_[b] to of_body_begin_[b + 1]
   std::vector<std::uint64_t> facing_;                  // families with an area, sorted
   std::vector<std::pair<std::uint64_t, int>> handed_;  // key of a point, number of a memo; sorted
   std::vector<std::uint64_t> broken_;                  // families, sorted

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "contact/contact_memory.hpp"
 
 namespace talus {
 namespace {
@@ -83,6 +84,22 @@ void FoundPoints::add_between(FoundPoint p, const std::array<int, 2>& of_first, 
 double StepGeometry::rim(int body_a, int body_b) const {
   const double size = broad.scale(body_a, body_b).size;
   return std::clamp(rim_per_penetration * deepest(body_a, body_b), rim_least * size, rim_most * size);
+}
+
+bool StepGeometry::within_rim(double distance, int body, int other, const Vec3& beyond) const {
+  if (distance < rim_least * broad.scale(body, other).size) return true;
+  if (!(distance < widest_rim(body, other))) return false;
+  const auto held_by_a_third = [&](int b, const Vec3& direction, int but) {
+    return moved[b] ? memory.depth_along(b, direction, but) : 0;
+  };
+  const double held = std::max(held_by_a_third(other, beyond, body), held_by_a_third(body, -beyond, other));
+  return distance < rim_per_penetration * held;
+}
+
+double StepGeometry::widest_rim(int body_a, int body_b) const { return rim_most * broad.scale(body_a, body_b).size; }
+
+double StepGeometry::seen_depth(int body_a, int body_b) const {
+  return rim_least / 2 * broad.scale(body_a, body_b).size;
 }
 
 double StepGeometry::depth(int body_a, int body_b) const {

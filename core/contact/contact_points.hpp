@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -61,9 +62,10 @@ struct FoundPoints {
 /// |a×b|² of |a|²|b|²: below it the direction across two edges is not that of their cross product alone.
 inline constexpr double nearly_parallel = 1e-3;
 
-/// Of the rim: what lies deeper than this, one and a half times as deep as anything in the last step, may have come
-/// past a crease.
-inline constexpr double well_below = 0.5;
+/// Degrees within which one surface goes on as another, and two pushes are along one direction.
+inline constexpr double flush_angle = 10.0;
+
+class ContactMemory;
 
 /// What the searches look at: the surfaces as they are at the start of the step.
 struct StepGeometry {
@@ -77,38 +79,54 @@ struct StepGeometry {
   const ContactSettings& settings;
   double reach;
   std::span<const char> moved;  ///< a body: it took part in a step and was not fixed
+  const ContactMemory& memory;
 
   /// Whether one of the two could move before: they cannot be deep in each other all of a sudden.
   bool begun(int body_a, int body_b) const { return moved[body_a] || moved[body_b]; }
   /// The deepest that two bodies lay in each other at the end of the last step. [m]
   double deepest(int body_a, int body_b) const { return std::max(penetration[body_a], penetration[body_b]); }
-  /// How near the rim of a convex crease a contact is left to the facet beyond. [m]
+  /// How near each other features of two bodies are in one place. [m]
   double rim(int body_a, int body_b) const;
+  /// Is what lies on `body`, by `distance` [m] on this side of a convex crease, left to the facet beyond, with the
+  /// normal `beyond`? It is if that is next to nothing, or no more than what `other` may lie in `body` along that
+  /// normal while a third one holds either: two that this one carries slide past each other there.
+  bool within_rim(double distance, int body, int other, const Vec3& beyond) const;
+  double widest_rim(int body_a, int body_b) const;  ///< nothing farther from a crease is within its rim [m]
   /// How deep two bodies' features can lie in each other: what the last step left and this one may add, and never more
   /// than the settings allow, nor than the middle of the thinner: beyond it a feature belongs to the far side. A
   /// feature that seems to lie deeper came past from outside, beside the other body. [m]
   double depth(int body_a, int body_b) const;
-  /// Do all these points lie beyond a convex crease of the facet, or below the facet there by less than `rim`? What
-  /// slides along that one has come past the crease from outside, however far it reaches behind this one. Only creases
-  /// count whose facet beyond has a normal that `counts`.
+  /// Do all these points of body `other`, of which some lie below a facet, lie nearer to a convex crease of it than the
+  /// deepest is deep, or within its rim? What slides along the facet beyond has come past the crease from outside,
+  /// however far it reaches behind this one. Only creases count whose facet beyond has a normal that `counts`.
   template <class Counts>
-  bool came_past_a_crease(int facet, std::span<const Vec3> points, double rim, const Counts& counts) const;
+  bool came_past_a_crease(int facet, std::span<const Vec3> points, int other, const Counts& counts) const;
+  /// So deep is too deep for rounding. [m]
+  double seen_depth(int body_a, int body_b) const;
   /// Joint that both facets carry, or −1.
   int common_joint(int facet_a, int facet_b) const;
   Vec3 fresh_normal(int facet) const;  ///< of any facet
 };
 
 template <class Counts>
-bool StepGeometry::came_past_a_crease(int facet, std::span<const Vec3> points, double rim, const Counts& counts) const {
+bool StepGeometry::came_past_a_crease(int facet, std::span<const Vec3> points, int other, const Counts& counts) const {
   const ContactFacet& f = features.facets[facet];
   const Vec3 centre = (x[f.nodes[0]] + x[f.nodes[1]] + x[f.nodes[2]]) / 3;
+  const auto depth_below = [&](const Vec3& normal, int node, const Vec3& p) { return normal.dot(x[node] - p); };
   for (const int node : f.nodes)
     for (const int beyond : features.facets_at(node)) {
       if (features.facets[beyond].patch == f.patch) continue;
       const Vec3 n = fresh_normal(beyond);
-      const bool convex = n.dot(centre - x[node]) < -rim;
-      const auto is_beyond = [&](const Vec3& p) { return n.dot(p - x[node]) > -rim; };
-      if (convex && counts(n) && std::all_of(points.begin(), points.end(), is_beyond)) return true;
+      if (!(depth_below(n, node, centre) > rim(f.body, other)) || !counts(n)) continue;
+      const double cosine = n.dot(normals[facet]), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+      double width = 0, deepest = 0, below = 0;
+      for (const Vec3& p : points) {
+        const double here = depth_below(normals[facet], node, p), there = depth_below(n, node, p);
+        deepest = std::max(deepest, here);
+        below = std::max(below, there);
+        width = std::max(width, (there - here * cosine) / sine);
+      }
+      if (width < deepest || within_rim(below, f.body, other, n)) return true;
     }
   return false;
 }

@@ -66,16 +66,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return;
 
   const ContactFacet &fa = step.features.facets[a.facets[0]], &fb = step.features.facets[b.facets[0]];
-  const double size = step.broad.scale(fa.body, fb.body).size, rim = step.rim(fa.body, fb.body);
-  const double la = u.norm(), lb = w.norm();
-  const auto vertex_has_it = [&](int node, double away, const ContactEdge& other) {
-    if (away > rim || !step.features.corner[node]) return false;
-    return std::any_of(other.facets.begin(), other.facets.end(),
-                       [&](int f) { return vertices.has(node, step.features.facets[f].patch); });
-  };
-  if (vertex_has_it(a.nodes[0], s * la, b) || vertex_has_it(a.nodes[1], (1 - s) * la, b)) return;
-  if (vertex_has_it(b.nodes[0], t * lb, a) || vertex_has_it(b.nodes[1], (1 - t) * lb, a)) return;
-
+  const double size = step.broad.scale(fa.body, fb.body).size, la = u.norm(), lb = w.norm();
   Vec3 n = c / std::sqrt(squared);
   const auto into_a = into_facets(step, a), into_b = into_facets(step, b);
   const double tolerance = cone_tolerance(step.settings);
@@ -92,6 +83,16 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   }
   const double gap = -n.dot(r);
   if (!(gap <= step.reach) || (gap < 0 && gap < -step.depth(fa.body, fb.body))) return;
+  // An end near the other edge has the contact if it ends its body in this direction and was found there: so near that
+  // both are in one place, or nearer than the edge seems deep, for then it came past that one.
+  const double near = std::max(step.rim(fa.body, fb.body), -gap);
+  const auto end_has_it = [&](int node, double away, const Vec3& inwards, const ContactEdge& other) {
+    if (away > near || !step.features.corner[node] || rise(step, node, inwards) < -tolerance) return false;
+    return std::any_of(other.facets.begin(), other.facets.end(),
+                       [&](int f) { return vertices.has(node, step.features.facets[f].patch); });
+  };
+  if (end_has_it(a.nodes[0], s * la, n, b) || end_has_it(a.nodes[1], (1 - s) * la, n, b)) return;
+  if (end_has_it(b.nodes[0], t * lb, -n, a) || end_has_it(b.nodes[1], (1 - t) * lb, -n, a)) return;
   if (lies_between_facing(step, a, b, n)) return;
 
   FoundPoint p{};

@@ -51,28 +51,34 @@ double spread(const StepGeometry& step, const FacetPair& pair) {
 /// facet.
 class RimsAlong {
  public:
-  RimsAlong(const StepGeometry& step, int facet, const Projected& t, const OverlapPolygon& p, double rim,
+  RimsAlong(const StepGeometry& step, int facet, int other_body, const Projected& t, const OverlapPolygon& p,
             const Vec3& e1, const Vec3& e2) {
     const ContactFacet& f = step.features.facets[facet];
-    const auto add_beyond = [&](int beyond, const Vec3& on_crease, const Vec3& inside) {
+    const double widest = step.widest_rim(f.body, other_body);
+    const auto add_beyond = [&](int beyond, const Vec3& on_crease, const Vec3& inside, double distance) {
       if (step.features.facets[beyond].patch == f.patch || count_ == outward_.size()) return;
       const Vec3 n = step.fresh_normal(beyond);
-      if (n.dot(inside - on_crease) < 0) outward_[count_++] = Vec2(n.dot(e1), n.dot(e2)).normalized();
+      if (n.dot(inside - on_crease) < 0 && step.within_rim(distance, f.body, other_body, n))
+        outward_[count_++] = Vec2(n.dot(e1), n.dot(e2)).normalized();
     };
-    const auto all_corners = [&](const auto& near) {
-      return std::all_of(p.corners.begin(), p.corners.begin() + p.count, near);
+    const auto farthest = [&](const auto& distance) {
+      double most = 0;
+      for (int i = 0; i < p.count; ++i) most = std::max(most, distance(p.corners[i]));
+      return most;
     };
     const Vec3 centre = (step.x[f.nodes[0]] + step.x[f.nodes[1]] + step.x[f.nodes[2]]) / 3;
     for (int k = 0; k < 3; ++k) {
       const int node = t.local[k];
       const double height = t.twice_area / t.side(k);
-      if (all_corners([&](const Vec2& c) { return t.share(c, k) * height < rim; })) {
+      const double from_edge = farthest([&](const Vec2& c) { return t.share(c, k) * height; });
+      const double from_node = farthest([&](const Vec2& c) { return (c - t.points[k]).norm() / tip; });
+      if (from_edge < widest) {
         const ContactEdge& e = step.features.edges[f.edges[node]];
-        add_beyond(e.facets[0] + e.facets[1] - facet, step.x[e.nodes[0]], centre);
+        add_beyond(e.facets[0] + e.facets[1] - facet, step.x[e.nodes[0]], centre, from_edge);
       }
-      if (all_corners([&](const Vec2& c) { return (c - t.points[k]).norm() < tip * rim; })) {
-        for (int other : step.features.facets_at(f.nodes[node])) add_beyond(other, step.x[f.nodes[node]], centre);
-      }
+      if (!(from_node < widest)) continue;
+      for (const int beyond : step.features.facets_at(f.nodes[node]))
+        add_beyond(beyond, step.x[f.nodes[node]], centre, from_node);
     }
   }
 
@@ -138,21 +144,20 @@ void FacingSearch::overlap(const StepGeometry& step, const FacetPair& pair, Foun
     name(step, c, found);
     corners_.push_back(c);
   }
-  const double rim = step.rim(fa.body, fb.body);
   // A strip between a rim of one body and a rim of the other that has just passed it: two bodies lie flush, or one has
   // settled by as much as the strip is wide. It would hold a block that nothing holds.
   const auto between_rims = [&] {
-    const RimsAlong rims(step, pair.a, a, polygon, rim, e1, e2);
-    return rims.any() && rims.against(RimsAlong(step, pair.b, b, polygon, rim, e1, e2));
+    const RimsAlong rims(step, pair.a, fb.body, a, polygon, e1, e2);
+    return rims.any() && rims.against(RimsAlong(step, pair.b, fa.body, b, polygon, e1, e2));
   };
   const auto beside = [&] {
     place_corners(step, first);
     const auto any = [](const Vec3&) { return true; };
-    return step.came_past_a_crease(pair.b, places_[0], rim, any) ||
-           step.came_past_a_crease(pair.a, places_[1], rim, any);
+    return step.came_past_a_crease(pair.b, places_[0], fa.body, any) ||
+           step.came_past_a_crease(pair.a, places_[1], fb.body, any);
   };
   if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) || between_rims() ||
-      (least_gap < -well_below * rim && beside())) {
+      (least_gap < -step.seen_depth(fa.body, fb.body) && beside())) {
     corners_.resize(first);
     found.covered.resize(first_covered);
   }

@@ -17,7 +17,6 @@ constexpr double least_core_distance = 0.1;  // of the roundness: where cores me
 constexpr double same_place = 1e-3;          // of the size: two contacts there with one normal are one
 constexpr double seen_to_move = 1e-7;        // of the size: a way that tells a direction
 constexpr std::size_t most_faces = 16;       // around a corner, mostly
-constexpr double flush_angle = 10.0;         // degrees within which one surface goes on as another
 constexpr double sharp_ridge = -0.2;         // cosine between the normals of the flanks of a ridge, at most
 constexpr int corner_bit = 1 << 30;          // of a key: a corner's node, else a crease
 
@@ -213,12 +212,11 @@ void MeetingSearch::add(const StepGeometry& step, const Encounter& m,
   const double r = roundness(step, own, other), rim = step.rim(own, other);
   take(step, m.own, r, rim, own_);
   take(step, m.other, r, rim, other_);
-  if (!(m.apart > least_core_distance * r)) return;
-  const Vec3 n = (own_.core - other_.core) / m.apart;
+  const std::optional<Vec3> normal = normal_of(step, m, r);
+  if (!normal) return;
+  const Vec3& n = *normal;
   const double gap = n.dot(own_.place - other_.place);
   if (!(gap <= step.reach) || gap < -step.depth(own, other)) return;
-  // Two features are nearest each other where the direction between them lies in the normal cones of both.
-  if (!in_cone(step, m.own, n) || !in_cone(step, m.other, -n)) return;
   if (lies_flush(own_, other_) || lies_flush(other_, own_) || passes(step, m.key, remembered(m.key))) return;
   if (!stands_for_others(step, n, m.own_is_first, found)) return;
 
@@ -242,6 +240,24 @@ void MeetingSearch::add(const StepGeometry& step, const Encounter& m,
   }
   found.add_between(p, ends_of(features, first), first.share, ends_of(features, second), second.share, features,
                     step.x);
+}
+
+/// Two features are nearest each other where the direction between them lies in the normal cones of both. That of
+/// edges that cross is the one across both: between cores that have passed each other it would point the wrong way.
+std::optional<Vec3> MeetingSearch::normal_of(const StepGeometry& step, const Encounter& m, double roundness) const {
+  const auto fits = [&](const Vec3& n) { return in_cone(step, m.own, n) && in_cone(step, m.other, -n); };
+  Vec3 n = (own_.core - other_.core) / m.apart;
+  if (m.own.node < 0 && m.other.node < 0) {
+    const auto along = [&](const Place& place) {
+      const auto& nodes = step.features.edges[place.edge].nodes;
+      return Vec3(step.x[nodes[1]] - step.x[nodes[0]]);
+    };
+    n = along(m.own).cross(along(m.other)).normalized();
+    if (!fits(n)) n = -n;
+  } else if (!(m.apart > least_core_distance * roundness)) {
+    return std::nullopt;
+  }
+  return fits(n) ? std::optional(n) : std::nullopt;
 }
 
 /// Where patches around both features face each other and overlap, these points hold the place too. But a sharp corner
@@ -283,7 +299,7 @@ bool MeetingSearch::lies_flush(const Feature& own, const Feature& other) const {
 /// Bodies whose faces lie in one plane slide past each other there though their corners meet. Where such faces are, a
 /// corner must have come from outside of all of them, or been there already, to be held.
 bool MeetingSearch::passes(const StepGeometry& step, std::uint64_t key, bool remembered) {
-  const double facing = -std::cos(radians(step.settings.facing_angle)), rim = step.rim(own_.body, other_.body);
+  const double facing = -std::cos(radians(step.settings.facing_angle));
   const Vec3 offset = own_.place - other_.place;
   const auto former =
       std::lower_bound(former_.begin(), former_.end(), key, [](const Sight& s, std::uint64_t k) { return s.key < k; });
@@ -294,7 +310,8 @@ bool MeetingSearch::passes(const StepGeometry& step, std::uint64_t key, bool rem
   bool flush = false, comes_in = moved;
   for (const auto& [patch, normal] : own_.faces) {
     for (const auto& [beyond, outward] : other_.faces) {
-      if (!(normal.dot(outward) < facing) || !(std::abs(outward.dot(offset)) < rim)) continue;
+      if (!(normal.dot(outward) < facing)) continue;
+      if (!step.within_rim(std::abs(outward.dot(offset)), other_.body, own_.body, outward)) continue;
       flush = true;
       comes_in = comes_in && outward.dot(way) < -cone_tolerance(step.settings) * length;
     }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -70,6 +71,7 @@ class MeetingSearch {
   void list_pressures(const StepGeometry& step, const FoundPoints& found);
   void add(const StepGeometry& step, const Encounter& m, const std::function<bool(std::uint64_t)>& remembered,
            FoundPoints& found);
+  std::optional<Vec3> normal_of(const StepGeometry& step, const Encounter& m, double roundness) const;
   bool facing_have_it(const StepGeometry& step, std::span<const int> facets, std::span<const int> others,
                       bool are_first);
   bool lies_flush(const Feature& own, const Feature& other) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -38,6 +39,12 @@ class RestingContacts {
   /// How deep the body lies in those that it rests with. [m]
   double deepest(int body) const { return deepest_[body]; }
   bool any_bonded() const { return bonded_ > 0; }
+  /// Calls `look` with what is remembered of the body's contacts.
+  template <class Look>
+  void visit(int body, const Look& look) const {
+    for (const int partner : partners_[body])
+      for (const ContactMemo& memo : pairs_.at(std::minmax(body, partner))) look(memo);
+  }
 
   /// Appends what is remembered of pairs that `are_wanted`, sorted by bodies and then by keys.
   void list(const std::function<bool(int body_a, int body_b)>& are_wanted, std::vector<RestingContact>& rows) const;

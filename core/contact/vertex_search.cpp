@@ -10,8 +10,6 @@ namespace talus {
 namespace {
 
 constexpr double outside = 1e-6;  // share by which a projection may miss a facet, so that none falls between two
-constexpr double flush_angle =
-    10.0;  // degrees within which a surface that holds a vertex goes on as the one beyond a rim
 
 /// Of a point with a vertex: the facet of the other body.
 int facet_below(const StepGeometry& step, const FoundPoint& p) {
@@ -24,22 +22,24 @@ Vec3 centre(const StepGeometry& step, int facet) {
   return (step.x[n[0]] + step.x[n[1]] + step.x[n[2]]) / 3;
 }
 
-/// Calls `visit` with the normals of the facets across convex creases that the point `p` on `facet` is within `rim` of.
+/// Calls `visit` with the normals of the facets across convex creases that the point `p` on `facet` is near, and how
+/// far it is from them.
 template <class Visit>
-void beyond_rims(const StepGeometry& step, int facet, const Vec3& p, double rim, const Visit& visit) {
+void beyond_creases(const StepGeometry& step, int facet, const Vec3& p, double near, const Visit& visit) {
   const ContactFacet& f = step.features.facets[facet];
-  const auto visit_if_convex = [&](int beyond, const Vec3& on_crease) {
-    if (step.features.facets[beyond].patch == f.patch) return;
+  const auto visit_if_convex = [&](int beyond, const Vec3& on_crease, double distance) {
+    if (!(distance < near) || step.features.facets[beyond].patch == f.patch) return;
     const Vec3 n = step.fresh_normal(beyond), across = centre(step, facet) - on_crease;
-    if (n.dot(across) < -cone_tolerance(step.settings) * across.norm()) visit(n);
+    if (n.dot(across) < -cone_tolerance(step.settings) * across.norm()) visit(n, distance);
   };
   for (int k = 0; k < 3; ++k) {
     const ContactEdge& e = step.features.edges[f.edges[k]];
     const Vec3 from = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - from).stableNormalized(), r = p - from;
-    if ((r - along * along.dot(r)).norm() < rim) visit_if_convex(e.facets[0] + e.facets[1] - facet, from);
+    visit_if_convex(e.facets[0] + e.facets[1] - facet, from, (r - along * along.dot(r)).norm());
     const Vec3& node = step.x[f.nodes[k]];
-    if ((p - node).norm() > rim) continue;
-    for (int other : step.features.facets_at(f.nodes[k])) visit_if_convex(other, node);
+    const double from_node = (p - node).norm();
+    if (!(from_node < near)) continue;
+    for (int other : step.features.facets_at(f.nodes[k])) visit_if_convex(other, node, from_node);
   }
 }
 
@@ -153,12 +153,12 @@ void VertexSearch::touch(const StepGeometry& step, int node, int facet, bool nod
   if (std::binary_search(taken_.begin(), taken_.end(), key)) return;
   if (!bears(step, node, n) || !looks_against(step, node, n)) return;
   if (gap < 0 && beside_the_body(step, facet, step.x[node])) return;
-  const double rim = step.rim(f.body, other);
   // An edge that reaches back over the facet lies on it, though it ends at the crease.
   const auto lies_beyond = [&](const Vec3& beyond) {
     return rise(step, node, beyond) >= -cone_tolerance(step.settings);
   };
-  if (gap < -well_below * rim && step.came_past_a_crease(facet, {&step.x[node], 1}, rim, lies_beyond)) return;
+  if (gap < -step.seen_depth(f.body, other) && step.came_past_a_crease(facet, {&step.x[node], 1}, other, lies_beyond))
+    return;
   touches_.push_back({key, node, facet, node_is_first, {s0, s1, s2}, inside});
 }
 
@@ -201,12 +201,14 @@ void VertexSearch::drop_false(const StepGeometry& step, FoundPoints& found) {
 /// rim.
 bool VertexSearch::beyond_rim(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
                               const FoundPoints& found) const {
-  const double rim = step.rim(step.features.facets[p.facets[0]].body, step.features.facets[p.facets[1]].body);
+  const int facet = facet_below(step, p), own = step.features.facets[step.features.facets_at(p.node)[0]].body;
   const Vec3 projection = step.x[p.node] - p.gap * h.normal;
   const bool points_at_it = rise(step, p.node, h.normal) > cone_tolerance(step.settings);
   bool drop = false;
-  beyond_rims(step, facet_below(step, p), projection, rim, [&](const Vec3& beyond) {
-    if (!points_at_it && rise(step, p.node, beyond) >= -cone_tolerance(step.settings)) drop = true;
+  beyond_creases(step, facet, projection, step.widest_rim(h.body, own), [&](const Vec3& beyond, double distance) {
+    const bool passes = !points_at_it && rise(step, p.node, beyond) >= -cone_tolerance(step.settings);
+    if (passes && step.within_rim(distance, h.body, own, beyond)) drop = true;
+    if (!(distance < step.rim(h.body, own))) return;
     for (const Held& other : group) {
       const bool holds = other.body != h.body && (other.point < 0 || found.points[other.point].gap <= step.reach);
       if (holds && other.normal.dot(beyond) > std::cos(radians(flush_angle))) drop = true;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/units.hpp"
 #include "blocks.hpp"
 
 /// Features that bear though the corner they end in cannot.
@@ -55,6 +56,20 @@ TEST(Cones, APyramidInASquareHoleBearsOnAllFourRims) {
       EXPECT_EQ(at_both_ends, 2) << out.transpose();
     }
   }
+}
+
+TEST(Cones, AConcaveEdgeDoesNotBear) {
+  // Three arms meet in a corner, and a block fills the groove between two of them. Its end face is just beyond the
+  // corner, whose edges run along that face or away from it; but they are concave.
+  const Mat3 turn = Eigen::AngleAxisd(radians(0.5), Vec3(0, 1, 1).normalized()).toRotationMatrix();
+  Scene scene;
+  scene.add(mapped(cells({2, 2, 2}, [](int i, int j, int k) { return i + j + k <= 1; }),
+                   [&](const Vec3& p) { return Vec3(turn * (p - Vec3::Ones())); }),
+            true);
+  scene.add(testing::box({-0.9, 0, 0}, {0.01, 0.8, 0.8}));
+  const ContactSet& contacts = scene.detect(0.02);
+  EXPECT_FALSE(contacts.points.empty());
+  for (const ContactPoint& p : contacts.points) EXPECT_LT(std::abs(p.normal.x()), 0.5) << p.normal.transpose();
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(Meeting, EdgesAlongEachOtherMeetAtTheEndsOfWhatTheyShare) {
 
 TEST(Meeting, EdgesThatCrossAtASmallAngleMeetWhereTheyCross) {
   for (const double degrees : {0.02, 0.1, 0.5, 1.0, 1.7, 1.9, 5.0}) {
-    for (const double gap : {2e-3, 0.0, -1e-6}) {
+    for (const double gap : {2e-3, 0.0, -1e-6, -1e-3}) {
       SCOPED_TRACE(::testing::Message() << "turned by " << degrees << "°, gap " << gap);
       Scene scene;
       scene.add(roof(), true);

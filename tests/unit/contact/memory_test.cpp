@@ -98,6 +98,25 @@ TEST(Memory, WhatIsFoundLatePushesOnlyAgainstWhatComesOnTop) {
   for (const ContactPoint& p : scene.contacts.points) EXPECT_NEAR(p.gap, 0, 1e-12);
 }
 
+TEST(Memory, WhatIsFoundLateDoesNotPushAsOthersDo) {
+  Scene scene;
+  scene.add(box({-3, -3, -1}, {3, 3, 0}), true);
+  scene.add(box({0, 0, -4e-4}, {1, 1, 1 - 4e-4}));
+  scene.add(box({1.1, -3, 0.2}, {3, 3, 2}), true);
+  scene.detect(reach);
+  const auto pressed = outcomes(scene.contacts, Vec3::Zero(), ContactMode::stick, scene);
+  scene.detector().accept(scene.contacts, pressed);
+  scene.move(1, {0.1004, 0, 0});
+  int beside = 0;
+  for (const ContactPoint& p : scene.detect(reach).points) {
+    if (std::abs(p.normal.x()) < 0.9) continue;
+    ++beside;
+    EXPECT_NEAR(p.overlap, 4e-4, 1e-9);
+    EXPECT_NEAR(p.gap, 0, 1e-9);
+  }
+  EXPECT_GT(beside, 0);
+}
+
 TEST(Memory, NothingIsFoundDeeperThanAStepCanReach) {
   // A corner that has come past beside a block is not in it, however its face's plane lies.
   Scene scene = bonded_block(0.5);
