@@ -1,7 +1,6 @@
 #include "trial_text.hpp"
 
 #include "list_of_runs.hpp"
-#include "stability/shortfalls.hpp"
 #include "table.hpp"
 
 namespace talus::cli {
@@ -59,7 +58,7 @@ std::string faults_text(const std::vector<Trial>& trials) {
   std::string text;
   for (const Trial& trial : trials)
     for (const std::string& fault : faults(trial))
-      text += "- **" + trial.name + "**: " + fault + in_brackets(known_shortfall(trial.name)) + '\n';
+      text += "- **" + trial.name + "**: " + fault + in_brackets(trial.known_shortfall) + '\n';
   return text.empty() ? text : "### What does not hold\n\n" + text + '\n';
 }
 
@@ -70,8 +69,7 @@ std::string trial_columns() { return row_text(columns); }
 std::string trial_text(const Trial& trial) {
   std::string text = row_text(cells_of(trial));
   for (const std::string& fault : faults(trial)) text += paragraph("– " + fault, 4);
-  if (const std::string why = known_shortfall(trial.name); !why.empty() && !trial.passed())
-    text += paragraph("– known: " + why, 4);
+  if (!trial.known_shortfall.empty() && !trial.passed()) text += paragraph("– known: " + trial.known_shortfall, 4);
   return text;
 }
 

@@ -123,7 +123,8 @@ StabilityScene interlocked(int count) {
               const Vec3 at(i & 1 ? 0.38 : -0.38, i & 2 ? 0.38 : -0.38, 0.4 - depth + 0.7 * (i / 4));
               scene.add_block("jack " + std::to_string(i + 1), placed(jack(bar), pose, at), BodyKind::rigid);
             }
-            scene.project.stages = {motion(1e-3, 1.5)};
+            const double higher = 0.7 * ((count - 1) / 4);  // m: those above have further to fall
+            scene.project.stages = {motion(1e-3, 1.5 + std::sqrt(2 * higher / 9.81))};
             return scene;
           }};
 }

@@ -35,6 +35,9 @@ struct StabilityScene {
   std::string title;     ///< a line for tables
   std::string source{};  ///< of published parameters; empty: ours
   bool takes_long = false;
+  /// Why it is known not to hold yet; empty: it holds. Whoever mends the cause takes it off: a scene that holds
+  /// although it has one fails its test.
+  std::string shortfall{};
   std::vector<Demand> expected;  ///< at least one
   std::function<CaseScene()> build;
 };

@@ -149,6 +149,7 @@ std::vector<std::string> unmet_demands(const StabilityScene& scene, const Course
 Trial single_run(const StabilityScene& scene, int threads, Progress& progress) {
   Trial trial;
   trial.name = scene.name;
+  trial.known_shortfall = scene.shortfall;
   trial.group = scene.group;
   trial.title = scene.title;
   trial.source = scene.source;

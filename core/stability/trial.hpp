@@ -44,6 +44,7 @@ struct TrialRepetition {
 struct Trial {
   std::string name, group, title, source;
   std::vector<std::string> expected;  ///< what the scene must come to, in words
+  std::string known_shortfall;        ///< the scene's; empty: it must hold
   int threads = 1;
 
   TrialEnding ending = TrialEnding::completed;

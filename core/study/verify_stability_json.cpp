@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "stability/shortfalls.hpp"
-
 namespace talus {
 
 namespace {
@@ -36,7 +34,7 @@ Json json_of(const Trial& trial) {
           {"least_volume", trial.least_volume},
           {"intrusion", trial.intrusion},
           {"faults", faults(trial)},
-          {"known_shortfall", known_shortfall(trial.name)},
+          {"known_shortfall", trial.known_shortfall},
           {"repetitions", repetitions}};
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "stability/all_scenes.hpp"
-#include "stability/shortfalls.hpp"
 #include "stability/trial.hpp"
 
 // Compiled twice: for the scenes that are quick, and (TALUS_LONG_SCENES) for the others.
@@ -23,12 +22,11 @@ class StabilityOf : public testing::TestWithParam<StabilityScene> {};
 TEST_P(StabilityOf, IsHeld) {
   NoProgress progress;
   const Trial trial = run_trial(GetParam(), {1, !TALUS_LONG_SCENES}, progress);
-  const std::string shortfall = known_shortfall(trial.name);
-  if (shortfall.empty()) {
+  if (GetParam().shortfall.empty()) {
     EXPECT_THAT(faults(trial), testing::IsEmpty());
     return;
   }
-  EXPECT_THAT(faults(trial), testing::Not(testing::IsEmpty())) << "holds now: take it off shortfalls.cpp";
+  EXPECT_THAT(faults(trial), testing::Not(testing::IsEmpty())) << "holds now: take its shortfall off";
   EXPECT_TRUE(trial.finite);
   EXPECT_NE(trial.ending, TrialEnding::broken_off) << trial.reason;
   EXPECT_GT(trial.least_volume, 0);

@@ -1,6 +1,5 @@
 #include "widgets/stability_list.hpp"
 
-#include "stability/shortfalls.hpp"
 #include "study/verify_stability_json.hpp"
 #include "widgets/numbers.hpp"
 #include "widgets/trial_page.hpp"
@@ -38,7 +37,7 @@ std::vector<RunItem> itemsOf(const std::vector<StabilityScene>& scenes) {
                      .tip = text(scene.name),
                      .group = text(scene.group),
                      .facts = {demandsOf(scene)},
-                     .caution = text(known_shortfall(scene.name)),
+                     .caution = text(scene.shortfall),
                      .takesLong = scene.takes_long});
   return items;
 }
@@ -82,7 +81,7 @@ std::optional<RunVerdict> StabilityList::verdict(std::size_t index) const {
   RunVerdict verdict{came->passed(),  tr("holds"),      QStringLiteral("ok"),
                      theme::Tone::ok, figuresOf(*came), came->seconds};
   if (came->passed()) return verdict;
-  const bool known = !known_shortfall(came->name).empty();
+  const bool known = !came->known_shortfall.empty();
   verdict.words = known ? tr("falls short, known") : tr("does not hold");
   verdict.icon = known ? QStringLiteral("warning") : QStringLiteral("error");
   verdict.tone = known ? theme::Tone::warn : theme::Tone::error;

@@ -2,7 +2,6 @@
 
 #include <QHeaderView>
 
-#include "stability/shortfalls.hpp"
 #include "widgets/numbers.hpp"
 #include "widgets/plain_table.hpp"
 
@@ -17,7 +16,7 @@ QString text(const std::string& s) { return QString::fromStdString(s); }
 }  // namespace
 
 void TrialPage::show(const StabilityScene& scene, const Trial* trial) {
-  const std::string known = known_shortfall(scene.name);
+  const std::string& known = scene.shortfall;
   if (!trial)
     begin(text(scene.title), "chip", tr("not run yet"));
   else if (trial->passed())
