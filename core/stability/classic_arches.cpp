@@ -10,7 +10,7 @@ namespace {
 constexpr double radius = 10, depth = 2, thickness = 0.2;  // m, m, of the radius
 
 /// On a floor, whose friction takes the thrust.
-CaseScene masonry(int stones, double friction, const Stage& settling, double duration) {
+CaseScene masonry(int stones, double friction, double duration) {
   CaseScene scene = scene_of({.name = "stone", .density = 2300, .young = 2e10, .poisson = 0.2}, friction);
   add_fixed_box(scene, "floor", {-40, -3, -1}, {40, 3, 0});
   for (int i = 0; i < stones; ++i) {
@@ -22,15 +22,13 @@ CaseScene masonry(int stones, double friction, const Stage& settling, double dur
     }
     scene.add_block("stone " + std::to_string(i + 1), hexahedron_mesh(block, 1, 1, 1), BodyKind::rigid);
   }
-  scene.project.stages = {settling, motion(0.01, duration)};
+  scene.project.stages = {settling(0.01, 100), motion(0.01, duration)};
   return scene;
 }
 
 /// Whether it stands is what limit analysis says: a thrust line within the joints and their friction.
 StabilityScene arch(int stones, double friction) {
   const bool does = stands({stones, thickness}, friction);
-  // In static steps of 10 ms 501 stones come nearer to rest by 3 % a step; what falls would fall far in long ones.
-  const Stage settles = settling(does ? 0.1 : 0.01, 100);
   const double duration = does ? 20 : 3;  // s
   const std::string crown = "stone " + std::to_string(stones / 2 + 1);
   return {.name = "arch_" + std::to_string(stones) + (does ? "" : "_slippery"),
@@ -39,9 +37,10 @@ StabilityScene arch(int stones, double friction) {
                    (does ? " stands" : " falls"),
           .source = "Ferguson et al. 2021 (rigid IPC); limit analysis",
           .takes_long = stones > 101,
+          .shortfall = stones > 101 ? "a hundred static steps of 10 ms do not bring 501 stones to rest" : "",
           .expected = {does ? all_rest(0, 1e-6) : travels_at_least(crown, -Vec3::UnitZ(), 2),
                        stays_before(Vec3::Zero(), Vec3::UnitZ())},
-          .build = [=] { return masonry(stones, friction, settles, duration); }};
+          .build = [=] { return masonry(stones, friction, duration); }};
 }
 
 }  // namespace
