@@ -1,5 +1,7 @@
 #include "effects/shear_contact.hpp"
 
+#include <limits>
+
 namespace talus {
 
 Vec3 ShearContact::spring_force(int i, const Increment& d) const {
@@ -91,8 +93,11 @@ void ShearContact::accept(const Increment& d) {
 }
 
 double ShearContact::slip(int i, const Increment& d) const {
+  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
+  const ContactPoint& point = links_.point(i);
   const double spring = spring_force(i, d).norm(), excess = spring - force(i, d).norm();
-  return excess > 1e-12 * spring ? excess / links_.point(i).shear_stiffness : 0;
+  const double way = excess / point.shear_stiffness;
+  return excess > 1e-12 * spring && way > roundings * (point.position.cwiseAbs().maxCoeff() + point.size) ? way : 0;
 }
 
 double ShearContact::dissipated(const Increment& d) const {

@@ -49,7 +49,8 @@ class ShearContact final : public Effect {
   Vec3 spring_force(int point, const Increment& d) const;
   /// Shear force on the first body at D [N].
   Vec3 force(int point, const Increment& d) const;
-  /// Path slipped in the step at D, over all the spring's excess [m].
+  /// Path slipped in the step at D, over all the spring's excess [m]; 0 where it is no more than coordinates are
+  /// rounded by: what stands at its strength does not slide.
   double slip(int point, const Increment& d) const;
   double strength(int point) const { return strength_[point]; }
 

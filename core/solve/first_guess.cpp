@@ -14,6 +14,9 @@ namespace {
 constexpr double creeping = 0.01;
 /// A guess is better if it leaves less than this share: a residual that rounding made less keeps blocks awake.
 constexpr double better = 1 - 1e-6;
+/// Where what is left may be the rounding of positions, a guess is to leave less than this share: going on as before
+/// would but stir the rounding, and blocks at rest would be solved for ever.
+constexpr double clearly_better = 0.5;
 
 }  // namespace
 
@@ -33,10 +36,11 @@ void FirstGuess::remember(const Increment& taken, double length) {
 void FirstGuess::choose(OpenClose& open_close, const BodySet& bodies, const StepContext& step, Increment& d) {
   d.setZero();
   double best = open_close.residual_at(d);
+  const double share = best <= open_close.rounding_of_positions() ? clearly_better : better;
   if (step.dynamic_factor == 0) best *= creeping;
   const auto offer = [&](const Increment& guess) {
     const double residual = open_close.residual_at(guess);
-    if (!(residual < better * best)) return;
+    if (!(residual < share * best)) return;
     best = residual;
     d = guess;
   };

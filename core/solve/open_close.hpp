@@ -65,6 +65,8 @@ class OpenClose {
   const std::vector<double>& works() const { return works_; }
   /// Norm of inertia's force over that of the largest force, at the last D: how far from static equilibrium.
   double imbalance() const;
+  /// What the rounding of where a step begins may leave in the residual [N], by the last matrix; 0: there is none yet.
+  double rounding_of_positions() const { return rounding_of_positions_; }
   SolveTimes times() const;
   const LinearWork& linear_work() const { return linear_.work(); }
   /// What an effect has cost in all stages.

@@ -256,6 +256,7 @@ bool Simulation::try_step(double start, double length, StepReport& report) {
   State& s = *state_;
   s.context.time = start;
   s.context.length = length;
+  if (s.context.dynamic_factor == 0) s.context.integration.beta = s.integration.beta / s.fading.share();
   s.motion->begin_step(s.bodies, start + length);
   if (s.bodies.nodes.movable == 0) return true;
   detect(length);
@@ -267,7 +268,11 @@ bool Simulation::try_step(double start, double length, StepReport& report) {
     s.accelerations_wanted = false;
   }
   s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
-  return settle(report);
+  const bool settled = settle(report);
+  const double way = measure_step(0).displacement;
+  if (s.context.dynamic_factor > 0 || !s.fading.led_astray(settled, way)) return settled;
+  s.fading.restore(settled, way);
+  return try_step(start, length, report);
 }
 
 void Simulation::accept(StepReport& report) {
@@ -277,6 +282,7 @@ void Simulation::accept(StepReport& report) {
   s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
   if (s.bodies.nodes.movable > 0) {
     report.time_error = std::max(report.time_error, measure_step(0).time_error);
+    if (s.context.dynamic_factor == 0) s.fading.taken(measure_step(0).displacement, s.open_close.imbalance());
     for (const auto& effect : s.composition.effects) effect->accept(s.increment);
     s.detector.accept(s.contacts, s.outcomes.outcomes());
     s.shocks.look(s.bodies, s.contacts, s.outcomes.outcomes());

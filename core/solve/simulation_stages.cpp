@@ -90,9 +90,10 @@ void Simulation::begin_stage() {
   s.first_guess.forget(s.bodies.unknowns());
   s.stage_steps = 0;
   s.context.dynamic_factor = stage.kind == StageKind::dynamic ? 1 : 0;
-  s.context.integration = TimeIntegration::of(s.project.solver);
-  if (stage.kind == StageKind::static_ && s.context.integration.alpha_f > 0)
-    s.context.integration = TimeIntegration::newmark();
+  s.integration = TimeIntegration::of(s.project.solver);
+  if (stage.kind == StageKind::static_ && s.integration.alpha_f > 0) s.integration = TimeIntegration::newmark();
+  s.context.integration = s.integration;
+  s.fading.begin_stage();
   s.bodies.mean_arms = stage.kind == StageKind::dynamic && s.context.integration.alpha_f == 0;
   s.accelerations_wanted = stage.kind == StageKind::dynamic;
   if (stage.kind == StageKind::dynamic && !s.velocities_given) {

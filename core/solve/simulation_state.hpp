@@ -5,6 +5,7 @@
 #include "contact/contact_detector.hpp"
 #include "solve/contact_outcomes.hpp"
 #include "solve/energy_balance.hpp"
+#include "solve/fading_inertia.hpp"
 #include "solve/first_guess.hpp"
 #include "solve/impacts.hpp"
 #include "solve/late_contacts.hpp"
@@ -39,6 +40,7 @@ struct Simulation::State {
   std::optional<Impacts> impacts;  ///< where some joint takes speed from them
   FirstGuess first_guess;
   StepControl control;
+  FadingInertia fading;  ///< of static stages
   Shocks shocks{bodies};
   LateContacts late_contacts{bodies};
   Sleep sleep;
@@ -47,7 +49,8 @@ struct Simulation::State {
   std::optional<PrescribedMotion> motion;
   std::vector<MaterialPoint> monitors;
   std::vector<bool> held;
-  StepContext context;  ///< of the step that is tried
+  TimeIntegration integration;  ///< of the stage
+  StepContext context;          ///< of the step that is tried
   Increment increment;
   double trial_length = 1e300;  ///< s, what the next step is tried with
   std::uint64_t pattern_generation = ~0ull;

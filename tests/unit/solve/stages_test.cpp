@@ -34,6 +34,34 @@ TEST(Stages, a_static_stage_ends_in_equilibrium_before_its_steps_are_used_up) {
   EXPECT_LT((block_motion(simulation.bodies(), 1).displacement - settled).norm(), 1e-9);
 }
 
+/// With all its inertia in every step the column takes 525.
+TEST(Stages, blocks_that_lean_on_each_other_come_to_rest_in_a_few_static_steps) {
+  Stage settle{"settle", StageKind::static_, 1e-3, 200, {}};
+  settle.until_equilibrium = true;
+  settle.equilibrium_tolerance = 1e-9;
+  const Project project = test::rock_project(35, {settle});
+  std::vector<Block> blocks{test::box_block("ground", Vec3(-1, -1, -1), Vec3(2, 2, 0), BodyKind::fixed)};
+  for (int k = 0; k < 20; ++k)
+    blocks.push_back(test::box_block("B" + std::to_string(k), Vec3(0, 0, k), Vec3(1, 1, k + 1), BodyKind::rigid));
+  const BlockSystem system = test::block_system(blocks);
+  Simulation simulation(project, system);
+  int steps = 0;
+  for (; !simulation.finished(); ++steps) simulation.step();
+  EXPECT_LT(steps, 50);
+}
+
+TEST(Stages, what_slides_in_a_static_stage_creeps_by_the_same_way_each_step) {
+  Project project = test::rock_project(15, {{"settle", StageKind::static_, 0.01, 40, {}}});
+  project.gravity = test::tilted_gravity(30);
+  const BlockSystem system = test::cube_on_slab();
+  Simulation simulation(project, system);
+  for (int k = 0; k < 20; ++k) simulation.step();
+  const double half = block_motion(simulation.bodies(), 1).displacement.x();
+  run_to_the_end(simulation);
+  const double a = 9.81 * (std::sin(M_PI / 6) - std::tan(M_PI / 12) * std::cos(M_PI / 6)), beta = 9.0 / 16;
+  EXPECT_NEAR((block_motion(simulation.bodies(), 1).displacement.x() - half) / (20 * beta * a * 1e-4), 1, 1e-4);
+}
+
 TEST(Stages, what_slides_never_comes_to_equilibrium) {
   Stage settle{"settle", StageKind::static_, 0.01, 50, {}};
   settle.until_equilibrium = true;
