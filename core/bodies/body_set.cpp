@@ -230,6 +230,18 @@ void BodySet::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
   for (const int r : turning) couplings.emplace_back(nodes.freedom[rigid[r].centre], rigid[r].rotation_freedom);
 }
 
+void BodySet::join_freedoms(DisjointSets& together) const {
+  for (const int b : moving) {
+    const Body& body = bodies[b];
+    if (body.rigid >= 0) {
+      together.join(nodes.freedom[rigid[body.rigid].centre], rigid[body.rigid].rotation_freedom);
+      continue;
+    }
+    const int first = nodes.freedom[body.first_free()];
+    for (int i = 1; i < body.free_count(); ++i) together.join(first, nodes.freedom[body.first_free() + i]);
+  }
+}
+
 Corners BodySet::corner_increments(const Element& element, const Increment& d) const {
   Corners corners;
   for (int i = 0; i < 4; ++i) corners[i] = d.segment<3>(3 * element.freedoms[i]);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "bodies/rigid_body.hpp"
 #include "bodies/strain.hpp"
 #include "mesh/block.hpp"
@@ -93,6 +94,8 @@ struct BodySet {
   void hold(const std::vector<bool>& held);
   /// Adds the pairs of freedoms that the mass and the stiffness of a body join.
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const;
+  /// The freedoms of each body belong together.
+  void join_freedoms(DisjointSets& together) const;
   Corners corner_increments(const Element& element, const Increment& d) const;
   Vec3 node_increment(int node, const Increment& d) const;
   /// Freedoms that move a node: its own, or those of its affine or rigid body; none where it is fixed.

@@ -1,6 +1,7 @@
 #include "effects/attachments.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "bodies/finite_rotation.hpp"
 
@@ -79,6 +80,30 @@ Vec3 Attachments::increment(int index, const Increment& d) const {
     u += shares_[i].weight * d.segment<3>(3 * shares_[i].freedom);
   for (int i = point.turn_begin; i < point.turn_end; ++i) u += way_of(turns_[i], d);
   return u;
+}
+
+double Attachments::farthest_against(int index, const Increment& d, const Vec3& direction,
+                                     const Eigen::VectorXd& step) const {
+  const Point& point = points_[index];
+  double sum = 0;
+  for (int i = point.share_begin; i < point.share_end; ++i)
+    sum += std::min(0.0, shares_[i].weight * direction.dot(step.segment<3>(3 * shares_[i].freedom)));
+  for (int i = point.turn_begin; i < point.turn_end; ++i) {
+    const Vec3 theta = step.segment<3>(3 * turns_[i].freedom) / turns_[i].radius;
+    sum += std::min(0.0, direction.dot(theta.cross(arm_at(turns_[i], d))));
+  }
+  return sum;
+}
+
+void Attachments::join_freedoms(int index, DisjointSets& together) const {
+  const Point& point = points_[index];
+  int first = -1;
+  const auto join = [&](int freedom) {
+    if (first < 0) first = freedom;
+    together.join(first, freedom);
+  };
+  for (int i = point.share_begin; i < point.share_end; ++i) join(shares_[i].freedom);
+  for (int i = point.turn_begin; i < point.turn_end; ++i) join(turns_[i].freedom);
 }
 
 void Attachments::add_force(int index, const Increment& d, const Vec3& force, Eigen::VectorXd& sum) const {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "bodies/body_set.hpp"
 #include "effects/symmetric_blocks.hpp"
 #include "effects/unsymmetric_blocks.hpp"
@@ -39,6 +40,11 @@ class Attachments {
   void add_lever_difference(int point, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const;
   /// Whether some point lies on a rigid body: else add_turning adds nothing.
   bool any_turns() const { return !turns_.empty(); }
+  /// The most negative change of direction·u that there can be when each freedom goes its own share, 0 to 1, of `step`
+  /// on from D, to first order in the step [m].
+  double farthest_against(int point, const Increment& d, const Vec3& direction, const Eigen::VectorXd& step) const;
+  /// The freedoms that move the point belong together.
+  void join_freedoms(int point, DisjointSets& together) const;
   /// force·u₀ [J].
   double work_on_held(int point, const Vec3& force) const { return force.dot(points_[point].held); }
 

@@ -41,6 +41,16 @@ void NormalContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) 
   }
 }
 
+void NormalContact::join_meeting(const Increment& d, const Eigen::VectorXd& step, DisjointSets& together) const {
+  constexpr double apart = 1e-6;  // of the mesh size: open by more than a tangent takes for closed
+  for (const int i : points_) {
+    const ContactPoint& point = links_.point(i);
+    const double least = links_.gap(i, d) + links_.moves().farthest_against(i, d, point.normal, step);
+    const bool may_push = point.bonded || least < apart * point.size || normal_force(point, least) > 0;
+    if (may_push) links_.moves().join_freedoms(i, together);
+  }
+}
+
 void NormalContact::accept(const Increment& d) {
   stored_ = 0;
   for (const int i : points_) {

@@ -27,6 +27,8 @@ class NormalContact final : public Effect {
   void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
   /// The Hessian takes contacts that are open by less than this share of their size for closed.
   void count_as_closed(double share) { touching_ = share; }
+  /// Joins the freedoms of points that may push while each freedom goes its own share, 0 to 1, of `step` on from D.
+  void join_meeting(const Increment& d, const Eigen::VectorXd& step, DisjointSets& together) const;
   void accept(const Increment& d) override;
   double stored_energy() const override { return stored_; }
   double work_on_held(const Increment& d) const override;

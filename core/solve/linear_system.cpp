@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "base/disjoint_sets.hpp"
 
 namespace talus {
 
@@ -10,21 +11,15 @@ namespace {
 
 /// The nodes of each connected part of a pattern, ascending; the parts by their first nodes.
 std::vector<std::vector<int>> connected_parts(const BlockPattern& pattern) {
-  std::vector<int> lower(pattern.nodes());  // a lower node of the same part, or the node itself
-  std::iota(lower.begin(), lower.end(), 0);
-  const auto first_of = [&](int node) {
-    while (lower[node] != node) node = lower[node] = lower[lower[node]];
-    return node;
-  };
+  DisjointSets sets;
+  sets.reset(pattern.nodes());
   for (int column = 0; column < pattern.nodes(); ++column)
-    for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot) {
-      const int a = first_of(column), b = first_of(pattern.rows()[slot]);
-      lower[std::max(a, b)] = std::min(a, b);
-    }
+    for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot)
+      sets.join(column, pattern.rows()[slot]);
   std::vector<std::vector<int>> parts;
   std::vector<int> part_of(pattern.nodes());
   for (int node = 0; node < pattern.nodes(); ++node) {
-    const int first = first_of(node);
+    const int first = sets.first_of(node);
     if (first == node) {
       part_of[node] = static_cast<int>(parts.size());
       parts.emplace_back();

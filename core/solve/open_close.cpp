@@ -17,16 +17,17 @@ constexpr double internal_share = 1e-3;
 constexpr double momentum_share = 1e-6;
 /// A full step that leaves less than this share of the residual needs no search.
 constexpr double worthwhile = 0.9;
+/// Nor does one whose slope turns round by no more than this share …
+constexpr double turned_round = 0.5;
+/// … or that leaves a part of the bodies with less than this share of what all are out of balance by: a direction is no
+/// more exact than that.
+constexpr double slight_share = 1e-3;
 /// Iterations of a step in which contacts are closed together: later ones mostly go round in circles.
 constexpr int early_tries = 2;
 /// With care, a coupled step is kept that leaves less than this share.
 constexpr double well_worthwhile = 0.3;
 /// Strengths are held until so much is left of what was out of balance when they were taken.
 constexpr double near_floor = 0.01;
-/// A full step whose slope turns round by more than this share is shortened …
-constexpr double overstepped = 0.5;
-/// … until the slope is down to this share.
-constexpr double flat = 0.1;
 /// Of the mesh size: the first iteration takes contacts that are open by less for closed and sticking. A block that is
 /// only just set down has no force from its contacts yet; a tangent without them would send it through the ground.
 constexpr double closing_tolerance = 2e-7;
@@ -76,6 +77,7 @@ void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> coupling
   matrix_.set_pattern(pattern);
   beyond_.set_pattern(pattern);
   linear_.set_pattern(pattern);
+  search_.set_size(nodes);
   zero_.setZero(3 * nodes);
   pattern_changed_ = true;
   rounding_ = rounding_of_positions_ = 0;
@@ -209,7 +211,8 @@ void OpenClose::find_direction(const Increment& d, Friction friction) {
     const Stopwatch watch(times_.assemble);
     for (const auto& effect : composition_->effects) effect->add_unsymmetric(d, beyond_);
   }
-  linear_.solve(matrix_, beyond_, gradient_, negligible_share * tolerance_ * force_scale_, direction_);
+  search_.pick_pending(gradient_, part_);
+  linear_.solve(matrix_, beyond_, part_, negligible_share * tolerance_ * force_scale_, direction_);
   shorten_direction(d);
 }
 
@@ -225,66 +228,59 @@ void OpenClose::shorten_direction(const Increment& d) {
   direction_ *= share;
 }
 
-double OpenClose::slope_at(double share, Increment& d, Friction friction) {
-  scaled_ = -share * direction_;
+void OpenClose::step_from_start(Increment& d, Friction friction) {
+  search_.step_along(direction_, scaled_);
   composition_->bodies->advance(start_, scaled_, d);
   evaluate(d, friction);
-  return -gradient_.dot(direction_);
+}
+
+void OpenClose::begin_search(const Increment& d) {
+  together_.reset(static_cast<int>(d.size() / 3));
+  composition_->bodies->join_freedoms(together_);
+  part_ = -direction_;
+  for (const NormalContact* normal : composition_->normal) normal->join_meeting(d, part_, together_);
+  search_.set_parts(together_);
+  search_.begin(gradient_, direction_);
 }
 
 void OpenClose::move(Increment& d, bool early) {
-  const double before = gradient_.norm(), slope_before = -gradient_.dot(direction_);
+  begin_search(d);
+  const double slight = std::max(slight_share * gradient_.norm(), tolerance_ * force_scale_);
   start_ = d;
-  const double slope = slope_at(1, d, Friction::coupled);
-  if (gradient_.norm() < worthwhile * before) return;
-  if (slope_before < 0 && std::abs(slope) < -overstepped * slope_before) return;
-  if (early && another_step_is_worthwhile(d, before)) return;
+  step_from_start(d, Friction::coupled);
+  search_.leave(gradient_, direction_, [slight](const PartwiseSearch::State& part) {
+    const bool little_turned = part.slope_before < 0 && std::abs(part.slope) < -turned_round * part.slope_before;
+    return part.residual < std::max(worthwhile * part.residual_before, slight) || little_turned;
+  });
+  if (!search_.any_pending() || (early && another_step_leads_on(d))) return;
   // Where the full step leads astray, one with the strengths of this iterate: then there is a potential, it falls along
   // the direction, and its floor is found by its slope. Often that is the narrow range in which a contact sticks, with
   // sliding one way before and the other way behind it.
-  d = start_;
+  search_.go_back(start_, d);
   evaluate(d, Friction::coupled);
+  if (early) prepare(d, 0);
   find_direction(d, Friction::lagged);
   go_to_the_floor(d);
   evaluate(d, Friction::coupled);
 }
 
-bool OpenClose::another_step_is_worthwhile(Increment& d, double before) {
+bool OpenClose::another_step_leads_on(Increment& d) {
   second_start_ = start_;
   prepare(d, 0);
   find_direction(d, Friction::coupled);
   start_ = d;
-  slope_at(1, d, Friction::coupled);
+  step_from_start(d, Friction::coupled);
   start_ = second_start_;
-  if (gradient_.norm() < worthwhile * before) return true;
-  d = start_;
-  evaluate(d, Friction::coupled);
-  prepare(d, 0);
-  return false;
+  search_.leave(gradient_, direction_,
+                [](const PartwiseSearch::State& part) { return part.residual < worthwhile * part.residual_before; });
+  return !search_.any_pending();
 }
 
 void OpenClose::go_to_the_floor(Increment& d) {
-  const double slope_before = -gradient_.dot(direction_);
-  double slope = slope_at(1, d, Friction::lagged);
-  double low = 0, high = 1, low_slope = slope_before, high_slope = slope;
-  if (slope <= -overstepped * slope_before) return;
-  bool slow = false;
-  for (int k = 0; k < settings_.shortenings && std::abs(slope) > -flat * slope_before; ++k) {
-    const double range = high - low;
-    // A contact that closes on the way makes the slope behind it larger by many orders: then halves lead there.
-    const double share = slow ? low + 0.5 * range : low + range * low_slope / (low_slope - high_slope);
-    slope = slope_at(share, d, Friction::lagged);
-    if (slope > 0) {
-      high = share;
-      high_slope = slope;
-      low_slope *= 0.5;  // the Illinois rule: no end stays for ever (Dowell & Jarratt 1971)
-    } else {
-      low = share;
-      low_slope = slope;
-      high_slope *= 0.5;
-    }
-    slow = high - low > 0.5 * range;
-  }
+  begin_search(d);
+  step_from_start(d, Friction::lagged);
+  for (int k = 0; k < settings_.shortenings && search_.narrow(gradient_, direction_); ++k)
+    step_from_start(d, Friction::lagged);
 }
 
 void OpenClose::prepare(const Increment& d, double touching) {
@@ -317,6 +313,7 @@ Settling OpenClose::settle(Increment& d) {
       continue;
     }
     prepare(d, result.iterations == 0 ? closing_tolerance : 0);
+    search_.take_all();
     find_direction(d, Friction::coupled);
     move(d, in_vain < early_tries);
     ++in_vain;
@@ -337,6 +334,7 @@ int OpenClose::settle_with_care(Increment& d, int limit) {
   int count = 0;
   for (; count < limit; ++count) {
     prepare(d, 0);
+    search_.take_all();
     find_direction(d, Friction::lagged);
     start_ = d;
     go_to_the_floor(d);
@@ -352,13 +350,19 @@ int OpenClose::settle_with_care(Increment& d, int limit) {
 
 bool OpenClose::coupled_step_is_worthwhile(Increment& d) {
   const double before = gradient_.norm();
+  search_.take_all();
   find_direction(d, Friction::coupled);
+  begin_search(d);
   start_ = d;
-  slope_at(1, d, Friction::coupled);
-  if (gradient_.norm() < well_worthwhile * before) return true;
-  d = start_;
-  evaluate(d, Friction::coupled);
-  return false;
+  step_from_start(d, Friction::coupled);
+  search_.leave(gradient_, direction_, [](const PartwiseSearch::State& part) {
+    return part.residual < well_worthwhile * part.residual_before;
+  });
+  if (search_.any_pending()) {
+    search_.go_back(start_, d);
+    evaluate(d, Friction::coupled);
+  }
+  return gradient_.norm() < well_worthwhile * before;
 }
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 
 #include "effects/compose.hpp"
 #include "solve/linear_system.hpp"
+#include "solve/partwise_search.hpp"
 
 namespace talus {
 
@@ -82,6 +83,8 @@ class OpenClose {
   void evaluate(const Increment& d, Friction friction);
   void assemble_constant(const StepContext& step);
   void assemble(const Increment& d, double touching);
+  /// Of the parts that do not meet along the direction from D.
+  void begin_search(const Increment& d);
   void find_direction(const Increment& d, Friction friction);
   void solve_at_the_start(Friction friction);
   /// To what smooth effects bear, and no further than contacts were sought.
@@ -96,8 +99,10 @@ class OpenClose {
   /// Takes a coupled step from D if it brings the residual down by much.
   bool coupled_step_is_worthwhile(Increment& d);
   /// A full step that closes contacts may leave far more than there was, and the next one nearly nothing.
-  bool another_step_is_worthwhile(Increment& d, double before);
-  double slope_at(double share, Increment& d, Friction friction);
+  bool another_step_leads_on(Increment& d);
+  /// D = start − share · direction of each part, and the forces there.
+  void step_from_start(Increment& d, Friction friction);
+  /// Along the direction, part by part.
   void go_to_the_floor(Increment& d);
 
   Composition* composition_ = nullptr;
@@ -107,6 +112,8 @@ class OpenClose {
   SymmetricBlocks matrix_;    ///< … with the rest
   UnsymmetricBlocks beyond_;
   LinearSystem linear_;
+  PartwiseSearch search_;
+  DisjointSets together_;
   Eigen::VectorXd gradient_, part_, direction_, zero_;
   Increment scaled_, start_, second_start_;
   std::vector<double> works_, norms_;

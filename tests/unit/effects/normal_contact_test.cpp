@@ -1,0 +1,90 @@
+#include "effects/normal_contact.hpp"
+
+#include <gmock/gmock.h>
+
+#include "support/solver_scenes.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double gap = 1e-3;  // m
+
+/// The corner of a rigid cube above the face of one of tetrahedra.
+class CornerAboveFace : public testing::Test {
+ protected:
+  CornerAboveFace()
+      : system(
+            test::block_system({test::box_block("lower", Vec3(0, 0, 0), Vec3(1, 1, 1)),
+                                test::box_block("upper", Vec3(0, 0, 1 + gap), Vec3(1, 1, 2 + gap), BodyKind::rigid)})),
+        set(test::rock_project(30, {}), system) {
+    ContactPoint point{};
+    point.normal = Vec3::UnitZ();
+    point.gap = gap;
+    point.size = 1;
+    point.normal_stiffness = 1e9;
+    point.stencil_end = 4;
+    contacts.points = {point};
+    contacts.nodes = {8, 4, 5, 6};
+    contacts.weights = {1, -0.5, -0.3, -0.2};
+    contacts.sort_out();
+    links.connect();
+  }
+  int rotation() const { return set.rigid[0].rotation_freedom; }
+  int centre() const { return set.nodes.freedom[set.rigid[0].centre]; }
+  bool joined(const Eigen::VectorXd& step) const {
+    DisjointSets sets;
+    sets.reset(set.unknowns() / 3);
+    const NormalContact contact(links, NormalContact::Points::loose);
+    contact.join_meeting(Eigen::VectorXd::Zero(set.unknowns()), step, sets);
+    EXPECT_EQ(sets.first_of(rotation()) == sets.first_of(centre()), sets.first_of(centre()) == sets.first_of(4));
+    return sets.first_of(centre()) == sets.first_of(4) && sets.first_of(4) == sets.first_of(6);
+  }
+  /// All of the lower block and the centre of the upper one move along z [m].
+  Eigen::VectorXd moved(double lower, double upper) const {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(set.unknowns());
+    for (int n = 0; n < 8; ++n) step[3 * set.nodes.freedom[n] + 2] = lower;
+    step[3 * centre() + 2] = upper;
+    return step;
+  }
+  BlockSystem system;
+  BodySet set;
+  ContactSet contacts;
+  ContactLinks links{set, contacts};
+};
+
+TEST_F(CornerAboveFace, bodies_that_may_meet_on_their_way_belong_together) {
+  EXPECT_FALSE(joined(moved(0, 0)));
+  EXPECT_FALSE(joined(moved(0.4 * gap, -0.5 * gap)));
+  EXPECT_TRUE(joined(moved(0.6 * gap, -0.5 * gap)));
+  EXPECT_FALSE(joined(moved(-5 * gap, 5 * gap)));
+}
+
+TEST_F(CornerAboveFace, each_body_may_go_a_share_of_its_own) {
+  EXPECT_TRUE(joined(moved(5 * gap, 5 * gap))) << "the lower one first";
+  EXPECT_TRUE(joined(moved(-5 * gap, -5 * gap))) << "the upper one first";
+}
+
+TEST_F(CornerAboveFace, a_turn_brings_a_corner_down) {
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(set.unknowns());
+  const double angle = 3 * gap;  // about y, with an arm of half a metre
+  step[3 * rotation() + 1] = angle * set.rigid[0].radius;
+  EXPECT_FALSE(joined(step)) << "this corner goes up";
+  EXPECT_TRUE(joined(-step));
+}
+
+TEST_F(CornerAboveFace, the_least_way_is_that_of_the_worst_shares) {
+  Eigen::VectorXd step(set.unknowns());
+  for (Eigen::Index i = 0; i < step.size(); ++i) step[i] = 1e-6 * std::sin(3.0 * i + 1);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(step.size());
+  double least = 0;  // every freedom that brings the point nearer goes all its way
+  for (Eigen::Index freedom = 0; freedom < step.size() / 3; ++freedom) {
+    Eigen::VectorXd alone = none;
+    alone.segment<3>(3 * freedom) = step.segment<3>(3 * freedom);
+    least += std::min(0.0, links.moves().increment(0, alone).z());
+  }
+  ASSERT_LT(least, -1e-7);
+  EXPECT_NEAR(links.moves().farthest_against(0, none, Vec3::UnitZ(), step), least, 1e-5 * -least);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,85 @@
+#include "solve/partwise_search.hpp"
+
+#include <gmock/gmock.h>
+
+namespace talus {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Two freedoms, each with the potential Σ cosh(k (x − x₀)) of its own unknowns.
+class TwoWells : public testing::Test {
+ protected:
+  TwoWells() : floor(VectorXd::LinSpaced(6, 0.5, 1)), steep(6) { steep << 1, 1, 1, 8, 8, 8; }
+  VectorXd gradient(const VectorXd& d) const {
+    return (steep.array() * (steep.array() * (d - floor).array()).sinh()).matrix();
+  }
+  /// Newton's.
+  VectorXd direction(const VectorXd& d) const {
+    const Eigen::ArrayXd curvature = steep.array().square() * (steep.array() * (d - floor).array()).cosh();
+    return (gradient(d).array() / curvature).matrix();
+  }
+  static DisjointSets sets(bool together) {
+    DisjointSets sets;
+    sets.reset(2);
+    if (together) sets.join(0, 1);
+    return sets;
+  }
+  /// Where searches along `way` from 0 lead.
+  VectorXd floor_along(const VectorXd& way, bool together) {
+    DisjointSets parts = sets(together);
+    PartwiseSearch search;
+    search.set_size(2);
+    search.set_parts(parts);
+    search.begin(gradient(VectorXd::Zero(6)), way);
+    VectorXd step;
+    search.step_along(way, step);
+    for (int k = 0; k < 60 && search.narrow(gradient(step), way); ++k) search.step_along(way, step);
+    EXPECT_FALSE(search.any_pending());
+    return step;
+  }
+  VectorXd floor, steep;
+};
+
+TEST_F(TwoWells, each_part_finds_its_own_floor) {
+  VectorXd way(6);
+  way << -floor.head(3), -5 * floor.tail(3);  // to the floor, and five times as far
+  const VectorXd apart = floor_along(way, false), together = floor_along(way, true);
+  EXPECT_LT((apart.head(3) - floor.head(3)).norm(), 1e-12) << "the full step, although the other part needs a search";
+  EXPECT_LT((apart.tail(3) - floor.tail(3)).norm(), 0.05);
+  EXPECT_GT((together.head(3) - floor.head(3)).norm(), 0.3) << "one share for both";
+}
+
+TEST_F(TwoWells, a_part_that_leads_on_stays_and_the_other_goes_back) {
+  DisjointSets parts = sets(false);
+  PartwiseSearch search;
+  search.set_size(2);
+  search.set_parts(parts);
+  VectorXd start = VectorXd::Zero(6), d(6), way(6), picked;
+  way << -floor.head(3), -5 * floor.tail(3);
+  search.begin(gradient(start), way);
+  search.step_along(way, d);
+  search.leave(gradient(d), way,
+               [](const PartwiseSearch::State& part) { return part.residual < 0.9 * part.residual_before; });
+  ASSERT_TRUE(search.any_pending());
+  search.pick_pending(VectorXd::Ones(6), picked);
+  EXPECT_EQ(picked, (VectorXd(6) << 0, 0, 0, 1, 1, 1).finished());
+  search.go_back(start, d);
+  EXPECT_EQ(d.head(3), floor.head(3));
+  EXPECT_EQ(start.head(3), floor.head(3)) << "further searches begin where it stays";
+  EXPECT_EQ(d.tail(3), VectorXd::Zero(3));
+}
+
+TEST_F(TwoWells, a_part_without_a_direction_is_left) {
+  DisjointSets parts = sets(false);
+  PartwiseSearch search;
+  search.set_size(2);
+  search.set_parts(parts);
+  search.begin(gradient(floor), direction(floor));
+  EXPECT_FALSE(search.any_pending());
+  search.take_all();
+  EXPECT_TRUE(search.any_pending());
+}
+
+}  // namespace
+}  // namespace talus
