@@ -25,7 +25,7 @@ constexpr int augmentation_limit = 10;
 /// Of the mesh size: in dynamic stages contacts whose stiffness nobody has given go no deeper.
 constexpr double usual_tolerance = 5e-4;
 /// Of the stage's step: one that is shorter is taken though blocks turn into each other in it.
-constexpr double long_enough = 0.2;
+constexpr double long_enough = 0.03;
 /// A static stage is in equilibrium no sooner than after this many steps.
 constexpr int fewest_static_steps = 2;
 
@@ -269,8 +269,9 @@ bool Simulation::try_step(double start, double length, StepReport& report) {
   }
   s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
   const bool settled = settle(report);
+  if (s.context.dynamic_factor > 0) return settled;
   const double way = measure_step(0).displacement;
-  if (s.context.dynamic_factor > 0 || !s.fading.led_astray(settled, way)) return settled;
+  if (!s.fading.led_astray(settled, way)) return settled;
   s.fading.restore(settled, way);
   return try_step(start, length, report);
 }

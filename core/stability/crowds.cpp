@@ -209,6 +209,7 @@ std::vector<StabilityScene> standing_crowds() {
           standing_slope(10),
           sliding_slope(3),
           sliding_slope(5),
+          sliding_slope(7),
           sliding_slope(10)};
 }
 
