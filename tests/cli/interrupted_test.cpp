@@ -24,15 +24,15 @@ class Interrupted : public testing::Test {
     write_text(folder_ / "endless.talus", project.dump());
   }
 
-  /// Starts the endless run and waits until it has written `rows` of history.
-  void start_and_wait(Cli& cli, int rows) {
+  /// Lets the endless run go until it has written that it has taken so many steps.
+  void start_and_wait(Cli& cli, int steps) {
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     for (;;) {
-      const std::string history = text_of(folder_ / "r/history.csv");
-      if (std::count(history.begin(), history.end(), '\n') > rows) return;
+      const std::string table = text_of(folder_ / "r/steps.csv");
+      if (std::count(table.begin(), table.end(), '\n') > steps) return;
       if (std::chrono::steady_clock::now() > give_up) {
         cli.send(SIGKILL);
-        FAIL() << "no history after a minute: " << cli.wait().err;
+        FAIL() << "not so many steps after a minute: " << cli.wait().err;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
