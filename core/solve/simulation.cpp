@@ -282,8 +282,9 @@ void Simulation::accept(StepReport& report) {
   if (may_hit) s.impacts->note_speeds(s.contacts, s.context);
   s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
   if (s.bodies.nodes.movable > 0) {
-    report.time_error = std::max(report.time_error, measure_step(0).time_error);
-    if (s.context.dynamic_factor == 0) s.fading.taken(measure_step(0).displacement, s.open_close.imbalance());
+    const StepMeasure measure = measure_step(0);
+    report.time_error = std::max(report.time_error, measure.time_error);
+    if (s.context.dynamic_factor == 0) s.fading.taken(measure.displacement, s.open_close.imbalance());
     for (const auto& effect : s.composition.effects) effect->accept(s.increment);
     s.detector.accept(s.contacts, s.outcomes.outcomes());
     s.shocks.look(s.bodies, s.contacts, s.outcomes.outcomes());

@@ -145,16 +145,24 @@ StabilityScene standing_slope(int side) {
           }};
 }
 
-constexpr double slippery = 10;  // degrees
+constexpr double slippery = 10, sliding_time = 1;  // degrees, s
+
+Vec3 down_the_bedding() { return {std::cos(radians(bedding)), 0, -std::sin(radians(bedding))}; }
+Vec3 off_the_bedding() { return {std::sin(radians(bedding)), 0, std::cos(radians(bedding))}; }
+
+/// How far one piece slides in that time [m].
+double way_of_one_piece() {
+  const double drive = std::sin(radians(bedding)) - std::tan(radians(slippery)) * std::cos(radians(bedding));
+  return 9.81 * drive * sliding_time * sliding_time / 2;
+}
 
 /// Whatever blocks do among themselves: while all that touches the bedrock slides down it, friction is tan φ of what
 /// presses, and twice integrated over time the balance of the crowd's mean way u reads
 /// u·down + tan φ u·up = g (sin α − tan φ cos α) t²/2.
-Demand slides_as_a_crowd(double seconds) {
-  const double alpha = radians(bedding), friction = std::tan(radians(slippery));
-  const Vec3 down(std::cos(alpha), 0, -std::sin(alpha)), up(std::sin(alpha), 0, std::cos(alpha));
-  const double drive = 9.81 * (std::sin(alpha) - friction * std::cos(alpha)) * seconds * seconds / 2;
-  return {"the mean way down the slope, with tan φ of that off it, is " + significant(drive) + " m within 1 %",
+Demand slides_as_a_crowd() {
+  const double expected = way_of_one_piece();
+  const Vec3 direction = down_the_bedding() + std::tan(radians(slippery)) * off_the_bedding();
+  return {"the mean way down the slope, with tan φ of that off it, is " + significant(expected) + " m within 1 %",
           [=](const Course& course) {
             Vec3 sum = Vec3::Zero();
             double volume = 0;
@@ -164,8 +172,8 @@ Demand slides_as_a_crowd(double seconds) {
               sum += block.volume * course.last().blocks[b].displacement;
               volume += block.volume;
             }
-            const double way = sum.dot(down + friction * up) / volume;
-            return std::abs(way - drive) < 0.01 * drive ? std::string() : "it is " + significant(way) + " m";
+            const double way = sum.dot(direction) / volume;
+            return std::abs(way - expected) < 0.01 * expected ? std::string() : "it is " + significant(way) + " m";
           }};
 }
 
@@ -174,14 +182,10 @@ Demand slides_as_a_crowd(double seconds) {
 /// apart.
 StabilityScene sliding_slope(int side) {
   const std::string count = std::to_string(side * side * side), last = "block " + count;
-  constexpr double seconds = 1;
-  const double alpha = radians(bedding), friction = std::tan(radians(slippery));
-  const double drive = 9.81 * (std::sin(alpha) - friction * std::cos(alpha)) * seconds * seconds / 2;
-  const Vec3 down(std::cos(alpha), 0, -std::sin(alpha)), up(std::sin(alpha), 0, std::cos(alpha));
-  std::vector<Demand> demands{slides_as_a_crowd(seconds), stays_before(Vec3::Zero(), up)};
-  if (side < 1 / friction)
+  std::vector<Demand> demands{slides_as_a_crowd(), stays_before(Vec3::Zero(), off_the_bedding())};
+  if (side < 1 / std::tan(radians(slippery)))
     for (const std::string& block : {std::string("block 1"), last})
-      demands.push_back(travels(block, down, drive, 0.01));
+      demands.push_back(travels(block, down_the_bedding(), way_of_one_piece(), 0.01));
   return {.name = "slope_of_" + count + "_slides",
           .group = crowd_group,
           .title = "Slope cut by three joint sets into " + count + " blocks, bedding 20°, friction 10°",
@@ -189,7 +193,7 @@ StabilityScene sliding_slope(int side) {
           .expected = demands,
           .build = [=] {
             CaseScene scene = jointed_slope(side, slippery);
-            scene.project.stages = {motion(2e-3, seconds)};
+            scene.project.stages = {motion(2e-3, sliding_time)};
             return scene;
           }};
 }
