@@ -4,19 +4,21 @@
 
 #include "base/units.hpp"
 #include "contact/cones.hpp"
+#include "contact/contact_memory.hpp"
 #include "contact/contact_points.hpp"
 
 namespace talus {
 namespace {
 
-constexpr double past_end = 1e-9;    // of an edge, so that nothing falls between two
-constexpr double same_place = 1e-3;  // of the size: two contacts there with one normal are one
+constexpr double past_end = 1e-9;     // of an edge, so that nothing falls between two
+constexpr double least_ridge = 2e-4;  // rad: what crosses a flatter one goes in by less than this share of the size
+constexpr double same_place = 1e-3;   // of the size: two contacts there with one normal are one
 
-/// Convex, and not so flat that it surely is but an edge of the mesh: most are, and this is all they cost.
-bool may_be_a_ridge(const StepGeometry& step, const ContactEdge& e, double tolerance) {
+/// Convex, and not so flat that it is but an edge of the mesh: most are, and this is all they cost.
+bool is_ridge(const StepGeometry& step, const ContactEdge& e) {
   const Vec3 r = step.x[e.opposite[1]] - step.x[e.nodes[0]], u = step.x[e.nodes[1]] - step.x[e.nodes[0]];
   const double below = step.normals[e.facets[0]].dot(r), along = r.dot(u), length = u.squaredNorm();
-  return below < 0 && below * below * length > 0.9 * tolerance * tolerance * (r.squaredNorm() * length - along * along);
+  return below < 0 && below * below * length > least_ridge * least_ridge * (r.squaredNorm() * length - along * along);
 }
 
 /// Is the normal that of two facets beside the edges that face each other? Then these have the contact. Either facet
@@ -38,9 +40,8 @@ bool lies_between_facing(const StepGeometry& step, const ContactEdge& a, const C
 
 void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexSearch& vertices,
                       FoundPoints& found) {
-  const double tolerance = cone_tolerance(step.settings);
   const auto ridge = [&](const ContactFacet& facet, int k) {
-    return facet.owns_edge[k] && may_be_a_ridge(step, step.features.edges[facet.edges[k]], tolerance);
+    return facet.owns_edge[k] && is_ridge(step, step.features.edges[facet.edges[k]]);
   };
   for (const FacetPair& pair : pairs) {
     const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
@@ -70,9 +71,6 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   Vec3 n = c / std::sqrt(squared);
   const auto into_a = into_facets(step, a), into_b = into_facets(step, b);
   const double tolerance = cone_tolerance(step.settings);
-  // Flat to within the tolerance: an edge of the mesh.
-  if (into_a[1].dot(step.normals[a.facets[0]]) > -tolerance || into_b[1].dot(step.normals[b.facets[0]]) > -tolerance)
-    return;
   const auto in_both_cones = [&](const Vec3& m) {
     return m.dot(into_a[0]) >= -tolerance && m.dot(into_a[1]) >= -tolerance && m.dot(into_b[0]) <= tolerance &&
            m.dot(into_b[1]) <= tolerance;
@@ -83,6 +81,13 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   }
   const double gap = -n.dot(r);
   if (!(gap <= step.reach) || (gap < 0 && gap < -step.depth(fa.body, fb.body))) return;
+  // Across a sharp ridge both flanks need not look the way that the normal does: what is deep along it may be outside.
+  const auto passes_beside = [&](const ContactEdge& e, const Vec3& outwards) {
+    return std::any_of(e.facets.begin(), e.facets.end(),
+                       [&](int f) { return gap * step.fresh_normal(f).dot(outwards) > step.rim(fa.body, fb.body); });
+  };
+  const std::uint64_t key = edge_key(edge_a, edge_b);
+  if (gap < 0 && !step.memory.remembers(key) && (passes_beside(a, -n) || passes_beside(b, n))) return;
   // An end near the other edge has the contact if it ends its body in this direction and was found there: so near that
   // both are in one place, or nearer than the edge seems deep, for then it came past that one.
   const double near = std::max(step.rim(fa.body, fb.body), -gap);
@@ -96,7 +101,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   if (lies_between_facing(step, a, b, n)) return;
 
   FoundPoint p{};
-  p.key = edge_key(edge_a, edge_b);
+  p.key = key;
   p.kind = PointKind::edge;
   p.family = crease_family(a.crease, b.crease);
   p.facets = {a.facets[0], b.facets[0]};

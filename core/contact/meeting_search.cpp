@@ -163,8 +163,8 @@ void MeetingSearch::list_pressures(const StepGeometry& step, const FoundPoints& 
   pressures_.clear();
   for (const FoundPoint& p : found.points) {
     if (p.dropped || p.gap > step.reach) continue;
-    if (p.patches[0] >= 0) pressures_.push_back({p.patches[0], p.bodies[1], p.normal});
-    if (p.patches[1] >= 0) pressures_.push_back({p.patches[1], p.bodies[0], -p.normal});
+    if (p.patches[0] >= 0) pressures_.push_back({p.patches[0], p.bodies[1], p.normal, p.position});
+    if (p.patches[1] >= 0) pressures_.push_back({p.patches[1], p.bodies[0], -p.normal, p.position});
   }
   std::sort(pressures_.begin(), pressures_.end());
 }
@@ -217,7 +217,8 @@ void MeetingSearch::add(const StepGeometry& step, const Encounter& m,
   const Vec3& n = *normal;
   const double gap = n.dot(own_.place - other_.place);
   if (!(gap <= step.reach) || gap < -step.depth(own, other)) return;
-  if (lies_flush(own_, other_) || lies_flush(other_, own_) || passes(step, m.key, remembered(m.key))) return;
+  if (lies_flush(step, own_, other_) || lies_flush(step, other_, own_)) return;
+  if (passes(step, m.key, remembered(m.key))) return;
   if (!stands_for_others(step, n, m.own_is_first, found)) return;
 
   FoundPoint p{};
@@ -282,13 +283,13 @@ bool MeetingSearch::facing_have_it(const StepGeometry& step, std::span<const int
 }
 
 /// Does a third body press on a patch here as one of the other feature's facets would? Then that one only goes on what
-/// holds the body already.
-bool MeetingSearch::lies_flush(const Feature& own, const Feature& other) const {
-  const double flush = std::cos(radians(flush_angle));
+/// holds the body already. What presses on the far end of the patch does not hold this one.
+bool MeetingSearch::lies_flush(const StepGeometry& step, const Feature& own, const Feature& other) const {
+  const double flush = std::cos(radians(flush_angle)), near = step.widest_rim(own.body, other.body);
   for (const auto& [patch, ignored] : own.faces) {
-    const auto [begin, end] = std::equal_range(pressures_.begin(), pressures_.end(), Pressure{patch, 0, {}});
+    const auto [begin, end] = std::equal_range(pressures_.begin(), pressures_.end(), Pressure{patch, 0, {}, {}});
     for (auto it = begin; it != end; ++it) {
-      if (it->by == other.body) continue;
+      if (it->by == other.body || !((it->place - own.place).norm() < near)) continue;
       for (const auto& [beyond, normal] : other.faces)
         if (it->normal.dot(normal) > flush) return true;
     }

@@ -58,6 +58,7 @@ class MeetingSearch {
   struct Pressure {
     int patch, by;
     Vec3 normal;  // towards the patch's body
+    Vec3 place;   // m
     bool operator<(const Pressure& p) const { return patch < p.patch; }
   };
 
@@ -74,7 +75,7 @@ class MeetingSearch {
   std::optional<Vec3> normal_of(const StepGeometry& step, const Encounter& m, double roundness) const;
   bool facing_have_it(const StepGeometry& step, std::span<const int> facets, std::span<const int> others,
                       bool are_first);
-  bool lies_flush(const Feature& own, const Feature& other) const;
+  bool lies_flush(const StepGeometry& step, const Feature& own, const Feature& other) const;
   bool passes(const StepGeometry& step, std::uint64_t key, bool remembered);
   bool stands_for_others(const StepGeometry& step, const Vec3& normal, bool own_is_first, FoundPoints& found) const;
 

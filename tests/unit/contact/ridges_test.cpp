@@ -75,6 +75,52 @@ TEST(Ridges, AnEdgeDoesNotBearOnTheFlankThatItsEndHasNotComeThrough) {
   expect_all_normals(scene.detect(reach), -Vec3::UnitZ());
 }
 
+TEST(Ridges, WhatPressesOnTheFarEndOfAFlankDoesNotHoldTheRidge) {
+  // Two cubes' edges cross at 0.02 rad; a third body lies at the foot of the lower one's side, within 6° of which is
+  // the upper one's.
+  const Vec3 apart = Vec3(1, 0, 1).normalized();
+  const Mat3 turn = (Eigen::AngleAxisd(0.02, apart) * Eigen::AngleAxisd(radians(6), Vec3::UnitY())).toRotationMatrix();
+  Scene scene;
+  scene.add(box({-1, -1, -1}, {0, 1, 0}), true);
+  scene.add(mapped(box({0, -0.5, 0}, {1, 0.5, 1}), [&](const Vec3& p) { return Vec3(turn * p - 1e-5 * apart); }));
+  scene.add(box({0, -1, -1}, {0.5, 1, -0.9}));
+  const ContactSet& contacts = scene.detect(reach);
+  const auto holds_the_ridge = [&](const ContactPoint& p) {
+    return p.bodies[0] == 0 && p.bodies[1] == 1 && (p.normal + apart).norm() < 1e-9 && std::abs(p.gap + 1e-5) < 1e-9;
+  };
+  EXPECT_TRUE(std::any_of(contacts.points.begin(), contacts.points.end(), holds_the_ridge));
+}
+
+TEST(Ridges, AnEdgeBearsOnARidgeHoweverFlat) {
+  // A roof whose slopes lean 1.25° either way, and the edge of a bar across its ridge: the ends hang free.
+  const auto roof = [](const Vec3& p) { return Vec3(p - Vec3(0, 0, std::tan(radians(1.25)) * std::abs(p.x()))); };
+  const Mat3 turn = Eigen::AngleAxisd(radians(45), Vec3::UnitX()).toRotationMatrix();
+  Scene scene;
+  scene.add(mapped(box({-1, -1, -1}, {1, 1, 0}, {2, 1, 1}), roof), true);
+  scene.add(
+      mapped(box({-0.8, 0, 0}, {0.9, 0.1, 0.1}), [&](const Vec3& p) { return Vec3(turn * p - 5e-4 * Vec3::UnitZ()); }));
+  const ContactSet& contacts = scene.detect(reach);
+  ASSERT_EQ(contacts.points.size(), 1u);
+  EXPECT_NEAR(contacts.points[0].gap + contacts.points[0].overlap, -5e-4, 1e-9);
+  EXPECT_LT(contacts.points[0].position.norm(), 1e-9);
+  expect_all_normals(contacts, -Vec3::UnitZ());
+}
+
+TEST(Ridges, AnEdgeThatPassesBesideASharpRidgeIsNotDeepInIt) {
+  // A brow that overhangs by 30°, and a bar below it that ends in a slope of 20°, 1e-3 m from the brow's ridge: seen
+  // from above, the bar's lower edge crosses the ridge.
+  const auto leaning = [](double degrees) {
+    return [=](const Vec3& p) { return Vec3(p + Vec3(std::tan(radians(degrees)) * p.z(), 0, 0)); };
+  };
+  const Mat3 turn = Eigen::AngleAxisd(radians(45), Vec3::UnitX()).toRotationMatrix();
+  Scene scene;
+  scene.add(mapped(box({-2, -1, -1}, {0, 1, 0}), leaning(30)), true);
+  scene.add(mapped(box({0, 0, 0}, {1, 0.5, 0.5}),
+                   [&](const Vec3& p) { return leaning(20)(turn * p + Vec3(1e-3, 0, -0.016)); }));
+  EXPECT_FALSE(scene.detect(reach).points.empty());
+  for (const ContactPoint& p : scene.contacts.points) EXPECT_GT(p.gap - p.overlap, 0) << p.normal.transpose();
+}
+
 TEST(Ridges, AnEdgeThatEndsInAConcaveCornerBearsBesideIt) {
   // Of three arms that meet in a corner two lie over the top, 5e-5 m apart from it, and one hangs down beside the
   // block, with its edge 1e-3 m past the side.
