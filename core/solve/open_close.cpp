@@ -234,6 +234,10 @@ void OpenClose::step_from_start(Increment& d, Friction friction) {
   evaluate(d, friction);
 }
 
+double OpenClose::slight_residual() const {
+  return std::max(slight_share * gradient_.norm(), tolerance_ * force_scale_);
+}
+
 void OpenClose::begin_search(const Increment& d) {
   together_.reset(static_cast<int>(d.size() / 3));
   composition_->bodies->join_freedoms(together_);
@@ -245,7 +249,7 @@ void OpenClose::begin_search(const Increment& d) {
 
 void OpenClose::move(Increment& d, bool early) {
   begin_search(d);
-  const double slight = std::max(slight_share * gradient_.norm(), tolerance_ * force_scale_);
+  const double slight = slight_residual();
   start_ = d;
   step_from_start(d, Friction::coupled);
   search_.leave(gradient_, direction_, [slight](const PartwiseSearch::State& part) {
@@ -278,8 +282,9 @@ bool OpenClose::another_step_leads_on(Increment& d) {
 
 void OpenClose::go_to_the_floor(Increment& d) {
   begin_search(d);
+  const double slight = slight_residual();
   step_from_start(d, Friction::lagged);
-  for (int k = 0; k < settings_.shortenings && search_.narrow(gradient_, direction_); ++k)
+  for (int k = 0; k < settings_.shortenings && search_.narrow(gradient_, direction_, slight); ++k)
     step_from_start(d, Friction::lagged);
 }
 

@@ -89,6 +89,8 @@ class OpenClose {
   void solve_at_the_start(Friction friction);
   /// To what smooth effects bear, and no further than contacts were sought.
   void shorten_direction(const Increment& d);
+  /// Of the part of a search, which is left with so little where all are out of balance as now [N].
+  double slight_residual() const;
   void move(Increment& d, bool early);
   void prepare(const Increment& d, double touching);
   /// Where Newton's method goes round in circles: strengths are held while the potential that there is then falls to

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace talus {
 
@@ -79,38 +80,36 @@ void PartwiseSearch::go_back(Eigen::VectorXd& start, Eigen::VectorXd& d) const {
       start.segment<3>(3 * n) = d.segment<3>(3 * n);
 }
 
-bool PartwiseSearch::narrow(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction) {
-  look(gradient, direction);
+bool PartwiseSearch::narrow(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction, double slight) {
+  leave(gradient, direction, [slight](const State& state) { return state.residual < slight; });
   for (Part& part : parts_)
     if (part.pending) narrow(part);
   return any_pending();
 }
 
 void PartwiseSearch::narrow(Part& part) {
-  const double before = part.state.slope_before, slope = part.state.slope;
+  const double before = part.state.slope_before;
+  const Point now{part.share, part.state.slope};
   if (part.at_full_step) {
     part.at_full_step = false;
-    part.low_slope = before;
-    part.high_slope = slope;
-    part.pending = !(slope <= -overstepped * before);
-  } else {
-    const double range = part.high - part.low;
-    if (slope > 0) {
-      part.high = part.share;
-      part.high_slope = slope;
-      part.low_slope *= 0.5;  // the Illinois rule: no end stays for ever (Dowell & Jarratt 1971)
-    } else {
-      part.low = part.share;
-      part.low_slope = slope;
-      part.high_slope *= 0.5;
-    }
-    part.slow = part.high - part.low > 0.5 * range;
-    part.pending = std::abs(slope) > -flat * before;
+    part.low = {0, before};
+    part.high = now;
+    part.pending = !(now.slope <= -overstepped * before);
+    if (part.pending) part.share = 0.5;
+    return;
   }
+  const double range = part.high.share - part.low.share;
+  Point& side = now.slope > 0 ? part.high : part.low;
+  const Point former = std::exchange(side, now);
+  part.pending = std::abs(now.slope) > -flat * before;
   if (!part.pending) return;
-  const double range = part.high - part.low;
-  // A contact that closes on the way makes the slope behind it larger by many orders: then halves lead there.
-  part.share = part.low + range * (part.slow ? 0.5 : part.low_slope / (part.low_slope - part.high_slope));
+  // A contact that closes on the way makes the slope behind it larger by many orders. There the slope is all but a
+  // line: one through two shares of the same side leads to where it starts, which one through both sides never would.
+  const double root = now.share - now.slope * (now.share - former.share) / (now.slope - former.slope);
+  const bool gains =
+      part.high.share - part.low.share <= 0.5 * range || std::abs(now.slope) <= 0.5 * std::abs(former.slope);
+  const bool is_between = part.low.share < root && root < part.high.share;
+  part.share = gains && is_between ? root : 0.5 * (part.low.share + part.high.share);
 }
 
 }  // namespace talus

@@ -40,17 +40,20 @@ class PartwiseSearch {
   }
   /// Pending parts of `d` go back to `start`; the others of `start` follow to `d`.
   void go_back(Eigen::VectorXd& start, Eigen::VectorXd& d) const;
-  /// At this gradient: leaves parts at the floor of their potential, or that a full step has not led beyond it, and
-  /// chooses the share by which the others go next. Whether any is pending.
-  bool narrow(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction);
+  /// At this gradient: leaves parts at the floor of their potential, or that a full step has not led beyond it, or that
+  /// are out of balance by less than `slight` [N], and chooses the share by which the others go next. Whether any is
+  /// pending.
+  bool narrow(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction, double slight);
 
  private:
+  struct Point {
+    double share, slope;
+  };
   struct Part {
     State state;
     bool pending = true, at_full_step = true;
     double share = 1;
-    double low = 0, high = 1, low_slope = 0, high_slope = 0;  ///< shares that the floor lies between
-    bool slow = false;
+    Point low{}, high{};  ///< that the floor lies between
   };
   void look(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction);
   static void narrow(Part& part);

@@ -34,7 +34,7 @@ class TwoWells : public testing::Test {
     search.begin(gradient(VectorXd::Zero(6)), way);
     VectorXd step;
     search.step_along(way, step);
-    for (int k = 0; k < 60 && search.narrow(gradient(step), way); ++k) search.step_along(way, step);
+    for (int k = 0; k < 60 && search.narrow(gradient(step), way, 0); ++k) search.step_along(way, step);
     EXPECT_FALSE(search.any_pending());
     return step;
   }
@@ -70,6 +70,43 @@ TEST_F(TwoWells, a_part_that_leads_on_stays_and_the_other_goes_back) {
   EXPECT_EQ(d.head(3), floor.head(3));
   EXPECT_EQ(start.head(3), floor.head(3)) << "further searches begin where it stays";
   EXPECT_EQ(d.tail(3), VectorXd::Zero(3));
+}
+
+TEST_F(TwoWells, a_part_that_is_nearly_in_balance_is_left) {
+  DisjointSets parts = sets(false);
+  PartwiseSearch search;
+  search.set_size(2);
+  search.set_parts(parts);
+  VectorXd near = floor, step;
+  near[0] += 1e-6;
+  near[3] += 0.3;
+  search.begin(gradient(near), -direction(near));  // both go the wrong way
+  search.step_along(-direction(near), step);
+  ASSERT_TRUE(search.narrow(gradient(near + step), -direction(near), 1e-4));
+  search.step_along(-direction(near), step);
+  EXPECT_EQ(step.head(3), direction(near).head(3)) << "the full step";
+  EXPECT_NE(step.tail(3), direction(near).tail(3));
+}
+
+/// A contact closes at a share of the step, and makes the slope rise by a million times as much from there on.
+TEST(PartwiseSearch, finds_where_a_contact_closes_in_a_few_trials) {
+  for (const double closes : {1e-5, 0.03, 0.3, 0.77}) {
+    const auto gradient = [&](const VectorXd& d) {
+      VectorXd g = d - VectorXd::Unit(3, 0);
+      g[0] += 1e6 * std::max(0.0, d[0] - closes);
+      return g;
+    };
+    PartwiseSearch search;
+    search.set_size(1);
+    const VectorXd way = -VectorXd::Unit(3, 0);
+    VectorXd step;
+    search.begin(gradient(VectorXd::Zero(3)), way);
+    search.step_along(way, step);
+    int trials = 0;
+    for (; search.narrow(gradient(step), way, 0); ++trials) search.step_along(way, step);
+    EXPECT_LE(trials, 5) << closes;
+    EXPECT_NEAR(step[0], closes, 2e-6);
+  }
 }
 
 TEST_F(TwoWells, a_part_without_a_direction_is_left) {
