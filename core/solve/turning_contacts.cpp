@@ -4,8 +4,11 @@ namespace talus {
 
 namespace {
 
-/// Of the tolerance: normals that lead astray by less are right.
+/// Of the tolerance: a way that is less leads no normal astray …
 constexpr double unseen = 0.1;
+/// … and so much deeper is right. It adds up: a contact that touches anew in each step never pushes out what it was
+/// wrong by.
+constexpr double negligible = 1e-3;
 
 /// Shear goes on in the new plane with its length kept.
 void turn(ContactPoint& point, const ContactDetector::Turned& turned) {
@@ -29,7 +32,7 @@ bool follow_turning(ContactSet& contacts, const ContactLinks& links,
     if (point.bonded || way.norm() < unseen * limit) continue;
     const ContactDetector::Turned at_end = turned(i);
     const double depth = -at_end.gap - at_end.normal.dot(way), known = point.overlap - links.gap(i, d);
-    if (!(depth > limit && depth > known + unseen * limit)) continue;
+    if (!(depth > limit && depth > known + negligible * limit)) continue;
     turn(point, at_end);
     any = true;
   }
