@@ -15,24 +15,34 @@ int first_indefinite_node(const Eigen::MatrixXd& matrix) {
 
 }  // namespace
 
-void DenseSolver::factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> beyond) {
+void DenseSolver::factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> beyond,
+                         std::span<const int> nodes) {
+  const auto size = static_cast<Eigen::Index>(3 * nodes.size());
+  number_.resize(matrix.nodes());
+  for (std::size_t k = 0; k < nodes.size(); ++k) number_[nodes[k]] = static_cast<int>(k);
+  const auto is_among = [&](int node) {
+    return static_cast<std::size_t>(number_[node]) < nodes.size() && nodes[number_[node]] == node;
+  };
   const BlockPattern& pattern = matrix.pattern();
-  full_.setZero(3 * matrix.nodes(), 3 * matrix.nodes());
-  for (int column = 0; column < matrix.nodes(); ++column)
+  full_.setZero(size, size);
+  for (const int column : nodes)
     for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot) {
-      const int row = pattern.rows()[slot];
-      full_.block<3, 3>(3 * column, 3 * row) = matrix.value(slot).transpose();
-      full_.block<3, 3>(3 * row, 3 * column) = matrix.value(slot);
+      if (!is_among(pattern.rows()[slot])) continue;
+      const int i = 3 * number_[pattern.rows()[slot]], j = 3 * number_[column];
+      full_.block<3, 3>(j, i) = matrix.value(slot).transpose();
+      full_.block<3, 3>(i, j) = matrix.value(slot);
     }
   symmetric_.compute(full_);
-  if (symmetric_.info() != Eigen::Success) throw NotPositiveDefinite(first_indefinite_node(full_));
-  is_symmetric_ = beyond.empty();
-  if (is_symmetric_) return;
+  if (symmetric_.info() != Eigen::Success) throw NotPositiveDefinite(nodes[first_indefinite_node(full_)]);
+  is_symmetric_ = true;
   for (const UnsymmetricBlocks::Pair& pair : beyond) {
-    full_.block<3, 3>(3 * pair.row, 3 * pair.column) += pair.below;
-    full_.block<3, 3>(3 * pair.column, 3 * pair.row) += pair.above;
+    if (!is_among(pair.row)) continue;
+    const int i = 3 * number_[pair.row], j = 3 * number_[pair.column];
+    full_.block<3, 3>(i, j) += pair.below;
+    full_.block<3, 3>(j, i) += pair.above;
+    is_symmetric_ = false;
   }
-  unsymmetric_.compute(full_);
+  if (!is_symmetric_) unsymmetric_.compute(full_);
 }
 
 void DenseSolver::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {

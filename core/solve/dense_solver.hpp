@@ -3,25 +3,29 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <span>
+#include <vector>
 
 #include "effects/symmetric_blocks.hpp"
 #include "effects/unsymmetric_blocks.hpp"
 
 namespace talus {
 
-/// Solves small systems directly, their unsymmetric part included. Allocates at the first of a size only.
+/// Solves small systems directly, their unsymmetric part included. Allocates where the size is not that of the last.
 class DenseSolver {
  public:
   /// Unknowns up to which a new dense factor costs about as much as GMRES with an old sparse one: 2 µs at 24, and a
   /// third of a new sparse one; at 36 twice as much as GMRES.
   static constexpr int largest = 24;
 
-  /// Throws NotPositiveDefinite if the symmetric part is not.
-  void factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> beyond);
+  /// Factors what couples some nodes, ascending, that couple with no others. Throws NotPositiveDefinite, with the node,
+  /// if the symmetric part is not.
+  void factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> beyond,
+              std::span<const int> nodes);
   /// x = T⁻¹ b with the last factor.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
 
  private:
+  std::vector<int> number_;  ///< of a node that was among the last ones: its number there
   Eigen::MatrixXd full_;
   Eigen::LLT<Eigen::MatrixXd> symmetric_;
   Eigen::PartialPivLU<Eigen::MatrixXd> unsymmetric_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solve/cholesky.hpp"
+#include "solve/coupled_parts.hpp"
 #include "solve/dense_solver.hpp"
 #include "solve/gmres.hpp"
 #include "solve/linear_work.hpp"
@@ -16,10 +17,11 @@ struct LinearSettings {
   int limit = 40;           ///< iterations after which the matrix is factored anew
 };
 
-/// Equations that share no unknown with the others, such as those of a block that touches no other. Small ones are
-/// solved densely. Of large ones a Cholesky factor of the symmetric part, as old as it serves, preconditions GMRES on
-/// all of the tangent; where the factor is that of this very matrix and the matrix all of the tangent, it solves it
-/// alone.
+/// Equations that share no unknown with the others, such as those of a block that can touch no other. Small ones are
+/// solved densely, and so are the small parts of a large one that has changed, where nothing couples them to the rest
+/// but contacts that are open. Of what is left a Cholesky factor of the symmetric part of all, as old as it serves,
+/// preconditions GMRES on all of the tangent; where the factor is that of this very matrix and the matrix all of the
+/// tangent, it solves it alone.
 class IndependentSystem {
  public:
   /// `nodes`: ascending; `pattern`: of these nodes among themselves. Orders and analyses it.
@@ -37,8 +39,10 @@ class IndependentSystem {
   double take_right_side(const Eigen::VectorXd& b);
   /// Two nodes of it, by their numbers in it, with what is beyond the symmetric matrix.
   void take_beyond(const UnsymmetricBlocks::Pair& pair) { beyond_.push_back(pair); }
-  /// Writes the solution into the unknowns of all. Throws NotPositiveDefinite with the node among all.
-  void solve(const SymmetricBlocks& whole, const LinearSettings& settings, LinearWork& work, Eigen::VectorXd& x);
+  /// Writes the solution into the unknowns of all; zero in small parts whose right-hand sides are no larger than
+  /// `negligible`, together in norm. Throws NotPositiveDefinite with the node among all.
+  void solve(const SymmetricBlocks& whole, const LinearSettings& settings, double negligible, LinearWork& work,
+             Eigen::VectorXd& x);
 
  private:
   struct Sparse {
@@ -46,12 +50,18 @@ class IndependentSystem {
     Gmres gmres;
     int patience = 5;    ///< GMRES iterations that cost as much as a factor
     int iterations = 0;  ///< of the last solution
+    CoupledParts parts;
+    std::vector<DenseSolver> dense;     ///< by the number of nodes of a part
+    Eigen::VectorXd right, solution;    ///< of a part
+    Eigen::VectorXd solution_of_parts;  ///< of all small ones
   };
   void solve_densely(LinearWork& work);
+  void solve_small_parts(double negligible, LinearWork& work);
   void solve_sparsely(const LinearSettings& settings, LinearWork& work);
   void factor(LinearWork& work);
 
   std::vector<int> nodes_;  ///< among all
+  std::vector<int> own_;    ///< their numbers here, 0, 1, …
   SymmetricBlocks matrix_;
   std::vector<UnsymmetricBlocks::Pair> beyond_;
   Eigen::VectorXd right_, solution_;

@@ -68,7 +68,7 @@ void LinearSystem::solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks&
         {number_in_system_[pair.row], number_in_system_[pair.column], pair.below, pair.above});
   const double share = negligible / std::sqrt(static_cast<double>(systems_.size()));
   for (std::size_t s = 0; s < systems_.size(); ++s)
-    if (sizes_[s] > share) systems_[s].solve(matrix, settings_, work_, x);
+    if (sizes_[s] > share) systems_[s].solve(matrix, settings_, share, work_, x);
 }
 
 }  // namespace talus

@@ -188,12 +188,49 @@ TEST(LinearSystem, a_new_coupling_elsewhere_keeps_analysis_and_factor) {
   ASSERT_EQ(system.work().factorisations, 3);
   chains.refresh_pattern({{chains.chain(0)[5], chains.chain(1)[2]}});
   for (const std::size_t c : {0, 1, 2, 3}) chains.add_springs(c, 1);
+  chains.matrix.add(chains.chain(0)[5], chains.chain(1)[2], 0.1 * Mat3::Ones());
   system.set_pattern(chains.matrix.pattern());
   EXPECT_EQ(system.work().systems, 3);
   EXPECT_EQ(system.work().largest_system, 2 * long_chain);
   EXPECT_LT(error_of(system, chains), 1e-13);
   EXPECT_EQ(system.work().factorisations, 4) << "of the two that are joined now";
   EXPECT_EQ(system.work().dense_factorisations, 1);
+}
+
+TEST(LinearSystem, what_only_might_couple_is_solved_part_by_part) {
+  Chains chains({5, 40, 7});
+  chains.refresh_pattern({{chains.chain(0)[2], chains.chain(1)[3]}, {chains.chain(1)[1], chains.chain(2)[6]}});
+  for (const std::size_t c : {0, 1, 2}) chains.add_springs(c, 1);
+  LinearSystem system({tolerance, 40});
+  system.set_pattern(chains.matrix.pattern());
+  EXPECT_EQ(system.work().systems, 1);
+  const auto push = [&](const Mat3& spring) {
+    chains.beyond.set_zero();
+    for (const std::size_t c : {0, 1}) chains.beyond.add(chains.chain(c)[1], chains.chain(c)[0], spring);
+  };
+  EXPECT_LT(error_of(system, chains), 1e-13);
+  EXPECT_EQ(system.work().dense_factorisations, 2);
+  EXPECT_EQ(system.work().factorisations, 1) << "for the large part";
+  push((Mat3() << 0, 0.2, 0, 0.1, 0, 0, 0.3, 0, 0).finished());
+  EXPECT_LT(error_of(system, chains), tolerance);
+  chains.matrix.add(chains.chain(0)[2], chains.chain(1)[3], 0.1 * Mat3::Ones());  // now they do touch
+  EXPECT_LT(error_of(system, chains), tolerance);
+  EXPECT_EQ(system.work().dense_factorisations, 3) << "two, none where the matrix is as it was, one";
+}
+
+TEST(LinearSystem, leaves_alone_small_parts_in_balance) {
+  Chains chains({5, 40, 7});
+  chains.refresh_pattern({{chains.chain(0)[2], chains.chain(1)[3]}, {chains.chain(1)[1], chains.chain(2)[6]}});
+  for (const std::size_t c : {0, 1, 2}) chains.add_springs(c, 1);
+  LinearSystem system({tolerance, 40});
+  system.set_pattern(chains.matrix.pattern());
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(3 * chains.total_nodes()), x;
+  b[3 * chains.chain(0)[1]] = 1;
+  b[3 * chains.chain(2)[1]] = 1e-9;
+  system.solve(chains.matrix, chains.beyond, b, 4e-9, x);
+  EXPECT_EQ(system.work().dense_factorisations, 1);
+  EXPECT_EQ(system.work().factorisations, 0) << "nothing pushes on the large part";
+  EXPECT_LE((chains.times(x) - b).norm(), 4e-9);
 }
 
 TEST(LinearSystem, says_at_which_node_a_matrix_is_not_positive_definite) {
