@@ -6,6 +6,7 @@
 #include "contact/cones.hpp"
 #include "contact/contact_memory.hpp"
 #include "contact/contact_points.hpp"
+#include "contact/inside.hpp"
 
 namespace talus {
 namespace {
@@ -81,13 +82,11 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   }
   const double gap = -n.dot(r);
   if (!(gap <= step.reach) || (gap < 0 && gap < -step.depth(fa.body, fb.body))) return;
-  // Across a sharp ridge both flanks need not look the way that the normal does: what is deep along it may be outside.
-  const auto passes_beside = [&](const ContactEdge& e, const Vec3& outwards) {
-    return std::any_of(e.facets.begin(), e.facets.end(),
-                       [&](int f) { return gap * step.fresh_normal(f).dot(outwards) > step.rim(fa.body, fb.body); });
-  };
+  // Edges may cross beside the bodies, and still far behind each other along the normal: near a sharp ridge's other
+  // flank or near its end. What has come in is inside.
   const std::uint64_t key = edge_key(edge_a, edge_b);
-  if (gap < 0 && !step.memory.remembers(key) && (passes_beside(a, -n) || passes_beside(b, n))) return;
+  const bool is_late = -gap > step.rim(fa.body, fb.body) && step.begun(fa.body, fb.body) && !step.memory.remembers(key);
+  if (is_late && !(lies_inside(step, fb.body, a0 + s * u) && lies_inside(step, fa.body, b0 + t * w))) return;
   // An end near the other edge has the contact if it ends its body in this direction and was found there: so near that
   // both are in one place, or nearer than the edge seems deep, for then it came past that one.
   const double near = std::max(step.rim(fa.body, fb.body), -gap);

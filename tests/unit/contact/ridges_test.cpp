@@ -106,6 +106,14 @@ TEST(Ridges, AnEdgeBearsOnARidgeHoweverFlat) {
   expect_all_normals(contacts, -Vec3::UnitZ());
 }
 
+/// The second body comes into its place in one step, from where it touched nothing.
+const ContactSet& come(Scene& scene, const Vec3& from) {
+  scene.move(1, from);
+  accept_as_found(scene, scene.detect(reach));
+  scene.move(1, -from);
+  return scene.detect(reach);
+}
+
 TEST(Ridges, AnEdgeThatPassesBesideASharpRidgeIsNotDeepInIt) {
   // A brow that overhangs by 30°, and a bar below it that ends in a slope of 20°, 1e-3 m from the brow's ridge: seen
   // from above, the bar's lower edge crosses the ridge.
@@ -116,9 +124,23 @@ TEST(Ridges, AnEdgeThatPassesBesideASharpRidgeIsNotDeepInIt) {
   Scene scene;
   scene.add(mapped(box({-2, -1, -1}, {0, 1, 0}), leaning(30)), true);
   scene.add(mapped(box({0, 0, 0}, {1, 0.5, 0.5}),
-                   [&](const Vec3& p) { return leaning(20)(turn * p + Vec3(1e-3, 0, -0.016)); }));
-  EXPECT_FALSE(scene.detect(reach).points.empty());
+                   [&](const Vec3& p) { return leaning(20)(turn * p + Vec3(1e-3, 0, -0.008)); }));
+  EXPECT_FALSE(come(scene, Vec3::UnitX()).points.empty());
   for (const ContactPoint& p : scene.contacts.points) EXPECT_GT(p.gap - p.overlap, 0) << p.normal.transpose();
+}
+
+TEST(Ridges, EdgesThatHaveComePastEachOtherAreDeep) {
+  // Two bars across each other, each with an edge towards the other.
+  const Mat3 along_x = Eigen::AngleAxisd(radians(45), Vec3::UnitX()).toRotationMatrix();
+  const Mat3 along_y = Eigen::AngleAxisd(radians(135), Vec3::UnitY()).toRotationMatrix();
+  Scene scene;
+  scene.add(mapped(box({0, -1, 0}, {0.5, 1, 0.5}), [&](const Vec3& p) { return Vec3(along_y * p); }), true);
+  scene.add(
+      mapped(box({-1, 0, 0}, {1, 0.5, 0.5}), [&](const Vec3& p) { return Vec3(along_x * p - 0.008 * Vec3::UnitZ()); }));
+  const ContactSet& contacts = come(scene, Vec3::UnitZ());
+  ASSERT_EQ(contacts.points.size(), 1u);
+  EXPECT_NEAR(contacts.points[0].gap - contacts.points[0].overlap, -0.008, 1e-12);
+  expect_all_normals(contacts, -Vec3::UnitZ());
 }
 
 TEST(Ridges, AnEdgeThatEndsInAConcaveCornerBearsBesideIt) {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "contact/contact_points.hpp"
+
+namespace talus {
+
+/// Whether a point lies in a body, of whatever shape: its surface winds about it (solid angles after Van Oosterom &
+/// Strackee 1983). Costs as much as the body has facets.
+bool lies_inside(const StepGeometry& step, int body, const Vec3& point);
+
+}  // namespace talus
