@@ -11,9 +11,11 @@ namespace talus {
 
 namespace {
 
-/// Unknowns of a part up to which it is solved by itself: a new dense factor of it takes 0.2 ms, where one of a system
-/// that is worth taking apart takes milliseconds.
-constexpr int largest_part = 96;
+/// Unknowns of a part up to which it is solved by itself: a new dense factor of it takes less than 1 ms, where one of a
+/// system that is worth taking apart takes milliseconds.
+constexpr int largest_part = 192;
+/// A matrix that is solved more often is worth a factor of all of it, which then serves for nothing.
+constexpr int few_solves = 3;
 
 }  // namespace
 
@@ -43,13 +45,14 @@ void IndependentSystem::solve(const SymmetricBlocks& whole, const LinearSettings
                               LinearWork& work, Eigen::VectorXd& x) {
   const bool changed = matrix_.assign_part(whole, nodes_);
   current_ = current_ && !changed;
+  solved_before_ = changed ? 0 : solved_before_ + 1;
   ++work.solves;
   try {
     if (!sparse_) {
       solve_densely(work);
     } else {
       sparse_->solution_of_parts.setZero(right_.size());
-      if (changed) solve_small_parts(negligible, work);
+      if (!current_ && solved_before_ < few_solves) solve_small_parts(negligible, work);
       solve_sparsely(settings, work);
       solution_ += sparse_->solution_of_parts;
     }

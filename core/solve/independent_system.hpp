@@ -18,10 +18,10 @@ struct LinearSettings {
 };
 
 /// Equations that share no unknown with the others, such as those of a block that can touch no other. Small ones are
-/// solved densely, and so are the small parts of a large one that has changed, where nothing couples them to the rest
-/// but contacts that are open. Of what is left a Cholesky factor of the symmetric part of all, as old as it serves,
-/// preconditions GMRES on all of the tangent; where the factor is that of this very matrix and the matrix all of the
-/// tangent, it solves it alone.
+/// solved densely, and so are the small parts of a large one that has just changed, where nothing couples them to the
+/// rest but contacts that are open. Of what is left a Cholesky factor of the symmetric part of all, as old as it
+/// serves, preconditions GMRES on all of the tangent; where the factor is that of this very matrix and the matrix all
+/// of the tangent, it solves it alone.
 class IndependentSystem {
  public:
   /// `nodes`: ascending; `pattern`: of these nodes among themselves. Orders and analyses it.
@@ -66,6 +66,7 @@ class IndependentSystem {
   std::vector<UnsymmetricBlocks::Pair> beyond_;
   Eigen::VectorXd right_, solution_;
   bool current_ = false;   ///< the factor is that of the symmetric matrix as it is
+  int solved_before_ = 0;  ///< times that the symmetric matrix as it is was solved
   bool outdated_ = true;   ///< the factor, if there is any, is too old to precondition
   bool symmetric_ = true;  ///< the dense factor has nothing beyond the symmetric matrix
   DenseSolver dense_;

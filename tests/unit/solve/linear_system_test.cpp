@@ -198,7 +198,7 @@ TEST(LinearSystem, a_new_coupling_elsewhere_keeps_analysis_and_factor) {
 }
 
 TEST(LinearSystem, what_only_might_couple_is_solved_part_by_part) {
-  Chains chains({5, 40, 7});
+  Chains chains({5, 70, 7});
   chains.refresh_pattern({{chains.chain(0)[2], chains.chain(1)[3]}, {chains.chain(1)[1], chains.chain(2)[6]}});
   for (const std::size_t c : {0, 1, 2}) chains.add_springs(c, 1);
   LinearSystem system({tolerance, 40});
@@ -219,7 +219,7 @@ TEST(LinearSystem, what_only_might_couple_is_solved_part_by_part) {
 }
 
 TEST(LinearSystem, leaves_alone_small_parts_in_balance) {
-  Chains chains({5, 40, 7});
+  Chains chains({5, 70, 7});
   chains.refresh_pattern({{chains.chain(0)[2], chains.chain(1)[3]}, {chains.chain(1)[1], chains.chain(2)[6]}});
   for (const std::size_t c : {0, 1, 2}) chains.add_springs(c, 1);
   LinearSystem system({tolerance, 40});
