@@ -26,7 +26,7 @@ IndependentSystem::IndependentSystem(std::vector<int> nodes, BlockPattern patter
   right_.resize(3 * size());
   if (3 * size() <= DenseSolver::largest) return;
   sparse_ = std::make_unique<Sparse>();
-  sparse_->dense.resize(largest_part / 3 + 1);
+  sparse_->of_size.resize(largest_part / 3 + 1);
   sparse_->cholesky.analyse(matrix_.pattern());
   // A solve with a factor touches each of its entries twice; what a factor costs beside it, at the rates of one core.
   constexpr double factor_rate = 20e9, solve_rate = 10e9;
@@ -83,18 +83,18 @@ void IndependentSystem::solve_small_parts(double negligible, LinearWork& work) {
   for (int part = 0; part < s.parts.count(); ++part) {
     const std::span<const int> nodes = s.parts.nodes(part);
     if (3 * nodes.size() > largest_part) continue;
-    s.right.resize(static_cast<Eigen::Index>(3 * nodes.size()));
+    auto& [dense, right, solution] = s.of_size[nodes.size()];
+    right.resize(static_cast<Eigen::Index>(3 * nodes.size()));
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      s.right.segment<3>(3 * k) = right_.segment<3>(3 * nodes[k]);
+      right.segment<3>(3 * k) = right_.segment<3>(3 * nodes[k]);
       right_.segment<3>(3 * nodes[k]).setZero();
     }
-    if (!(s.right.norm() > share)) continue;
-    DenseSolver& dense = s.dense[nodes.size()];
+    if (!(right.norm() > share)) continue;
     dense.factor(matrix_, beyond_, nodes);
-    dense.solve(s.right, s.solution);
+    dense.solve(right, solution);
     ++work.dense_factorisations;
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      s.solution_of_parts.segment<3>(3 * nodes[k]) = s.solution.segment<3>(3 * k);
+      s.solution_of_parts.segment<3>(3 * nodes[k]) = solution.segment<3>(3 * k);
   }
 }
 

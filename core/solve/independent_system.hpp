@@ -51,9 +51,12 @@ class IndependentSystem {
     int patience = 5;    ///< GMRES iterations that cost as much as a factor
     int iterations = 0;  ///< of the last solution
     CoupledParts parts;
-    std::vector<DenseSolver> dense;     ///< by the number of nodes of a part
-    Eigen::VectorXd right, solution;    ///< of a part
-    Eigen::VectorXd solution_of_parts;  ///< of all small ones
+    struct Part {
+      DenseSolver dense;
+      Eigen::VectorXd right, solution;
+    };
+    std::vector<Part> of_size;  ///< what solves a part of so many nodes: kept, so that each size is allocated once
+    Eigen::VectorXd solution_of_parts;
   };
   void solve_densely(LinearWork& work);
   void solve_small_parts(double negligible, LinearWork& work);
