@@ -143,6 +143,22 @@ TEST(Ridges, EdgesThatHaveComePastEachOtherAreDeep) {
   expect_all_normals(contacts, -Vec3::UnitZ());
 }
 
+TEST(Ridges, EdgesOfTheMeshBehindARimDoNotHoldWhatSlidesOverIt) {
+  // A block whose front leans back slides over the joint of two slabs; the side of the second one bulges by a
+  // millimetre, so that the edges of its mesh are ridges.
+  const auto bulging = [](const Vec3& p) {
+    return Vec3(p.x() > 0 ? p : p - Vec3(4e-3 * (1 - p.y() * p.y()) * -p.z() * (1 + p.z()), 0, 0));
+  };
+  Scene scene;
+  scene.add(mapped(box({0, -1, -1}, {2, 1, 0}, {1, 4, 4}), bulging), true);
+  scene.add(mapped(box({-1, -0.55, -1e-5}, {4e-3, 0.55, 1 - 1e-5}),
+                   [](const Vec3& p) { return Vec3(p - Vec3(0.2 * p.z(), 0, 0)); }));
+  scene.add(box({-2, -1, -1}, {-2e-3, 1, 0}), true);
+  come(scene, Vec3(-3e-3, 0, 0));
+  EXPECT_FALSE(scene.contacts.points.empty());
+  for (const ContactPoint& p : scene.contacts.points) EXPECT_NEAR(p.normal.x(), 0, 1e-9) << p.position.transpose();
+}
+
 TEST(Ridges, AnEdgeThatEndsInAConcaveCornerBearsBesideIt) {
   // Of three arms that meet in a corner two lie over the top, 5e-5 m apart from it, and one hangs down beside the
   // block, with its edge 1e-3 m past the side.
