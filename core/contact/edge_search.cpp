@@ -37,6 +37,20 @@ bool lies_between_facing(const StepGeometry& step, const ContactEdge& a, const C
   return false;
 }
 
+/// Whether an edge cuts through the body of a ridge: the middle of what lies behind both flanks is inside.
+bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactEdge& ridge) {
+  const Vec3 &from = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - from;
+  double begin = 0, end = 1;
+  for (const int f : ridge.facets) {
+    const Vec3 n = step.fresh_normal(f);
+    const double height = n.dot(from - step.x[ridge.nodes[0]]), rise = n.dot(along);
+    if (rise > 0) end = std::min(end, -height / rise);
+    if (rise < 0) begin = std::max(begin, -height / rise);
+    if (rise == 0 && height > 0) return false;
+  }
+  return begin < end && lies_inside(step, step.features.facets[ridge.facets[0]].body, from + (begin + end) / 2 * along);
+}
+
 }  // namespace
 
 void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexSearch& vertices,
@@ -82,11 +96,11 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   }
   const double gap = -n.dot(r);
   if (!(gap <= step.reach) || (gap < 0 && gap < -step.depth(fa.body, fb.body))) return;
-  // Edges may cross beside the bodies, and still far behind each other along the normal: near a sharp ridge's other
-  // flank or near its end. What has come in is inside.
+  // Edges may cross beside the bodies, and still far behind each other along the normal: near a ridge's end, or where
+  // both are sharp. What has come in is inside.
   const std::uint64_t key = edge_key(edge_a, edge_b);
   const bool is_late = -gap > step.rim(fa.body, fb.body) && step.begun(fa.body, fb.body) && !step.memory.remembers(key);
-  if (is_late && !(lies_inside(step, fb.body, a0 + s * u) && lies_inside(step, fa.body, b0 + t * w))) return;
+  if (is_late && !(cuts_through(step, a, b) && cuts_through(step, b, a))) return;
   // An end near the other edge has the contact if it ends its body in this direction and was found there: so near that
   // both are in one place, or nearer than the edge seems deep, for then it came past that one.
   const double near = std::max(step.rim(fa.body, fb.body), -gap);

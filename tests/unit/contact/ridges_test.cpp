@@ -14,6 +14,7 @@ using testing::box;
 using testing::cells;
 using testing::mapped;
 using testing::Scene;
+using testing::Shape;
 
 constexpr double reach = 0.01;
 
@@ -141,6 +142,24 @@ TEST(Ridges, EdgesThatHaveComePastEachOtherAreDeep) {
   ASSERT_EQ(contacts.points.size(), 1u);
   EXPECT_NEAR(contacts.points[0].gap - contacts.points[0].overlap, -0.008, 1e-12);
   expect_all_normals(contacts, -Vec3::UnitZ());
+}
+
+TEST(Ridges, EdgesThatCutThroughEachOthersSharpRidgesAreDeep) {
+  // Two blades of 40°, across each other, that lean by 65°: where their edges are nearest, each is before the other's
+  // flank, and yet they cut through each other.
+  const Mat3 lean = Eigen::AngleAxisd(radians(65), Vec3::UnitY()).toRotationMatrix();
+  const auto blade = [&](const Vec3& p) {
+    return Vec3(lean * Vec3((2 * p.x() - 1) * std::tan(radians(20)) * p.z(), p.y(), p.z()));
+  };
+  const Mat3 over = Eigen::AngleAxisd(radians(180), Vec3::UnitX()).toRotationMatrix();
+  const Mat3 across = Eigen::AngleAxisd(radians(90), Vec3::UnitZ()).toRotationMatrix();
+  const Shape block = box({0, -1, 1e-3}, {1, 1, 1});
+  Scene scene;
+  scene.add(mapped(block, [&](const Vec3& p) { return Vec3(over * blade(p)); }), true);
+  scene.add(mapped(block, [&](const Vec3& p) { return Vec3(across * blade(p) - 0.008 * Vec3::UnitZ()); }));
+  const ContactSet& contacts = come(scene, Vec3::UnitZ());
+  EXPECT_TRUE(std::any_of(contacts.points.begin(), contacts.points.end(),
+                          [](const ContactPoint& p) { return p.gap - p.overlap < -5e-3; }));
 }
 
 TEST(Ridges, EdgesOfTheMeshBehindARimDoNotHoldWhatSlidesOverIt) {
