@@ -51,6 +51,16 @@ bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactE
   return begin < end && lies_inside(step, step.features.facets[ridge.facets[0]].body, from + (begin + end) / 2 * along);
 }
 
+/// What crosses an edge of the mesh nearer to the crease that it ends at than `near` came past that crease.
+bool crease_has_it(const StepGeometry& step, const ContactEdge& e, double from_first, double from_second, double near) {
+  const int patch = step.features.facets[e.facets[0]].patch;
+  const auto on_crease = [&](int node) {
+    const auto facets = step.features.facets_at(node);
+    return std::any_of(facets.begin(), facets.end(), [&](int f) { return step.features.facets[f].patch != patch; });
+  };
+  return !e.parts && ((from_first < near && on_crease(e.nodes[0])) || (from_second < near && on_crease(e.nodes[1])));
+}
+
 }  // namespace
 
 void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexSearch& vertices,
@@ -111,16 +121,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   };
   if (end_has_it(a.nodes[0], s * la, n, b) || end_has_it(a.nodes[1], (1 - s) * la, n, b)) return;
   if (end_has_it(b.nodes[0], t * lb, -n, a) || end_has_it(b.nodes[1], (1 - t) * lb, -n, a)) return;
-  // What crosses an edge of the mesh nearer to the crease that it ends at than it seems deep came past that crease.
-  const auto crease_has_it = [&](const ContactEdge& e, double from_first, double from_second) {
-    const int patch = step.features.facets[e.facets[0]].patch;
-    const auto on_crease = [&](int node) {
-      const auto facets = step.features.facets_at(node);
-      return std::any_of(facets.begin(), facets.end(), [&](int f) { return step.features.facets[f].patch != patch; });
-    };
-    return !e.parts && ((from_first < near && on_crease(e.nodes[0])) || (from_second < near && on_crease(e.nodes[1])));
-  };
-  if (crease_has_it(a, s * la, (1 - s) * la) || crease_has_it(b, t * lb, (1 - t) * lb)) return;
+  if (crease_has_it(step, a, s * la, (1 - s) * la, near) || crease_has_it(step, b, t * lb, (1 - t) * lb, near)) return;
   if (lies_between_facing(step, a, b, n)) return;
 
   FoundPoint p{};

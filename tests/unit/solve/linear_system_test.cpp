@@ -197,21 +197,24 @@ TEST(LinearSystem, a_new_coupling_elsewhere_keeps_analysis_and_factor) {
   EXPECT_EQ(system.work().dense_factorisations, 1);
 }
 
-TEST(LinearSystem, what_only_might_couple_is_solved_part_by_part) {
+/// Two small ones and a large one: the pattern joins them, no spring does.
+Chains chains_that_might_couple() {
   Chains chains({5, 70, 7});
   chains.refresh_pattern({{chains.chain(0)[2], chains.chain(1)[3]}, {chains.chain(1)[1], chains.chain(2)[6]}});
   for (const std::size_t c : {0, 1, 2}) chains.add_springs(c, 1);
+  return chains;
+}
+
+TEST(LinearSystem, what_only_might_couple_is_solved_part_by_part) {
+  Chains chains = chains_that_might_couple();
   LinearSystem system({tolerance, 40});
   system.set_pattern(chains.matrix.pattern());
   EXPECT_EQ(system.work().systems, 1);
-  const auto push = [&](const Mat3& spring) {
-    chains.beyond.set_zero();
-    for (const std::size_t c : {0, 1}) chains.beyond.add(chains.chain(c)[1], chains.chain(c)[0], spring);
-  };
   EXPECT_LT(error_of(system, chains), 1e-13);
   EXPECT_EQ(system.work().dense_factorisations, 2);
   EXPECT_EQ(system.work().factorisations, 1) << "for the large part";
-  push((Mat3() << 0, 0.2, 0, 0.1, 0, 0, 0.3, 0, 0).finished());
+  const Mat3 beyond = (Mat3() << 0, 0.2, 0, 0.1, 0, 0, 0.3, 0, 0).finished();
+  for (const std::size_t c : {0, 1}) chains.beyond.add(chains.chain(c)[1], chains.chain(c)[0], beyond);
   EXPECT_LT(error_of(system, chains), tolerance);
   chains.matrix.add(chains.chain(0)[2], chains.chain(1)[3], 0.1 * Mat3::Ones());  // now they do touch
   EXPECT_LT(error_of(system, chains), tolerance);
@@ -219,9 +222,7 @@ TEST(LinearSystem, what_only_might_couple_is_solved_part_by_part) {
 }
 
 TEST(LinearSystem, leaves_alone_small_parts_in_balance) {
-  Chains chains({5, 70, 7});
-  chains.refresh_pattern({{chains.chain(0)[2], chains.chain(1)[3]}, {chains.chain(1)[1], chains.chain(2)[6]}});
-  for (const std::size_t c : {0, 1, 2}) chains.add_springs(c, 1);
+  Chains chains = chains_that_might_couple();
   LinearSystem system({tolerance, 40});
   system.set_pattern(chains.matrix.pattern());
   Eigen::VectorXd b = Eigen::VectorXd::Zero(3 * chains.total_nodes()), x;
