@@ -23,7 +23,7 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
 /// The effects of a stage. What is not called for is not here.
 struct Composition {
   std::vector<std::unique_ptr<Effect>> effects;
-  const BodySet* bodies = nullptr;     ///< whose unknowns they move
+  BodySet* bodies = nullptr;           ///< whose unknowns they move
   Inertia* inertia = nullptr;          ///< among effects; null where every block is fixed
   std::vector<NormalContact*> normal;  ///< among effects; empty where nothing can touch
   ShearContact* shear = nullptr;       ///< among effects; null where no joint resists shear

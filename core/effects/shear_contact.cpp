@@ -16,6 +16,11 @@ void ShearContact::update_strength(const Increment& d) {
     strength_[i] = shear_strength(links_.point(i), normal_force(links_.point(i), links_.gap(i, d)));
 }
 
+void ShearContact::join_strong(DisjointSets& together) const {
+  for (const int i : points_)
+    if (strength_[i] > 0) links_.moves().join_freedoms(i, together);
+}
+
 Vec3 ShearContact::force(int i, const Increment& d) const {
   if (strength_[i] == 0) return Vec3::Zero();
   const Vec3 spring = spring_force(i, d);

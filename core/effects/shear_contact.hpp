@@ -45,6 +45,8 @@ class ShearContact final : public Effect {
 
   /// Takes the strength of every point from the normal forces at D, paper (36).
   void update_strength(const Increment& d);
+  /// Joins the freedoms of points with a strength: while strengths are held, one that has opened since shears on.
+  void join_strong(DisjointSets& together) const;
   /// Force on the first body that the spring would bear if the contact could not slide, τ* [N].
   Vec3 spring_force(int point, const Increment& d) const;
   /// Shear force on the first body at D [N].

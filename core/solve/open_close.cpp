@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "solve/stopwatch.hpp"
 
@@ -33,6 +35,19 @@ constexpr double near_floor = 0.01;
 constexpr double closing_tolerance = 2e-7;
 /// Of the residual at which a step has settled: systems that together are out of balance by less are left alone.
 constexpr double negligible_share = 0.1;
+
+/// While it lives, moments are taken with the arms that there are at the end of the step, as those of a potential are.
+class EndArms {
+ public:
+  explicit EndArms(BodySet& set) : set_(set), before_(std::exchange(set.mean_arms, false)) {}
+  ~EndArms() { set_.mean_arms = before_; }
+  EndArms(const EndArms&) = delete;
+  EndArms& operator=(const EndArms&) = delete;
+
+ private:
+  BodySet& set_;
+  bool before_;
+};
 
 }  // namespace
 
@@ -130,7 +145,12 @@ void OpenClose::begin_step(const StepContext& step) {
 void OpenClose::evaluate(const Increment& d, Friction friction) {
   const Stopwatch watch(times_.update);
   if (composition_->shear && friction == Friction::coupled) composition_->shear->update_strength(d);
-  gradient_.setZero(d.size());
+  std::optional<EndArms> with_potential;
+  if (friction == Friction::lagged) with_potential.emplace(*composition_->bodies);
+  if (friction == Friction::lagged)
+    gradient_ = held_;
+  else
+    gradient_.setZero(d.size());
   part_.resize(d.size());
   scaled_ = share_ * d;
   force_scale_ = momentum_scale_;
@@ -146,6 +166,16 @@ void OpenClose::evaluate(const Increment& d, Friction friction) {
     const double counts = effect.account() == EnergyAccount::elastic ? internal_share : 1;
     force_scale_ = std::max(force_scale_, counts * norms_[i]);
   }
+}
+
+void OpenClose::hold(const Increment& d) {
+  held_.setZero(d.size());
+  if (!composition_->bodies->mean_arms) return;
+  held_ = -gradient_;
+  evaluate(d, Friction::lagged);  // what has a potential, less what there is
+  held_.swap(gradient_);
+  held_ *= -1;
+  gradient_ *= -1;
 }
 
 double OpenClose::residual_at(const Increment& d) {
@@ -243,6 +273,7 @@ void OpenClose::begin_search(const Increment& d) {
   composition_->bodies->join_freedoms(together_);
   part_ = -direction_;
   for (const NormalContact* normal : composition_->normal) normal->join_meeting(d, part_, together_);
+  if (composition_->shear) composition_->shear->join_strong(together_);
   search_.set_parts(together_);
   search_.begin(gradient_, direction_);
 }
@@ -262,6 +293,7 @@ void OpenClose::move(Increment& d, bool early) {
   // sliding one way before and the other way behind it.
   search_.go_back(start_, d);
   evaluate(d, Friction::coupled);
+  hold(d);
   if (early) prepare(d, 0);
   find_direction(d, Friction::lagged);
   go_to_the_floor(d);
@@ -337,6 +369,7 @@ int OpenClose::worst_freedom() const {
 int OpenClose::settle_with_care(Increment& d, int limit) {
   double before = gradient_.norm();
   int count = 0;
+  hold(d);
   for (; count < limit; ++count) {
     prepare(d, 0);
     search_.take_all();
@@ -348,6 +381,7 @@ int OpenClose::settle_with_care(Increment& d, int limit) {
     evaluate(d, Friction::coupled);
     before = gradient_.norm();
     if (before <= negligible || coupled_step_is_worthwhile(d)) return count;
+    hold(d);
   }
   evaluate(d, Friction::coupled);
   return count;

@@ -78,8 +78,10 @@ class OpenClose {
   std::map<std::string, EffectWork> effect_work() const;  ///< by name
 
  private:
-  /// Strengths in shear: those of the D that is looked at, or those of the iterate that the search started from.
+  /// Strengths in shear: those of the D that is looked at, or those of the iterate that they are held at.
   enum class Friction { coupled, lagged };
+  /// Holds at D, where forces are known, what no potential has: strengths, and what mean arms change in moments.
+  void hold(const Increment& d);
   void evaluate(const Increment& d, Friction friction);
   void assemble_constant(const StepContext& step);
   void assemble(const Increment& d, double touching);
@@ -117,6 +119,7 @@ class OpenClose {
   PartwiseSearch search_;
   DisjointSets together_;
   Eigen::VectorXd gradient_, part_, direction_, zero_;
+  Eigen::VectorXd held_;  ///< N, moments that lagged forces go on with beside those that have a potential
   Increment scaled_, start_, second_start_;
   std::vector<double> works_, norms_;
   double share_ = 1;            ///< of D at which smooth forces are taken

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "effects/shear_contact.hpp"
 #include "support/solver_scenes.hpp"
 
 namespace talus {
@@ -70,6 +71,24 @@ TEST_F(CornerAboveFace, a_turn_brings_a_corner_down) {
   step[3 * rotation() + 1] = angle * set.rigid[0].radius;
   EXPECT_FALSE(joined(step)) << "this corner goes up";
   EXPECT_TRUE(joined(-step));
+}
+
+TEST_F(CornerAboveFace, a_contact_that_opens_while_its_strength_is_held_still_joins) {
+  contacts.points[0].friction = 0.5;
+  contacts.points[0].shear_stiffness = 1e9;
+  contacts.sort_out();
+  ShearContact shear(links);
+  const auto together = [&] {
+    DisjointSets sets;
+    sets.reset(set.unknowns() / 3);
+    shear.join_strong(sets);
+    return sets.first_of(centre()) == sets.first_of(4);
+  };
+  shear.update_strength(moved(0, 0));
+  EXPECT_FALSE(together()) << "open, without any strength";
+  shear.update_strength(moved(2 * gap, 0));
+  EXPECT_FALSE(joined(moved(0, 0))) << "open again";
+  EXPECT_TRUE(together());
 }
 
 TEST_F(CornerAboveFace, the_least_way_is_that_of_the_worst_shares) {

@@ -60,8 +60,8 @@ class Load final : public Effect {
 };
 
 /// Bodies without any rotation: unknowns add up.
-const BodySet& no_bodies() {
-  static const BodySet none{Project(), BlockSystem()};
+BodySet& no_bodies() {
+  static BodySet none{Project(), BlockSystem()};
   return none;
 }
 
