@@ -11,9 +11,11 @@ namespace talus {
 
 namespace {
 
-/// Unknowns of a part up to which it is solved by itself: a new dense factor of it takes less than 1 ms, where one of a
+/// Unknowns of a part up to which it is solved densely: a new dense factor of it takes less than 1 ms, where one of a
 /// system that is worth taking apart takes milliseconds.
-constexpr int largest_part = 192;
+constexpr int largest_dense_part = 192;
+/// A part with more than this share of all nodes is left to the factor of all, which serves for longer.
+constexpr double largest_sparse_share = 0.5;
 /// A matrix that is solved more often is worth a factor of all of it, which then serves for nothing.
 constexpr int few_solves = 3;
 
@@ -26,7 +28,7 @@ IndependentSystem::IndependentSystem(std::vector<int> nodes, BlockPattern patter
   right_.resize(3 * size());
   if (3 * size() <= DenseSolver::largest) return;
   sparse_ = std::make_unique<Sparse>();
-  sparse_->of_size.resize(largest_part / 3 + 1);
+  sparse_->of_size.resize(largest_dense_part / 3 + 1);
   sparse_->cholesky.analyse(matrix_.pattern());
   // A solve with a factor touches each of its entries twice; what a factor costs beside it, at the rates of one core.
   constexpr double factor_rate = 20e9, solve_rate = 10e9;
@@ -52,7 +54,7 @@ void IndependentSystem::solve(const SymmetricBlocks& whole, const LinearSettings
       solve_densely(work);
     } else {
       sparse_->solution_of_parts.setZero(right_.size());
-      if (!current_ && solved_before_ < few_solves) solve_small_parts(negligible, work);
+      if (!current_ && solved_before_ < few_solves) solve_parts(settings, negligible, work);
       solve_sparsely(settings, work);
       solution_ += sparse_->solution_of_parts;
     }
@@ -73,28 +75,34 @@ void IndependentSystem::solve_densely(LinearWork& work) {
   dense_.solve(right_, solution_);
 }
 
-/// What is left of the right-hand side is that of large parts, or of all where there is but one.
-void IndependentSystem::solve_small_parts(double negligible, LinearWork& work) {
+/// What is left of the right-hand side is that of parts with most of the nodes.
+void IndependentSystem::solve_parts(const LinearSettings& settings, double negligible, LinearWork& work) {
   const Stopwatch watch(work.solve_seconds);
   Sparse& s = *sparse_;
   s.parts.find(matrix_, beyond_);
-  if (s.parts.count() == 1) return;
   const double share = negligible / std::sqrt(static_cast<double>(s.parts.count()));
   for (int part = 0; part < s.parts.count(); ++part) {
     const std::span<const int> nodes = s.parts.nodes(part);
-    if (3 * nodes.size() > largest_part) continue;
-    auto& [dense, right, solution] = s.of_size[nodes.size()];
-    right.resize(static_cast<Eigen::Index>(3 * nodes.size()));
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      right.segment<3>(3 * k) = right_.segment<3>(3 * nodes[k]);
+    const auto count = static_cast<Eigen::Index>(nodes.size());
+    if (static_cast<double>(count) > largest_sparse_share * size()) continue;
+    s.right.resize(3 * count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      s.right.segment<3>(3 * k) = right_.segment<3>(3 * nodes[k]);
       right_.segment<3>(3 * nodes[k]).setZero();
     }
-    if (!(right.norm() > share)) continue;
-    dense.factor(matrix_, beyond_, nodes);
-    dense.solve(right, solution);
-    ++work.dense_factorisations;
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      s.solution_of_parts.segment<3>(3 * nodes[k]) = solution.segment<3>(3 * k);
+    if (!(s.right.norm() > share)) continue;
+    if (3 * count <= largest_dense_part) {
+      DenseSolver& dense = s.of_size[count];
+      dense.factor(matrix_, beyond_, nodes);
+      dense.solve(s.right, s.solution);
+      ++work.dense_factorisations;
+    } else {
+      s.large_part.factor(matrix_, beyond_, nodes);
+      work.gmres_iterations += s.large_part.solve(s.right, settings.tolerance, settings.limit, s.solution);
+      ++work.factorisations;
+    }
+    for (Eigen::Index k = 0; k < count; ++k)
+      s.solution_of_parts.segment<3>(3 * nodes[k]) = s.solution.segment<3>(3 * k);
   }
 }
 

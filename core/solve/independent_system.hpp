@@ -8,6 +8,7 @@
 #include "solve/dense_solver.hpp"
 #include "solve/gmres.hpp"
 #include "solve/linear_work.hpp"
+#include "solve/sparse_part.hpp"
 
 namespace talus {
 
@@ -18,10 +19,10 @@ struct LinearSettings {
 };
 
 /// Equations that share no unknown with the others, such as those of a block that can touch no other. Small ones are
-/// solved densely, and so are the small parts of a large one that has just changed, where nothing couples them to the
-/// rest but contacts that are open. Of what is left a Cholesky factor of the symmetric part of all, as old as it
-/// serves, preconditions GMRES on all of the tangent; where the factor is that of this very matrix and the matrix all
-/// of the tangent, it solves it alone.
+/// solved densely. A large one that has just changed is taken apart, where nothing couples its parts but contacts that
+/// are open: small parts are solved densely, too, larger ones with a factor of their own. Of what is left a Cholesky
+/// factor of the symmetric part of all, as old as it serves, preconditions GMRES on all of the tangent; where the
+/// factor is that of this very matrix and the matrix all of the tangent, it solves it alone.
 class IndependentSystem {
  public:
   /// `nodes`: ascending; `pattern`: of these nodes among themselves. Orders and analyses it.
@@ -51,15 +52,12 @@ class IndependentSystem {
     int patience = 5;    ///< GMRES iterations that cost as much as a factor
     int iterations = 0;  ///< of the last solution
     CoupledParts parts;
-    struct Part {
-      DenseSolver dense;
-      Eigen::VectorXd right, solution;
-    };
-    std::vector<Part> of_size;  ///< what solves a part of so many nodes: kept, so that each size is allocated once
-    Eigen::VectorXd solution_of_parts;
+    std::vector<DenseSolver> of_size;  ///< for a part of so many nodes: kept, so that each size is allocated once
+    SparsePart large_part;
+    Eigen::VectorXd right, solution, solution_of_parts;
   };
   void solve_densely(LinearWork& work);
-  void solve_small_parts(double negligible, LinearWork& work);
+  void solve_parts(const LinearSettings& settings, double negligible, LinearWork& work);
   void solve_sparsely(const LinearSettings& settings, LinearWork& work);
   void factor(LinearWork& work);
 

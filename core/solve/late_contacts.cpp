@@ -55,7 +55,8 @@ std::optional<ContactDetector::Late> LateContacts::seek(ContactDetector& detecto
   std::optional<ContactDetector::Late> deepest;
   for (const ContactDetector::Late& late : detector.late(end_, reach, tolerance)) {
     if (deepest && late.depth <= deepest->depth) continue;
-    if (late.depth > tolerance + known_depth(late, links, d)) deepest = late;
+    // However deep others lie: one that is deeper than they may be, and as much again, is unforeseen.
+    if (late.depth > tolerance + std::min(tolerance, known_depth(late, links, d))) deepest = late;
   }
   tell(detector);
   return deepest;

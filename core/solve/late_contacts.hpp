@@ -16,9 +16,10 @@ class LateContacts {
   explicit LateContacts(const BodySet& set) : set_(set), end_(set.nodes.position.size()), ways_(set.bodies.size()) {}
 
   /// The deepest contact at the end of a step that has settled at `d`, if it is deeper, by more than `tolerance` of its
-  /// mesh size, than the deepest of those that the step knows between the same two blocks. Looked for where a block
-  /// turns, so that one of its nodes goes `least_turn` [m] or more against the others; nowhere else do features come to
-  /// bear all of a sudden. `reach`: as for detect() of this step. The detector is told of the motion there and back.
+  /// mesh size, than the deepest of those that the step knows between the same two blocks; of these no more than
+  /// `tolerance` counts, or what one contact is wrong by would let the next one in. Looked for where a block turns, so
+  /// that one of its nodes goes `least_turn` [m] or more against the others; nowhere else do features come to bear all
+  /// of a sudden. `reach`: as for detect() of this step. The detector is told of the motion there and back.
   std::optional<ContactDetector::Late> seek(ContactDetector& detector, const ContactLinks& links, const Increment& d,
                                             double reach, double tolerance, double least_turn);
 

@@ -197,16 +197,16 @@ TEST(LinearSystem, a_new_coupling_elsewhere_keeps_analysis_and_factor) {
   EXPECT_EQ(system.work().dense_factorisations, 1);
 }
 
-/// Two small ones and a large one: the pattern joins them, no spring does.
-Chains chains_that_might_couple() {
-  Chains chains({5, 70, 7});
+/// The pattern joins them, no spring does.
+Chains chains_that_might_couple(const std::vector<int>& lengths) {
+  Chains chains(lengths, true);
   chains.refresh_pattern({{chains.chain(0)[2], chains.chain(1)[3]}, {chains.chain(1)[1], chains.chain(2)[6]}});
   for (const std::size_t c : {0, 1, 2}) chains.add_springs(c, 1);
   return chains;
 }
 
 TEST(LinearSystem, what_only_might_couple_is_solved_part_by_part) {
-  Chains chains = chains_that_might_couple();
+  Chains chains = chains_that_might_couple({5, 70, 7});
   LinearSystem system({tolerance, 40});
   system.set_pattern(chains.matrix.pattern());
   EXPECT_EQ(system.work().systems, 1);
@@ -222,7 +222,7 @@ TEST(LinearSystem, what_only_might_couple_is_solved_part_by_part) {
 }
 
 TEST(LinearSystem, leaves_alone_small_parts_in_balance) {
-  Chains chains = chains_that_might_couple();
+  Chains chains = chains_that_might_couple({5, 70, 7});
   LinearSystem system({tolerance, 40});
   system.set_pattern(chains.matrix.pattern());
   Eigen::VectorXd b = Eigen::VectorXd::Zero(3 * chains.total_nodes()), x;
@@ -232,6 +232,38 @@ TEST(LinearSystem, leaves_alone_small_parts_in_balance) {
   EXPECT_EQ(system.work().dense_factorisations, 1);
   EXPECT_EQ(system.work().factorisations, 0) << "nothing pushes on the large part";
   EXPECT_LE((chains.times(x) - b).norm(), 4e-9);
+}
+
+TEST(LinearSystem, large_parts_that_only_might_couple_have_factors_of_their_own) {
+  Chains chains = chains_that_might_couple({70, 75, 80});
+  LinearSystem system({tolerance, 40});
+  system.set_pattern(chains.matrix.pattern());
+  EXPECT_EQ(system.work().systems, 1);
+  EXPECT_LT(error_of(system, chains), 1e-13);
+  EXPECT_EQ(system.work().factorisations, 3);
+  EXPECT_EQ(system.work().dense_factorisations, 0);
+  EXPECT_EQ(system.work().gmres_iterations, 0);
+  const Mat3 beyond = (Mat3() << 0, 0.2, 0, 0.1, 0, 0, 0.3, 0, 0).finished();
+  for (const std::size_t c : {0, 1, 2}) chains.add_springs(c, 10);
+  for (const std::size_t c : {0, 2}) chains.beyond.add(chains.chain(c)[1], chains.chain(c)[0], beyond);
+  EXPECT_LT(error_of(system, chains), tolerance);
+  EXPECT_EQ(system.work().factorisations, 6);
+  EXPECT_GT(system.work().gmres_iterations, 1);
+}
+
+TEST(LinearSystem, says_at_which_node_of_a_large_part_a_matrix_is_not_positive_definite) {
+  Chains chains = chains_that_might_couple({70, 75, 80});
+  const int bad = chains.chain(1)[40];
+  chains.matrix.add(bad, bad, -100 * Mat3::Identity());
+  LinearSystem system({tolerance, 40});
+  system.set_pattern(chains.matrix.pattern());
+  Eigen::VectorXd x;
+  try {
+    system.solve(chains.matrix, chains.beyond, chains.wanted(), 0, x);
+    FAIL() << "it was solved";
+  } catch (const NotPositiveDefinite& error) {
+    EXPECT_EQ(error.node, bad);
+  }
 }
 
 TEST(LinearSystem, says_at_which_node_a_matrix_is_not_positive_definite) {
