@@ -10,11 +10,13 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 
 # Debian's SuiteSparse, gmsh and valijson ship no CMake package.
-find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
-find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
-add_library(SuiteSparse::cholmod INTERFACE IMPORTED)
-target_include_directories(SuiteSparse::cholmod INTERFACE ${CHOLMOD_INCLUDE_DIR})
-target_link_libraries(SuiteSparse::cholmod INTERFACE ${CHOLMOD_LIBRARY})
+find_path(SUITESPARSE_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+foreach(part cholmod umfpack)
+  find_library(${part}_LIBRARY ${part} REQUIRED)
+  add_library(SuiteSparse::${part} INTERFACE IMPORTED)
+  target_include_directories(SuiteSparse::${part} INTERFACE ${SUITESPARSE_INCLUDE_DIR})
+  target_link_libraries(SuiteSparse::${part} INTERFACE ${${part}_LIBRARY})
+endforeach()
 
 find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
 find_library(GMSH_LIBRARY gmsh REQUIRED)

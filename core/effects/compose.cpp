@@ -157,6 +157,7 @@ Composition compose(const Project& project, const BlockSystem& system, int stage
                     const ContactLinks& links) {
   Composition composition;
   composition.bodies = &set;
+  composition.links = &links;
   auto& effects = composition.effects;
   const auto add = [&](auto effect) {
     auto* kept = effect.get();

@@ -23,11 +23,12 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
 /// The effects of a stage. What is not called for is not here.
 struct Composition {
   std::vector<std::unique_ptr<Effect>> effects;
-  BodySet* bodies = nullptr;           ///< whose unknowns they move
-  Inertia* inertia = nullptr;          ///< among effects; null where every block is fixed
-  std::vector<NormalContact*> normal;  ///< among effects; empty where nothing can touch
-  ShearContact* shear = nullptr;       ///< among effects; null where no joint resists shear
-  bool rebounds = false;               ///< some joint takes speed from an impact, at the end of dynamic steps
+  BodySet* bodies = nullptr;            ///< whose unknowns they move
+  const ContactLinks* links = nullptr;  ///< of their contacts; null: they have none
+  Inertia* inertia = nullptr;           ///< among effects; null where every block is fixed
+  std::vector<NormalContact*> normal;   ///< among effects; empty where nothing can touch
+  ShearContact* shear = nullptr;        ///< among effects; null where no joint resists shear
+  bool rebounds = false;                ///< some joint takes speed from an impact, at the end of dynamic steps
 };
 
 /// `set` and `links` outlive the composition. Throws InputError for a load or a constraint outside its block.

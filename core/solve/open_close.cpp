@@ -78,8 +78,10 @@ void OpenClose::begin_stage(Composition& composition) {
 
 SolveTimes OpenClose::times() const {
   SolveTimes times = times_;
-  times.factor += linear_.work().factor_seconds;
-  times.solve += linear_.work().solve_seconds;
+  times.assemble += interior_.times().assemble;
+  times.factor += linear_.work().factor_seconds + interior_.times().factor;
+  times.solve += linear_.work().solve_seconds + interior_.times().solve;
+  times.update += interior_.times().update;
   return times;
 }
 
@@ -197,8 +199,7 @@ void OpenClose::solve_at_the_start(Friction friction) {
   assemble(zero_, closing_tolerance);
   linear_.outdate();  // solved exactly
   beyond_.set_zero();
-  if (friction == Friction::coupled)
-    for (const auto& effect : composition_->effects) effect->add_unsymmetric(zero_, beyond_);
+  if (friction == Friction::coupled) add_unsymmetric(zero_, Contacts::included, beyond_);
   linear_.solve(matrix_, beyond_, gradient_, 0, direction_);
 }
 
@@ -224,38 +225,48 @@ void OpenClose::assemble(const Increment& d, double touching) {
   for (NormalContact* normal : composition_->normal) normal->count_as_closed(touching);
   if (composition_->shear) composition_->shear->count_as_closed(touching);
   matrix_.assign(of_step_);
+  add_hessians(d, Contacts::included, matrix_);
+}
+
+void OpenClose::add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix) {
   scaled_ = share_ * d;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
-    if (effect.quadratic()) continue;
+    if (effect.quadratic() || (contacts == Contacts::left_out && effect.account() == EnergyAccount::contact)) continue;
     const Stopwatch share(effect_work_[i].seconds);
-    matrix_.set_weight(effect.smooth() ? share_ : 1);
-    effect.add_hessian(effect.smooth() ? scaled_ : d, matrix_);
+    matrix.set_weight(effect.smooth() ? share_ : 1);
+    effect.add_hessian(effect.smooth() ? scaled_ : d, matrix);
     ++effect_work_[i].assemblies;
   }
+  matrix.set_weight(1);
+}
+
+void OpenClose::add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& beyond) {
+  for (const auto& effect : composition_->effects)
+    if (contacts == Contacts::included || effect->account() != EnergyAccount::contact)
+      effect->add_unsymmetric(d, beyond);
 }
 
 void OpenClose::find_direction(const Increment& d, Friction friction) {
   beyond_.set_zero();
   if (friction == Friction::coupled) {
     const Stopwatch watch(times_.assemble);
-    for (const auto& effect : composition_->effects) effect->add_unsymmetric(d, beyond_);
+    add_unsymmetric(d, Contacts::included, beyond_);
   }
   search_.pick_pending(gradient_, part_);
   linear_.solve(matrix_, beyond_, part_, negligible_share * tolerance_ * force_scale_, direction_);
-  shorten_direction(d);
+  direction_ *= longest_share(d, -direction_);
 }
 
-void OpenClose::shorten_direction(const Increment& d) {
+double OpenClose::longest_share(const Increment& d, const Eigen::VectorXd& change) {
   double longest = 0;
-  for (Eigen::Index n = 0; n < direction_.size(); n += 3)
-    longest = std::max(longest, direction_.segment<3>(n).squaredNorm());
+  for (Eigen::Index n = 0; n < change.size(); n += 3) longest = std::max(longest, change.segment<3>(n).squaredNorm());
   double share = longest > reach_ * reach_ ? reach_ / std::sqrt(longest) : 1;
   scaled_ = share_ * d;
-  part_ = -share_ * direction_;
+  part_ = share_ * change;
   for (const auto& effect : composition_->effects)
     if (effect->smooth()) share = std::min(share, effect->longest_share(scaled_, part_));
-  direction_ *= share;
+  return share;
 }
 
 void OpenClose::step_from_start(Increment& d, Friction friction) {
@@ -331,6 +342,8 @@ Settling OpenClose::settle(Increment& d) {
   Settling result;
   double least = 1e300;  // that was half of what was least before
   int in_vain = 0, stalls = 0;
+  bool goes_inside = can_settle_from_inside();
+  first_guess_ = d;
   evaluate(d, Friction::coupled);
   for (;; ++result.iterations) {
     result.residual = gradient_.norm();
@@ -345,8 +358,17 @@ Settling OpenClose::settle(Increment& d) {
     if (result.settled || result.iterations >= settings_.iteration_limit) break;
     if (result.iterations >= settings_.slow && result.worst_freedom < 0) result.worst_freedom = worst_freedom();
     if (in_vain == settings_.patience) {
-      in_vain = 0;
-      result.iterations += settle_with_care(d, settings_.iteration_limit - result.iterations - 1);
+      const int left = settings_.iteration_limit - result.iterations - 1;
+      const int before_inside = settings_.interior_after - result.iterations;
+      const bool from_inside = goes_inside && before_inside <= 0;
+      if (from_inside) {
+        d = first_guess_;
+        result.iterations += settle_from_inside(d, left);
+        goes_inside = false;
+      } else {
+        result.iterations += settle_with_care(d, goes_inside ? std::min(left, before_inside) : left);
+      }
+      in_vain = goes_inside && result.iterations >= settings_.interior_after ? settings_.patience : 0;
       continue;
     }
     prepare(d, result.iterations == 0 ? closing_tolerance : 0);
@@ -357,6 +379,37 @@ Settling OpenClose::settle(Increment& d) {
   }
   if (!result.settled) result.worst_freedom = worst_freedom();
   return result;
+}
+
+bool OpenClose::can_settle_from_inside() const {
+  if (!composition_->links) return false;
+  const ContactSet& contacts = composition_->links->contacts();
+  return !contacts.loose.empty() && contacts.bonded.empty() && zero_.size() <= settings_.interior_unknowns;
+}
+
+int OpenClose::settle_from_inside(Increment& d, int limit) {
+  const auto add_gradient = [&](const Increment& at, Eigen::VectorXd& sum) {
+    scaled_ = share_ * at;
+    for (const auto& effect : composition_->effects)
+      if (effect->account() != EnergyAccount::contact) effect->add_gradient(effect->smooth() ? scaled_ : at, sum);
+  };
+  const auto assemble_rest = [&](const Increment& at, SymmetricBlocks& matrix, UnsymmetricBlocks& beyond) {
+    matrix.assign(of_step_);
+    add_hessians(at, Contacts::left_out, matrix);
+    add_unsymmetric(at, Contacts::left_out, beyond);
+  };
+  const auto share = [&](const Increment& at, const Eigen::VectorXd& change) { return longest_share(at, change); };
+  const auto is_near = [&](const Increment& at) { return residual_at(at) < settings_.interior_share * force_scale_; };
+  const int count = interior_.approach({.bodies = *composition_->bodies,
+                                        .links = *composition_->links,
+                                        .pattern = matrix_.pattern(),
+                                        .add_gradient = add_gradient,
+                                        .assemble = assemble_rest,
+                                        .longest_share = share,
+                                        .is_near = is_near},
+                                       std::min(limit, settings_.interior_limit), d);
+  evaluate(d, Friction::coupled);
+  return count;
 }
 
 int OpenClose::worst_freedom() const {

@@ -4,15 +4,12 @@
 #include <string>
 
 #include "effects/compose.hpp"
+#include "solve/interior_method.hpp"
 #include "solve/linear_system.hpp"
 #include "solve/partwise_search.hpp"
+#include "solve/solve_times.hpp"
 
 namespace talus {
-
-/// Wall seconds of the parts of an iteration.
-struct SolveTimes {
-  double assemble = 0, factor = 0, solve = 0, update = 0;
-};
 
 /// How the open–close iteration of one trial step ended.
 struct Settling {
@@ -31,11 +28,15 @@ struct OpenCloseSettings {
   int slow = 25;                    ///< iterations after which a step counts as hard; most take two to six
   double tolerance = 1e-10;         ///< residual over force scale at which a dynamic step has settled …
   double static_tolerance = 1e-11;  ///< … and a static one, in which forces hardly do any work
-  double round_off = 1e-9;  ///< a residual below this that no longer falls is round-off, and has settled too …
-  double rounding = 4;      ///< … as is one of so many roundings of a deformation times the stiffness
-  LinearSettings linear;    ///< of the linear solves
-  int patience = 6;         ///< iterations after which strengths are held until the rest balances
-  int shortenings = 20;     ///< trials for the floor of the potential along a step that has overstepped it
+  double round_off = 1e-9;        ///< a residual below this that no longer falls is round-off, and has settled too …
+  double rounding = 4;            ///< … as is one of so many roundings of a deformation times the stiffness
+  LinearSettings linear;          ///< of the linear solves
+  int patience = 6;               ///< iterations after which strengths are held until the rest balances
+  int interior_after = 20;        ///< iterations after which an interior method tries, where …
+  int interior_unknowns = 20000;  ///< … there are no more: its factors are those of an unsymmetric matrix
+  int interior_limit = 50;        ///< iterations that it has
+  double interior_share = 1e-3;   ///< of the force scale, out of balance at which it leaves the rest to Newton's method
+  int shortenings = 20;           ///< trials for the floor of the potential along a step that has overstepped it
 };
 
 /// Finds the increment D at which all forces balance, contacts open and closed, stuck and sliding, each with the
@@ -85,12 +86,16 @@ class OpenClose {
   void evaluate(const Increment& d, Friction friction);
   void assemble_constant(const StepContext& step);
   void assemble(const Increment& d, double touching);
+  /// What effects that are not quadratic add to the matrix at D, all or all but contacts.
+  enum class Contacts { included, left_out };
+  void add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix);
+  void add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& beyond);
   /// Of the parts that do not meet along the direction from D.
   void begin_search(const Increment& d);
   void find_direction(const Increment& d, Friction friction);
   void solve_at_the_start(Friction friction);
-  /// To what smooth effects bear, and no further than contacts were sought.
-  void shorten_direction(const Increment& d);
+  /// Of a change of D that smooth effects bear, and that leads no further than contacts were sought; at most 1.
+  double longest_share(const Increment& d, const Eigen::VectorXd& change);
   /// Of the part of a search, which is left with so little where all are out of balance as now [N].
   double slight_residual() const;
   void move(Increment& d, bool early);
@@ -99,6 +104,9 @@ class OpenClose {
   /// its floor, which it does from anywhere; then they are taken anew, until a coupled step leads on. Returns the
   /// iterations that took.
   int settle_with_care(Increment& d, int limit);
+  /// Where that takes long: all contacts bear and slide a little until they are told apart. Returns the iterations.
+  int settle_from_inside(Increment& d, int limit);
+  bool can_settle_from_inside() const;
   int worst_freedom() const;
   /// Takes a coupled step from D if it brings the residual down by much.
   bool coupled_step_is_worthwhile(Increment& d);
@@ -117,10 +125,11 @@ class OpenClose {
   UnsymmetricBlocks beyond_;
   LinearSystem linear_;
   PartwiseSearch search_;
+  InteriorMethod interior_;
   DisjointSets together_;
   Eigen::VectorXd gradient_, part_, direction_, zero_;
   Eigen::VectorXd held_;  ///< N, moments that lagged forces go on with beside those that have a potential
-  Increment scaled_, start_, second_start_;
+  Increment scaled_, start_, second_start_, first_guess_;
   std::vector<double> works_, norms_;
   double share_ = 1;            ///< of D at which smooth forces are taken
   double constant_length_ = 0;  ///< s, Δ that constant_ holds for; 0: for none in this stage

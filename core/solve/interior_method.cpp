@@ -1,0 +1,75 @@
+#include "solve/interior_method.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solve/stopwatch.hpp"
+
+namespace talus {
+
+namespace {
+
+/// No iteration aims at less of the mean product that there is.
+constexpr double least_aim = 1e-4;
+/// Of a step: so many that are shorter, one after the other, lead nowhere.
+constexpr double short_share = 1e-2;
+constexpr int shorts = 4;
+
+}  // namespace
+
+int InteriorMethod::approach(const Step& step, int limit, Increment& d) {
+  matrix_.set_pattern(step.pattern);
+  beyond_.set_pattern(step.pattern);
+  lu_.set_pattern(step.pattern);
+  rest_.setZero(d.size());
+  step.add_gradient(d, rest_);
+  InteriorContacts contacts(step.links);
+  contacts.begin(d, rest_.cwiseAbs().maxCoeff());
+  int count = 0, short_ones = 0;
+  for (; count < limit && short_ones < shorts && !step.is_near(d); ++count) {
+    if (!find_changes(step, contacts, d)) break;
+    const double share = std::min(contacts.longest_share(), step.longest_share(d, direction_));
+    start_ = d;
+    direction_ *= share;
+    step.bodies.advance(start_, direction_, d);
+    contacts.change_by(share);
+    short_ones = share < short_share ? short_ones + 1 : 0;
+  }
+  return count;
+}
+
+bool InteriorMethod::find_changes(const Step& step, InteriorContacts& contacts, const Increment& d) {
+  {
+    const Stopwatch watch(times_.update);
+    rest_.setZero(d.size());
+    step.add_gradient(d, rest_);
+  }
+  {
+    const Stopwatch watch(times_.assemble);
+    contacts.linearise(d);
+    beyond_.set_zero();
+    step.assemble(d, matrix_, beyond_);
+    contacts.add_tangent(d, beyond_);
+  }
+  {
+    const Stopwatch watch(times_.factor);
+    if (!lu_.factor(matrix_, beyond_.pairs())) return false;
+  }
+  const double product = contacts.mean_product();
+  contacts.aim_at_contact();
+  solve(step, contacts, d);
+  contacts.aim_at(std::max(least_aim, std::pow(1 - contacts.longest_share(), 3)) * product);
+  solve(step, contacts, d);
+  return direction_.allFinite();
+}
+
+void InteriorMethod::solve(const Step& step, InteriorContacts& contacts, const Increment& d) {
+  const Stopwatch watch(times_.solve);
+  right_ = -rest_;
+  contacts.add_forces(d, right_);
+  lu_.solve(right_, direction_);
+  step.bodies.advance(d, direction_, end_);
+  contacts.find_changes(d, end_);
+}
+
+}  // namespace talus

@@ -1,0 +1,10 @@
+#pragma once
+
+namespace talus {
+
+/// Wall seconds of the parts of an iteration.
+struct SolveTimes {
+  double assemble = 0, factor = 0, solve = 0, update = 0;
+};
+
+}  // namespace talus
