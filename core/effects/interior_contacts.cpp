@@ -18,17 +18,27 @@ constexpr double most_slip = 0.5;
 /// Of the share at which the first point would reach the boundary of its cone.
 constexpr double nearly_all = 0.99;
 
+/// Points stay out that would be further apart, on their way to free flight, than this share of the fastest flight …
+constexpr double kicked = 0.25;
+/// … and this share of their size. Others may be pushed by what is pushed.
+constexpr double close_by = 1e-3;
+
 }  // namespace
 
-void InteriorContacts::begin(const Increment& d, double force) {
+void InteriorContacts::begin(const Increment& d, const Eigen::VectorXd& flight, double force) {
   const ContactSet& contacts = links_.contacts();
   double deepest = 0, sum = 0;
   for (const int i : contacts.loose) deepest = std::max(deepest, -links_.gap(i, d));
   points_.clear();
+  double fastest = 0;
+  for (Eigen::Index n = 0; n < flight.size(); n += 3) fastest = std::max(fastest, flight.segment<3>(n).norm());
   for (const int i : contacts.loose) {
+    const ContactPoint& contact = links_.point(i);
+    const double least_gap = links_.gap(i, d) + links_.moves().farthest_against(i, d, contact.normal, flight);
+    if (least_gap > kicked * fastest + close_by * contact.size) continue;
     points_.push_back(point_at(i));
     Point& point = points_.back();
-    const double least = std::max(deepest, least_way * links_.point(i).size) / point.friction;
+    const double least = std::max(deepest, least_way * contact.size) / point.friction;
     point.z = way_of(point, d);
     point.z[0] = std::max(point.z[0], least);
     const double slip = point.z.tail<2>().norm(), most = most_slip * point.z[0];

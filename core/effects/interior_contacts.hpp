@@ -20,9 +20,10 @@ class InteriorContacts {
  public:
   explicit InteriorContacts(const ContactLinks& links) : links_(links) {}
 
-  /// All points begin with one product, of the depth of the deepest times `force` [N], which counts as the force that
-  /// contacts may have to bear.
-  void begin(const Increment& d, double force);
+  /// Takes the points that may come to bear when without contacts the bodies would go on from D by `flight` [m], and
+  /// kick others on. All begin with one product, of the depth of the deepest times `force` [N], which counts as the
+  /// force that contacts may have to bear.
+  void begin(const Increment& d, const Eigen::VectorXd& flight, double force);
   /// The law's linearisation at D, which the next changes are found with.
   void linearise(const Increment& d);
   /// The next changes shall bring all products to zero, to first order.
@@ -42,6 +43,7 @@ class InteriorContacts {
   void change_by(double share);
   /// Mean of r·y [J].
   double mean_product() const;
+  int size() const { return static_cast<int>(points_.size()); }
 
  private:
   struct Point {

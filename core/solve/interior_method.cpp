@@ -20,11 +20,8 @@ constexpr int shorts = 4;
 int InteriorMethod::approach(const Step& step, int limit, Increment& d) {
   matrix_.set_pattern(step.pattern);
   beyond_.set_pattern(step.pattern);
-  lu_.set_pattern(step.pattern);
-  rest_.setZero(d.size());
-  step.add_gradient(d, rest_);
   InteriorContacts contacts(step.links);
-  contacts.begin(d, rest_.cwiseAbs().maxCoeff());
+  if (!begin(step, contacts, d)) return 0;
   int count = 0, short_ones = 0;
   for (; count < limit && short_ones < shorts && !step.is_near(d); ++count) {
     if (!find_changes(step, contacts, d)) break;
@@ -38,17 +35,28 @@ int InteriorMethod::approach(const Step& step, int limit, Increment& d) {
   return count;
 }
 
+bool InteriorMethod::begin(const Step& step, InteriorContacts& contacts, const Increment& d) {
+  find_rest(step, d);
+  const Stopwatch watch(times_.factor);
+  if (!lu_.factor(matrix_, beyond_.pairs())) return false;
+  lu_.solve(-rest_, direction_);
+  contacts.begin(d, direction_, rest_.cwiseAbs().maxCoeff());
+  return true;
+}
+
+void InteriorMethod::find_rest(const Step& step, const Increment& d) {
+  const Stopwatch watch(times_.assemble);
+  rest_.setZero(d.size());
+  step.add_gradient(d, rest_);
+  beyond_.set_zero();
+  step.assemble(d, matrix_, beyond_);
+}
+
 bool InteriorMethod::find_changes(const Step& step, InteriorContacts& contacts, const Increment& d) {
-  {
-    const Stopwatch watch(times_.update);
-    rest_.setZero(d.size());
-    step.add_gradient(d, rest_);
-  }
+  find_rest(step, d);
   {
     const Stopwatch watch(times_.assemble);
     contacts.linearise(d);
-    beyond_.set_zero();
-    step.assemble(d, matrix_, beyond_);
     contacts.add_tangent(d, beyond_);
   }
   {

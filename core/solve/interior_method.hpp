@@ -33,6 +33,10 @@ class InteriorMethod {
   const SolveTimes& times() const { return times_; }
 
  private:
+  /// Contacts begin where D is; false: without them the matrix is singular.
+  bool begin(const Step& step, InteriorContacts& contacts, const Increment& d);
+  /// Gradient and matrix without contacts.
+  void find_rest(const Step& step, const Increment& d);
   /// Of the contacts and of D, to `end_`; false: the matrix is singular.
   bool find_changes(const Step& step, InteriorContacts& contacts, const Increment& d);
   void solve(const Step& step, InteriorContacts& contacts, const Increment& d);

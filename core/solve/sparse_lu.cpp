@@ -4,6 +4,7 @@
 #include <umfpack.h>
 
 #include <array>
+#include <utility>
 
 namespace talus {
 
@@ -35,31 +36,32 @@ void SparseLu::forget_factor() {
   if (factor_) umfpack_di_free_numeric(&factor_);
 }
 
-void SparseLu::set_pattern(const BlockPattern& pattern) {
-  if (pattern == pattern_) return;
+void SparseLu::lay_out() {
   forget_factor();
   forget_analysis();
-  pattern_ = pattern;
-  size_ = 3 * pattern.nodes();
-  // Of each node those that it is coupled to: first those before it, then itself and those behind it, all ascending.
-  std::vector<std::vector<int>> coupled(pattern.nodes());
-  below_.assign(pattern.slots(), 0);
-  above_.assign(pattern.slots(), 0);
-  for (int column = 0; column < pattern.nodes(); ++column)
-    for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot) {
-      const int row = pattern.rows()[slot];
-      if (row == column) continue;
-      above_[slot] = 3 * static_cast<int>(coupled[row].size());
-      coupled[row].push_back(column);
-    }
+  const int nodes = pattern_.nodes();
+  const auto each_present = [this, nodes](const auto& visit) {
+    for (int column = 0; column < nodes; ++column)
+      for (int slot = pattern_.column_begin()[column]; slot < pattern_.column_begin()[column + 1]; ++slot)
+        if (present_[slot]) visit(slot, pattern_.rows()[slot], column);
+  };
+  // Of each node those that it is coupled to, ascending: those before it, then itself and those behind it.
+  std::vector<std::vector<int>> coupled(nodes);
+  below_.assign(present_.size(), 0);
+  above_.assign(present_.size(), 0);
+  each_present([&](int slot, int row, int column) {
+    if (row == column) return;
+    above_[slot] = 3 * static_cast<int>(coupled[row].size());
+    coupled[row].push_back(column);
+  });
+  each_present([&](int slot, int row, int column) {
+    below_[slot] = 3 * static_cast<int>(coupled[column].size());
+    coupled[column].push_back(row);
+  });
   column_begin_.assign(1, 0);
   rows_.clear();
   heights_.clear();
-  for (int column = 0; column < pattern.nodes(); ++column) {
-    for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot) {
-      below_[slot] = column_begin_.back() + 3 * static_cast<int>(coupled[column].size());
-      coupled[column].push_back(pattern.rows()[slot]);
-    }
+  for (int column = 0; column < nodes; ++column) {
     heights_.push_back(3 * static_cast<int>(coupled[column].size()));
     for (int c = 0; c < 3; ++c) {
       for (const int row : coupled[column])
@@ -67,7 +69,10 @@ void SparseLu::set_pattern(const BlockPattern& pattern) {
       column_begin_.push_back(static_cast<int>(rows_.size()));
     }
   }
-  for (int slot = 0; slot < pattern.slots(); ++slot) above_[slot] += column_begin_[3 * pattern.rows()[slot]];
+  each_present([&](int slot, int row, int column) {
+    below_[slot] += column_begin_[3 * column];
+    above_[slot] += column_begin_[3 * row];
+  });
   values_.resize(rows_.size());
 }
 
@@ -77,6 +82,16 @@ void SparseLu::add(int place, int column, const Mat3& block) {
 }
 
 bool SparseLu::factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> beyond) {
+  bool more = matrix.pattern() != pattern_;
+  if (more) {
+    pattern_ = matrix.pattern();
+    present_.assign(pattern_.slots(), 0);
+  }
+  const auto mark = [&](int slot) { more = !std::exchange(present_[slot], 1) || more; };
+  for (int slot = 0; slot < pattern_.slots(); ++slot)
+    if (!matrix.value(slot).isZero(0)) mark(slot);
+  for (const UnsymmetricBlocks::Pair& pair : beyond) mark(pattern_.slot(pair.row, pair.column));
+  if (more) lay_out();
   values_.assign(values_.size(), 0);
   const auto add_both = [&](int slot, int row, int column, const Mat3& below, const Mat3& above) {
     add(below_[slot], column, below);
@@ -84,19 +99,20 @@ bool SparseLu::factor(const SymmetricBlocks& matrix, std::span<const Unsymmetric
   };
   for (int column = 0; column < pattern_.nodes(); ++column)
     for (int slot = pattern_.column_begin()[column]; slot < pattern_.column_begin()[column + 1]; ++slot)
-      add_both(slot, pattern_.rows()[slot], column, matrix.value(slot), matrix.value(slot).transpose());
+      if (present_[slot])
+        add_both(slot, pattern_.rows()[slot], column, matrix.value(slot), matrix.value(slot).transpose());
   for (const UnsymmetricBlocks::Pair& pair : beyond)
     add_both(pattern_.slot(pair.row, pair.column), pair.row, pair.column, pair.below, pair.above);
   const auto control = nearly_symmetric();
-  const int *columns = column_begin_.data(), *rows = rows_.data();
-  if (!analysis_) umfpack_di_symbolic(size_, size_, columns, rows, values_.data(), &analysis_, control.data(), nullptr);
+  const int *columns = column_begin_.data(), *rows = rows_.data(), size = static_cast<int>(column_begin_.size()) - 1;
+  if (!analysis_) umfpack_di_symbolic(size, size, columns, rows, values_.data(), &analysis_, control.data(), nullptr);
   forget_factor();
   return umfpack_di_numeric(columns, rows, values_.data(), analysis_, &factor_, control.data(), nullptr) == UMFPACK_OK;
 }
 
 void SparseLu::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
   const auto control = nearly_symmetric();
-  x.resize(size_);
+  x.resize(b.size());
   umfpack_di_solve(UMFPACK_A, column_begin_.data(), rows_.data(), values_.data(), x.data(), b.data(), factor_,
                    control.data(), nullptr);
 }

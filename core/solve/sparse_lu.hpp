@@ -9,7 +9,8 @@
 namespace talus {
 
 /// Sparse LU factorisation by UMFPACK of a symmetric matrix with what is beyond it: for what is too far from symmetric
-/// for GMRES with a factor of the symmetric part. The symbolic analysis is kept until the pattern changes.
+/// for GMRES with a factor of the symmetric part. Blocks that are zero take no part; the symbolic analysis is kept
+/// until another block is not.
 class SparseLu {
  public:
   SparseLu();
@@ -17,8 +18,7 @@ class SparseLu {
   SparseLu(const SparseLu&) = delete;
   SparseLu& operator=(const SparseLu&) = delete;
 
-  void set_pattern(const BlockPattern& pattern);
-  /// Factors a matrix of this pattern; `beyond` lies in it, too. Whether it is regular.
+  /// Factors a matrix and what is beyond it on its pattern. Whether it is regular.
   bool factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> beyond);
   /// x = A⁻¹ b with the last factor; a matrix that is not regular has none.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
@@ -26,14 +26,16 @@ class SparseLu {
  private:
   void forget_analysis();
   void forget_factor();
-  /// Adds a 3×3 block at a block row and column of which `place` is the place of the first entry.
+  /// Lays out the blocks that are present.
+  void lay_out();
+  /// Adds a 3×3 block at a block column; `place` is that of its first entry.
   void add(int place, int column, const Mat3& block);
 
-  int size_ = 0;
-  std::vector<int> column_begin_, rows_;  ///< all of the matrix, a number at a time, column by column
-  std::vector<double> values_;
   BlockPattern pattern_;
-  std::vector<int> below_, above_;  ///< of each slot: where its block begins, and where its transpose does
+  std::vector<char> present_;                ///< of each slot of the pattern: its block is not zero, or was not
+  std::vector<int> column_begin_{0}, rows_;  ///< all of the matrix, a number at a time, column by column
+  std::vector<double> values_;
+  std::vector<int> below_, above_;  ///< of each slot that is present: where its block begins, and where its transpose
   std::vector<int> heights_;        ///< of the columns of each node
   void* analysis_ = nullptr;
   void* factor_ = nullptr;

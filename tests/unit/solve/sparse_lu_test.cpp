@@ -18,7 +18,6 @@ class Ring : public testing::Test {
     const BlockPattern pattern(nodes, couplings);
     matrix.set_pattern(pattern);
     beyond.set_pattern(pattern);
-    lu.set_pattern(pattern);
     for (int node = 0; node < nodes; ++node) {
       matrix.add(node, node, (4.0 + node) * Mat3::Identity());
       matrix.add((node + 1) % nodes, node, Vec3(1, 0.2, -0.4) * Vec3(0.3, -1, 0.5).transpose());
@@ -54,6 +53,18 @@ TEST_F(Ring, a_factor_is_of_the_matrix_given_last) {
   Eigen::VectorXd b;
   matrix.multiply(x, b);
   EXPECT_LT((b - Eigen::VectorXd::Ones(3 * nodes)).norm(), 1e-13);
+}
+
+TEST_F(Ring, blocks_that_were_zero_may_come_in) {
+  SymmetricBlocks alone;
+  alone.set_pattern(matrix.pattern());
+  for (int node = 0; node < nodes; ++node) alone.add(node, node, 2 * Mat3::Identity());
+  ASSERT_TRUE(lu.factor(alone, {}));
+  lu.solve(Eigen::VectorXd::Ones(3 * nodes), x);
+  EXPECT_LT((x - 0.5 * Eigen::VectorXd::Ones(3 * nodes)).norm(), 1e-15);
+  ASSERT_TRUE(lu.factor(matrix, beyond.pairs()));
+  lu.solve(dense * Eigen::VectorXd::Ones(3 * nodes), x);
+  EXPECT_LT((x - Eigen::VectorXd::Ones(3 * nodes)).norm(), 1e-13);
 }
 
 TEST_F(Ring, a_singular_matrix_has_no_factor) {
