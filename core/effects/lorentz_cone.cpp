@@ -9,8 +9,8 @@ namespace {
 
 Vec3 mirrored(const Vec3& v) { return {v[0], -v[1], -v[2]}; }
 
-/// The matrix that v∘v∘… of its square root acts by: with a vector of determinant 1 its own inverse's is the
-/// mirrored's.
+/// Of a v with determinant 1, the symmetric matrix whose square is 2 v vᵀ − diag(1, −1, −1). That of the mirrored v is
+/// its inverse.
 Mat3 boost(const Vec3& v) {
   Mat3 matrix = Mat3::Identity();
   matrix.row(0) = v.transpose();

@@ -81,7 +81,6 @@ SolveTimes OpenClose::times() const {
   times.assemble += interior_.times().assemble;
   times.factor += linear_.work().factor_seconds + interior_.times().factor;
   times.solve += linear_.work().solve_seconds + interior_.times().solve;
-  times.update += interior_.times().update;
   return times;
 }
 
@@ -255,7 +254,8 @@ void OpenClose::find_direction(const Increment& d, Friction friction) {
   }
   search_.pick_pending(gradient_, part_);
   linear_.solve(matrix_, beyond_, part_, negligible_share * tolerance_ * force_scale_, direction_);
-  direction_ *= longest_share(d, -direction_);
+  part_ = -direction_;
+  direction_ *= longest_share(d, part_);
 }
 
 double OpenClose::longest_share(const Increment& d, const Eigen::VectorXd& change) {
@@ -342,7 +342,7 @@ Settling OpenClose::settle(Increment& d) {
   Settling result;
   double least = 1e300;  // that was half of what was least before
   int in_vain = 0, stalls = 0;
-  bool goes_inside = can_settle_from_inside();
+  bool may_go_inside = can_settle_from_inside();
   first_guess_ = d;
   evaluate(d, Friction::coupled);
   for (;; ++result.iterations) {
@@ -358,17 +358,8 @@ Settling OpenClose::settle(Increment& d) {
     if (result.settled || result.iterations >= settings_.iteration_limit) break;
     if (result.iterations >= settings_.slow && result.worst_freedom < 0) result.worst_freedom = worst_freedom();
     if (in_vain == settings_.patience) {
-      const int left = settings_.iteration_limit - result.iterations - 1;
-      const int before_inside = settings_.interior_after - result.iterations;
-      const bool from_inside = goes_inside && before_inside <= 0;
-      if (from_inside) {
-        d = first_guess_;
-        result.iterations += settle_from_inside(d, left);
-        goes_inside = false;
-      } else {
-        result.iterations += settle_with_care(d, goes_inside ? std::min(left, before_inside) : left);
-      }
-      in_vain = goes_inside && result.iterations >= settings_.interior_after ? settings_.patience : 0;
+      in_vain = 0;
+      result.iterations += settle_patiently(d, result.iterations, may_go_inside);
       continue;
     }
     prepare(d, result.iterations == 0 ? closing_tolerance : 0);
@@ -381,6 +372,17 @@ Settling OpenClose::settle(Increment& d) {
   return result;
 }
 
+int OpenClose::settle_patiently(Increment& d, int so_far, bool& may_go_inside) {
+  const int left = settings_.iteration_limit - so_far - 1;
+  if (!may_go_inside) return settle_with_care(d, left);
+  const int with_care = std::min(left, settings_.interior_after - so_far);
+  const int count = with_care > 0 ? settle_with_care(d, with_care) : 0;
+  if (count < with_care) return count;
+  may_go_inside = false;
+  d = first_guess_;
+  return count + settle_from_inside(d, left - count);
+}
+
 bool OpenClose::can_settle_from_inside() const {
   if (!composition_->links) return false;
   const ContactSet& contacts = composition_->links->contacts();
@@ -390,8 +392,13 @@ bool OpenClose::can_settle_from_inside() const {
 int OpenClose::settle_from_inside(Increment& d, int limit) {
   const auto add_gradient = [&](const Increment& at, Eigen::VectorXd& sum) {
     scaled_ = share_ * at;
-    for (const auto& effect : composition_->effects)
-      if (effect->account() != EnergyAccount::contact) effect->add_gradient(effect->smooth() ? scaled_ : at, sum);
+    for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+      const Effect& effect = *composition_->effects[i];
+      if (effect.account() == EnergyAccount::contact) continue;
+      const Stopwatch seconds(effect_work_[i].seconds);
+      effect.add_gradient(effect.smooth() ? scaled_ : at, sum);
+      ++effect_work_[i].evaluations;
+    }
   };
   const auto assemble_rest = [&](const Increment& at, SymmetricBlocks& matrix, UnsymmetricBlocks& beyond) {
     matrix.assign(of_step_);

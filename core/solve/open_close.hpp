@@ -104,7 +104,10 @@ class OpenClose {
   /// its floor, which it does from anywhere; then they are taken anew, until a coupled step leads on. Returns the
   /// iterations that took.
   int settle_with_care(Increment& d, int limit);
-  /// Where that takes long: all contacts bear and slide a little until they are told apart. Returns the iterations.
+  /// Where Newton's method has not settled a step so far: with care, then from inside, once, then with care again.
+  /// Returns the iterations that took.
+  int settle_patiently(Increment& d, int so_far, bool& may_go_inside);
+  /// All contacts bear and slide a little until they are told apart. Returns the iterations that took.
   int settle_from_inside(Increment& d, int limit);
   bool can_settle_from_inside() const;
   int worst_freedom() const;

@@ -16,6 +16,8 @@ constexpr double sudden = 0.3;
 constexpr double gone = 0.25;
 /// A push that gives back more than this share of a body's kinetic energy in a step is a blow that dies away.
 constexpr double lasting = 1e-3;
+/// The same of one that has already begun as it ended: what is left of the blow ends smaller still.
+constexpr double lasting_on = 1e-5;
 /// Of the mesh size: a body that has been struck goes on without an acceleration where it moves it by less in a step.
 constexpr double visible = 1e-4;
 /// Of the mesh size: an acceleration that moves a body by less in a step is rounding.
@@ -87,6 +89,7 @@ void let_go(BodySet& set, const Body& body) {
 void Shocks::look(const BodySet& set, const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes) {
   for (const int b : set.moving) {
     before_[b] = pushes_[b];
+    slackened_[b] = false;
     pushes_[b].setZero();
   }
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -113,7 +116,7 @@ bool Shocks::lets_go(int body, const BodySet& set, const StepContext& step, cons
   const double least = least_way * least_way * unit * unit;
   const bool over = a.before > least && a.after < gone * gone * a.before;
   const bool at_once = a.change > sudden * sudden * a.before;
-  const bool dies_away = square / 8 * a.given > lasting * a.motion;
+  const bool dies_away = square / 8 * a.given > (slackened_[body] ? lasting_on : lasting) * a.motion;
   return over || (a.given > least && (at_once || dies_away));
 }
 
@@ -123,6 +126,7 @@ bool Shocks::slacken(BodySet& set, const StepContext& step, const Increment& d) 
     if (!lets_go(b, set, step, d)) continue;
     begin_as_it_ends(set, set.bodies[b], step, d);
     struck_[b] = false;
+    slackened_[b] = true;
     any = true;
   }
   return any;

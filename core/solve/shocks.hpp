@@ -15,7 +15,10 @@ namespace talus {
 class Shocks {
  public:
   explicit Shocks(const BodySet& set)
-      : pushes_(set.bodies.size(), Vec3::Zero()), before_(pushes_), struck_(set.bodies.size(), false) {}
+      : pushes_(set.bodies.size(), Vec3::Zero()),
+        before_(pushes_),
+        struck_(set.bodies.size(), false),
+        slackened_(struck_) {}
 
   /// A step is taken: how contacts push at its end.
   void look(const BodySet& set, const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes);
@@ -29,6 +32,7 @@ class Shocks {
   bool lets_go(int body, const BodySet& set, const StepContext& step, const Increment& d) const;
   std::vector<Vec3> pushes_, before_;  // N, all normal forces on a body; of one asleep as it fell asleep
   std::vector<bool> struck_;           // a body: by the step before, and goes on without an acceleration
+  std::vector<bool> slackened_;        // a body: has taken this step anew
 };
 
 }  // namespace talus
