@@ -98,7 +98,8 @@ struct StepGeometry {
   double depth(int body_a, int body_b) const;
   /// Do all these points of body `other`, of which some lie below a facet, lie nearer to a convex crease of it than the
   /// deepest is deep, or within its rim? What slides along the facet beyond has come past the crease from outside,
-  /// however far it reaches behind this one. Only creases count whose facet beyond has a normal that `counts`.
+  /// however far it reaches behind this one; but not what is deeper still behind the facet beyond, which leaves it to
+  /// this one. Only creases count whose facet beyond has a normal that `counts`.
   template <class Counts>
   bool came_past_a_crease(int facet, std::span<const Vec3> points, int other, const Counts& counts) const;
   /// So deep is too deep for rounding. [m]
@@ -126,7 +127,7 @@ bool StepGeometry::came_past_a_crease(int facet, std::span<const Vec3> points, i
         below = std::max(below, there);
         width = std::max(width, (there - here * cosine) / sine);
       }
-      if (width < deepest || within_rim(below, f.body, other, n)) return true;
+      if ((width < deepest && below <= deepest) || within_rim(below, f.body, other, n)) return true;
     }
   return false;
 }

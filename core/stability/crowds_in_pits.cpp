@@ -67,7 +67,6 @@ StabilityScene poured(int count, double width, double duration) {
           .group = crowd_group,
           .title = std::to_string(count) + " polyhedra poured into a pit",
           .takes_long = count > 20,
-          .shortfall = count == 500 ? "two pebbles are 9.4e-3 of the mesh size in each other at 1.02 s" : "",
           .expected = {stays_before({0, 0, -depth}, Vec3::UnitZ()), slow_at_end(0.5)},
           .build = [=] {
             CaseScene scene = pit_scene(width, 35);
