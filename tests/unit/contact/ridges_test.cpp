@@ -115,6 +115,24 @@ const ContactSet& come(Scene& scene, const Vec3& from) {
   return scene.detect(reach);
 }
 
+TEST(Ridges, ACornerThatSinksInAtOneIsLeftToOneFlank) {
+  // A roof whose slopes lean 20° either way, and a steep corner that comes 1e-3 m down through it, beside its ridge.
+  const auto roof = [](const Vec3& p) { return Vec3(p - Vec3(0, 0, std::tan(radians(20)) * std::abs(p.x()))); };
+  const Mat3 on_a_corner = Eigen::Quaterniond::FromTwoVectors(Vec3::Ones(), Vec3::UnitZ()).toRotationMatrix();
+  for (const double beside : {-1e-4, -1e-5, 1e-5, 1e-4}) {
+    Scene scene;
+    scene.add(mapped(box({-1, -1, -1}, {1, 1, 0}, {2, 1, 1}), roof), true);
+    scene.add(mapped(box({0, 0, 0}, {0.2, 0.2, 0.2}), [&](const Vec3& p) {
+      const Vec3 turned = on_a_corner * p;
+      return Vec3(turned.x() + beside, turned.y() + 0.3, 5 * turned.z() - 1e-3);
+    }));
+    double deepest = 0;
+    for (const ContactPoint& p : come(scene, 2e-3 * Vec3::UnitZ()).points)
+      deepest = std::max(deepest, p.overlap - p.gap);
+    EXPECT_NEAR(deepest, 1e-3 * std::cos(radians(20)), 1e-4) << beside;
+  }
+}
+
 TEST(Ridges, AnEdgeThatPassesBesideASharpRidgeIsNotDeepInIt) {
   // A brow that overhangs by 30°, and a bar below it that ends in a slope of 20°, 1e-3 m from the brow's ridge: seen
   // from above, the bar's lower edge crosses the ridge.
