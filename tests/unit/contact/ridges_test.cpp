@@ -180,6 +180,25 @@ TEST(Ridges, EdgesThatCutThroughEachOthersSharpRidgesAreDeep) {
                           [](const ContactPoint& p) { return p.gap - p.overlap < -5e-3; }));
 }
 
+TEST(Ridges, EdgesThatHaveComePastEachOtherBesideACornerAreDeep) {
+  // A bar's edge crosses an upright one 6 mm below its upper end, rising at 45°: the middle of what lies behind both
+  // flanks of the upright one is above that end.
+  const Vec3 apart(std::cos(radians(80)), std::sin(radians(80)), 0);
+  Mat3 axes;  // along the bar's edge, and of its two faces
+  axes.col(0) = (Vec3::UnitZ().cross(apart) + Vec3::UnitZ()).normalized();
+  const Vec3 beside = axes.col(0).cross(apart);
+  axes.col(1) = (apart - beside).normalized();
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  Scene scene;
+  scene.add(box({-1, -1, -1}, {0, 0, 0}), true);
+  scene.add(mapped(box({-0.5, 0, 0}, {0.5, 0.5, 0.5}),
+                   [&](const Vec3& p) { return Vec3(axes * p - 5e-3 * apart - 6e-3 * Vec3::UnitZ()); }));
+  const ContactSet& contacts = come(scene, apart);
+  EXPECT_TRUE(std::any_of(contacts.points.begin(), contacts.points.end(), [&](const ContactPoint& p) {
+    return (p.normal + apart).norm() < 1e-9 && std::abs(p.gap - p.overlap + 5e-3) < 1e-9;
+  }));
+}
+
 TEST(Ridges, EdgesOfTheMeshBehindARimDoNotHoldWhatSlidesOverIt) {
   // A block whose front leans back slides over the joint of two slabs; the side of the second one bulges by a
   // millimetre, so that the edges of its mesh are ridges.
