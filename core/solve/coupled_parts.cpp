@@ -4,10 +4,13 @@ namespace talus {
 
 void CoupledParts::find(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> beyond) {
   const std::vector<int>&column_begin = matrix.pattern().column_begin(), &rows = matrix.pattern().rows();
+  const auto each_coupling = [&](const auto& visit) {
+    for (int column = 0; column < matrix.nodes(); ++column)
+      for (int slot = column_begin[column] + 1; slot < column_begin[column + 1]; ++slot)  // the first is the diagonal
+        if (!matrix.value(slot).isZero(0)) visit(column, rows[slot]);
+  };
   together_.reset(matrix.nodes());
-  for (int column = 0; column < matrix.nodes(); ++column)
-    for (int slot = column_begin[column] + 1; slot < column_begin[column + 1]; ++slot)  // the first is the diagonal
-      if (!matrix.value(slot).isZero(0)) together_.join(column, rows[slot]);
+  each_coupling([&](int column, int row) { together_.join(column, row); });
   for (const UnsymmetricBlocks::Pair& pair : beyond) together_.join(pair.row, pair.column);
 
   part_of_.resize(matrix.nodes());
@@ -25,6 +28,8 @@ void CoupledParts::find(const SymmetricBlocks& matrix, std::span<const Unsymmetr
   for (std::size_t part = 1; part < begin_.size(); ++part) begin_[part] += begin_[part - 1];
   nodes_.resize(matrix.nodes());
   for (int node = 0; node < matrix.nodes(); ++node) nodes_[begin_[part_of_[node]] + number_of_[node]] = node;
+  couplings_.assign(count(), 0);
+  each_coupling([&](int column, int) { ++couplings_[part_of_[column]]; });
 }
 
 }  // namespace talus

@@ -21,10 +21,12 @@ class CoupledParts {
   std::span<const int> nodes(int part) const {
     return std::span(nodes_).subspan(begin_[part], begin_[part + 1] - begin_[part]);
   }
+  /// Pairs of its nodes with a value in the symmetric matrix.
+  int couplings(int part) const { return couplings_[part]; }
 
  private:
   DisjointSets together_;
-  std::vector<int> part_of_, number_of_, begin_, nodes_;
+  std::vector<int> part_of_, number_of_, begin_, nodes_, couplings_;
 };
 
 }  // namespace talus

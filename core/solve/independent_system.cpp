@@ -14,8 +14,9 @@ namespace {
 /// Unknowns of a part up to which it is solved densely: a new dense factor of it takes less than 1 ms, where one of a
 /// system that is worth taking apart takes milliseconds.
 constexpr int largest_dense_part = 192;
-/// A part with more than this share of all nodes is left to the factor of all, which serves for longer.
-constexpr double largest_sparse_share = 0.5;
+/// A part that couples more than this share of all pairs that may couple is left to the factor of all, which serves for
+/// longer than one of its own and then costs hardly more.
+constexpr double largest_sparse_share = 0.9;
 /// A matrix that is solved more often is worth a factor of all of it, which then serves for nothing.
 constexpr int few_solves = 3;
 
@@ -75,16 +76,17 @@ void IndependentSystem::solve_densely(LinearWork& work) {
   dense_.solve(right_, solution_);
 }
 
-/// What is left of the right-hand side is that of parts with most of the nodes.
+/// What is left of the right-hand side is that of a part with most of the couplings.
 void IndependentSystem::solve_parts(const LinearSettings& settings, double negligible, LinearWork& work) {
   const Stopwatch watch(work.solve_seconds);
   Sparse& s = *sparse_;
   s.parts.find(matrix_, beyond_);
   const double share = negligible / std::sqrt(static_cast<double>(s.parts.count()));
+  const double many = largest_sparse_share * (matrix_.pattern().slots() - size());
   for (int part = 0; part < s.parts.count(); ++part) {
     const std::span<const int> nodes = s.parts.nodes(part);
     const auto count = static_cast<Eigen::Index>(nodes.size());
-    if (static_cast<double>(count) > largest_sparse_share * size()) continue;
+    if (s.parts.couplings(part) > many) continue;
     s.right.resize(3 * count);
     for (Eigen::Index k = 0; k < count; ++k) {
       s.right.segment<3>(3 * k) = right_.segment<3>(3 * nodes[k]);

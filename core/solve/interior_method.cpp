@@ -21,7 +21,9 @@ int InteriorMethod::approach(const Step& step, int limit, Increment& d) {
   matrix_.set_pattern(step.pattern);
   beyond_.set_pattern(step.pattern);
   InteriorContacts contacts(step.links);
-  if (!begin(step, contacts, d)) return 0;
+  const bool began = begin(step, contacts, d);
+  points_ = contacts.size();
+  if (!began) return 0;
   int count = 0, short_ones = 0;
   for (; count < limit && short_ones < shorts && !step.is_near(d); ++count) {
     if (!find_changes(step, contacts, d)) break;

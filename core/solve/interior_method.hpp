@@ -30,6 +30,7 @@ class InteriorMethod {
 
   /// Goes on from D until it is near, or in vain. Returns the iterations that took.
   int approach(const Step& step, int limit, Increment& d);
+  int points() const { return points_; }  ///< contact points that the last approach told apart, or tried to
   const SolveTimes& times() const { return times_; }
 
  private:
@@ -47,6 +48,7 @@ class InteriorMethod {
   Eigen::VectorXd rest_, right_, direction_;
   Increment start_, end_;
   SolveTimes times_;
+  int points_ = 0;
 };
 
 }  // namespace talus

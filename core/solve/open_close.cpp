@@ -359,7 +359,7 @@ Settling OpenClose::settle(Increment& d) {
     if (result.iterations >= settings_.slow && result.worst_freedom < 0) result.worst_freedom = worst_freedom();
     if (in_vain == settings_.patience) {
       in_vain = 0;
-      result.iterations += settle_patiently(d, result.iterations, may_go_inside);
+      if (!settle_patiently(d, result.iterations, may_go_inside)) break;
       continue;
     }
     prepare(d, result.iterations == 0 ? closing_tolerance : 0);
@@ -368,19 +368,26 @@ Settling OpenClose::settle(Increment& d) {
     move(d, in_vain < early_tries);
     ++in_vain;
   }
-  if (!result.settled) result.worst_freedom = worst_freedom();
+  if (result.settled) return result;
+  result.residual = gradient_.norm();
+  result.worst_freedom = worst_freedom();
   return result;
 }
 
-int OpenClose::settle_patiently(Increment& d, int so_far, bool& may_go_inside) {
-  const int left = settings_.iteration_limit - so_far - 1;
-  if (!may_go_inside) return settle_with_care(d, left);
-  const int with_care = std::min(left, settings_.interior_after - so_far);
+bool OpenClose::settle_patiently(Increment& d, int& iterations, bool& may_go_inside) {
+  const int left = settings_.iteration_limit - iterations - 1;
+  const int with_care = may_go_inside ? std::min(left, settings_.interior_after - iterations) : left;
   const int count = with_care > 0 ? settle_with_care(d, with_care) : 0;
-  if (count < with_care) return count;
+  iterations += count;
+  if (!may_go_inside || count < with_care) return true;
   may_go_inside = false;
   d = first_guess_;
-  return count + settle_from_inside(d, left - count);
+  iterations += settle_from_inside(d, left - count);
+  return !is_astray(settings_.iteration_limit - iterations);
+}
+
+bool OpenClose::is_astray(int iterations_left) const {
+  return gradient_.norm() > settings_.interior_astray * force_scale_ && interior_.points() > iterations_left;
 }
 
 bool OpenClose::can_settle_from_inside() const {

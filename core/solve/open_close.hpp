@@ -36,6 +36,7 @@ struct OpenCloseSettings {
   int interior_unknowns = 20000;  ///< … there are no more: its factors are those of an unsymmetric matrix
   int interior_limit = 50;        ///< iterations that it has
   double interior_share = 1e-3;   ///< of the force scale, out of balance at which it leaves the rest to Newton's method
+  double interior_astray = 0.05;  ///< of the same: if it leaves more, at more contacts than iterations, the step is cut
   int shortenings = 20;           ///< trials for the floor of the potential along a step that has overstepped it
 };
 
@@ -105,8 +106,11 @@ class OpenClose {
   /// iterations that took.
   int settle_with_care(Increment& d, int limit);
   /// Where Newton's method has not settled a step so far: with care, then from inside, once, then with care again.
-  /// Returns the iterations that took.
-  int settle_patiently(Increment& d, int so_far, bool& may_go_inside);
+  /// Counts the iterations that took. False: a shorter step is the better way.
+  bool settle_patiently(Increment& d, int& iterations, bool& may_go_inside);
+  /// Care tells contacts apart one by one: it is not worth beginning far from balance with more contacts than
+  /// iterations.
+  bool is_astray(int iterations_left) const;
   /// All contacts bear and slide a little until they are told apart. Returns the iterations that took.
   int settle_from_inside(Increment& d, int limit);
   bool can_settle_from_inside() const;

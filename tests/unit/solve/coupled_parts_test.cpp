@@ -24,6 +24,9 @@ TEST(CoupledParts, nodes_go_together_where_a_value_is_not_zero) {
   EXPECT_THAT(parts.nodes(1), ElementsAre(1));
   EXPECT_THAT(parts.nodes(2), ElementsAre(2, 5));
   EXPECT_THAT(parts.nodes(3), ElementsAre(4));
+  EXPECT_EQ(parts.couplings(0), 1);
+  EXPECT_EQ(parts.couplings(1), 0);
+  EXPECT_EQ(parts.couplings(2), 0) << "only beyond the symmetric matrix";
 }
 
 }  // namespace

@@ -206,13 +206,13 @@ Chains chains_that_might_couple(const std::vector<int>& lengths) {
 }
 
 TEST(LinearSystem, what_only_might_couple_is_solved_part_by_part) {
-  Chains chains = chains_that_might_couple({5, 70, 7});
+  Chains chains = chains_that_might_couple({5, 200, 7});  // nearly all of the pairs are in one
   LinearSystem system({tolerance, 40});
   system.set_pattern(chains.matrix.pattern());
   EXPECT_EQ(system.work().systems, 1);
   EXPECT_LT(error_of(system, chains), 1e-13);
   EXPECT_EQ(system.work().dense_factorisations, 2);
-  EXPECT_EQ(system.work().factorisations, 1) << "for the large part";
+  EXPECT_EQ(system.work().factorisations, 1) << "of all, for the large part";
   const Mat3 beyond = (Mat3() << 0, 0.2, 0, 0.1, 0, 0, 0.3, 0, 0).finished();
   for (const std::size_t c : {0, 1}) chains.beyond.add(chains.chain(c)[1], chains.chain(c)[0], beyond);
   EXPECT_LT(error_of(system, chains), tolerance);
@@ -232,6 +232,22 @@ TEST(LinearSystem, leaves_alone_small_parts_in_balance) {
   EXPECT_EQ(system.work().dense_factorisations, 1);
   EXPECT_EQ(system.work().factorisations, 0) << "nothing pushes on the large part";
   EXPECT_LE((chains.times(x) - b).norm(), 4e-9);
+}
+
+TEST(LinearSystem, a_part_of_all_nodes_has_a_factor_of_its_own_where_few_that_might_couple_do) {
+  Chains chains({70});
+  Couplings possible;
+  for (int k = 0; k + 3 < 70; ++k) possible.emplace_back(chains.chain(0)[k + 3], chains.chain(0)[k]);
+  chains.refresh_pattern(possible);
+  chains.add_springs(0, 1);
+  LinearSystem system({tolerance, 40});
+  system.set_pattern(chains.matrix.pattern());
+  for (int i = 1; i <= 3; ++i) {
+    EXPECT_LT(error_of(system, chains), 1e-13);
+    EXPECT_EQ(system.work().factorisations, i);
+    chains.add_springs(0, 0.05);
+  }
+  EXPECT_EQ(system.work().gmres_iterations, 0);
 }
 
 TEST(LinearSystem, large_parts_that_only_might_couple_have_factors_of_their_own) {

@@ -153,5 +153,54 @@ TEST(OpenClose, blocks_that_fall_side_by_side_are_factored_once_each) {
   EXPECT_EQ(open_close.linear_work().factorisations, 3);
 }
 
+/// A cube that falls on four springs, 0.1 mm below its corners, with an interior method that may not iterate.
+Settling settling_of_a_cube_that_lands(int iteration_limit) {
+  const Project project = test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 1, {}}});
+  const BlockSystem system = test::cube_on_slab();
+  BodySet bodies(project, system);
+  ContactSet contacts;
+  for (int n = 0; n < static_cast<int>(bodies.nodes.position.size()); ++n) {
+    if (bodies.nodes.body[n] != 1 || bodies.nodes.position[n].z() != 0) continue;
+    ContactPoint point;
+    point.bodies[0] = 1;
+    point.normal = Vec3::UnitZ();
+    point.gap = 1e-4;
+    point.size = 1;
+    point.normal_stiffness = point.shear_stiffness = 1e9;
+    point.friction = 0.5;
+    point.stencil_begin = static_cast<int>(contacts.nodes.size());
+    point.stencil_end = point.stencil_begin + 1;
+    contacts.points.push_back(point);
+    contacts.nodes.push_back(n);
+    contacts.weights.push_back(1);
+  }
+  contacts.sort_out();
+  ContactLinks links(bodies, contacts);
+  links.connect();
+  Composition composition = compose(project, system, 0, bodies, links);
+  OpenCloseSettings settings;
+  settings.iteration_limit = iteration_limit;
+  settings.patience = settings.interior_after = 1;
+  settings.interior_limit = 0;
+  OpenClose open_close(settings);
+  open_close.begin_stage(composition);
+  open_close.set_pattern(bodies.nodes.movable, no_contacts);
+  StepContext step = step_of(0.01);
+  step.dynamic_factor = 1;
+  step.reach = 1;
+  for (const auto& effect : composition.effects) effect->begin_step(step);
+  open_close.begin_step(step);
+  Increment d = Increment::Zero(bodies.unknowns());
+  return open_close.settle(d);
+}
+
+TEST(OpenClose, gives_up_far_from_balance_where_contacts_are_more_than_the_iterations_left) {
+  EXPECT_TRUE(settling_of_a_cube_that_lands(60).settled);
+  const Settling given_up = settling_of_a_cube_that_lands(4);
+  EXPECT_FALSE(given_up.settled);
+  EXPECT_EQ(given_up.iterations, 1);
+  EXPECT_GT(given_up.residual, 0.05 * given_up.force_scale);
+}
+
 }  // namespace
 }  // namespace talus
