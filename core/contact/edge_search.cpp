@@ -37,21 +37,27 @@ bool lies_between_facing(const StepGeometry& step, const ContactEdge& a, const C
   return false;
 }
 
-/// Whether an edge cuts through the body of a ridge: the place where it is nearest to that is inside, or the middle of
-/// what lies behind both flanks. Near the end of the ridge the one may lie beside the body, beside a corner the other.
-bool cuts_through(const StepGeometry& step, const ContactEdge& e, const Vec3& nearest, const ContactEdge& ridge) {
-  const int body = step.features.facets[ridge.facets[0]].body;
-  if (lies_inside(step, body, nearest)) return true;
+/// Whether an edge cuts through the body of a ridge: the middle of what lies behind both flanks is inside, or, beside a
+/// corner, that of what lies behind the facets there, too.
+bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactEdge& ridge) {
   const Vec3 &from = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - from;
   double begin = 0, end = 1;
-  for (const int f : ridge.facets) {
-    const Vec3 n = step.fresh_normal(f);
-    const double height = n.dot(from - step.x[ridge.nodes[0]]), rise = n.dot(along);
+  const auto cut_by = [&](int facet, int node) {
+    const Vec3 n = step.fresh_normal(facet);
+    const double height = n.dot(from - step.x[node]), rise = n.dot(along);
     if (rise > 0) end = std::min(end, -height / rise);
     if (rise < 0) begin = std::max(begin, -height / rise);
-    if (rise == 0 && height > 0) return false;
-  }
-  return begin < end && lies_inside(step, body, from + (begin + end) / 2 * along);
+    if (rise == 0 && height > 0) end = begin;
+  };
+  const auto middle_is_inside = [&] {
+    const int body = step.features.facets[ridge.facets[0]].body;
+    return begin < end && lies_inside(step, body, from + (begin + end) / 2 * along);
+  };
+  for (const int f : ridge.facets) cut_by(f, ridge.nodes[0]);
+  if (middle_is_inside()) return true;
+  for (const int node : ridge.nodes)
+    for (const int f : step.features.facets_at(node)) cut_by(f, node);
+  return middle_is_inside();
 }
 
 /// What crosses an edge of the mesh nearer to the crease that it ends at than `near` came past that crease.
@@ -113,7 +119,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   // both are sharp. What has come in is inside.
   const std::uint64_t key = edge_key(edge_a, edge_b);
   const bool is_late = -gap > step.rim(fa.body, fb.body) && step.begun(fa.body, fb.body) && !step.memory.remembers(key);
-  if (is_late && !(cuts_through(step, a, a0 + s * u, b) && cuts_through(step, b, b0 + t * w, a))) return;
+  if (is_late && !(cuts_through(step, a, b) && cuts_through(step, b, a))) return;
   // An end near the other edge has the contact if it ends its body in this direction and was found there: so near that
   // both are in one place, or nearer than the edge seems deep, for then it came past that one.
   const double near = std::max(step.rim(fa.body, fb.body), -gap);
