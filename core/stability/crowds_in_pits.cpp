@@ -124,7 +124,7 @@ StabilityScene interlocked(int count) {
               const Vec3 at(i & 1 ? 0.38 : -0.38, i & 2 ? 0.38 : -0.38, 0.4 - depth + 0.7 * (i / 4));
               scene.add_block("jack " + std::to_string(i + 1), placed(jack(bar), pose, at), BodyKind::rigid);
             }
-            scene.project.stages = {motion(1e-3, 3)};
+            scene.project.stages = {motion(1e-3, 1.5)};
             return scene;
           }};
 }
