@@ -65,6 +65,9 @@ inline constexpr double nearly_parallel = 1e-3;
 /// Degrees within which one surface goes on as another, and two pushes are along one direction.
 inline constexpr double flush_angle = 10.0;
 
+/// Of one depth: another that is no more than this share of it was certainly the way in.
+inline constexpr double clearly_less = 0.5;
+
 class ContactMemory;
 
 /// What the searches look at: the surfaces as they are at the start of the step.
@@ -99,7 +102,9 @@ struct StepGeometry {
   /// Do all these points of body `other`, of which some lie below a facet, lie nearer to a convex crease of it than the
   /// deepest is deep, or within its rim? What slides along the facet beyond has come past the crease from outside,
   /// however far it reaches behind this one; but not what is deeper still behind the facet beyond, which leaves it to
-  /// this one. Only creases count whose facet beyond has a normal that `counts`.
+  /// this one. Behind a ridge of less than 90° nothing is as deep as it is far from the crease: there it has come past
+  /// if it is clearly less deep behind the facet beyond. Only creases count whose facet beyond has a normal that
+  /// `counts`.
   template <class Counts>
   bool came_past_a_crease(int facet, std::span<const Vec3> points, int other, const Counts& counts) const;
   /// So deep is too deep for rounding. [m]
@@ -127,7 +132,9 @@ bool StepGeometry::came_past_a_crease(int facet, std::span<const Vec3> points, i
         below = std::max(below, there);
         width = std::max(width, (there - here * cosine) / sine);
       }
-      if ((width < deepest && below <= deepest) || within_rim(below, f.body, other, n)) return true;
+      const bool at_a_sharp_ridge = cosine < 0 && below <= clearly_less * deepest;
+      const bool beside = at_a_sharp_ridge || (width < deepest && below <= deepest);
+      if (beside || within_rim(below, f.body, other, n)) return true;
     }
   return false;
 }

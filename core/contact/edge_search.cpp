@@ -37,10 +37,16 @@ bool lies_between_facing(const StepGeometry& step, const ContactEdge& a, const C
   return false;
 }
 
-/// Whether an edge cuts through the body of a ridge: the middle of what lies behind both flanks is inside, or, beside a
-/// corner, that of what lies behind the facets there, too.
-bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactEdge& ridge) {
+/// Whether an edge cuts through the body of a ridge, which it crosses at `share`, `depth` behind it: it is inside as
+/// far to one side of there as it is deep; or the middle of what lies behind both flanks is, or, beside a corner, that
+/// of what lies behind the facets there, too.
+bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactEdge& ridge, double share,
+                  double depth) {
   const Vec3 &from = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - from;
+  const int body = step.features.facets[ridge.facets[0]].body;
+  const auto is_inside = [&](double at) { return lies_inside(step, body, from + at * along); };
+  const double aside = depth / along.norm();
+  if (is_inside(share - aside) || is_inside(share + aside)) return true;
   double begin = 0, end = 1;
   const auto cut_by = [&](int facet, int node) {
     const Vec3 n = step.fresh_normal(facet);
@@ -49,10 +55,7 @@ bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactE
     if (rise < 0) begin = std::max(begin, -height / rise);
     if (rise == 0 && height > 0) end = begin;
   };
-  const auto middle_is_inside = [&] {
-    const int body = step.features.facets[ridge.facets[0]].body;
-    return begin < end && lies_inside(step, body, from + (begin + end) / 2 * along);
-  };
+  const auto middle_is_inside = [&] { return begin < end && is_inside((begin + end) / 2); };
   for (const int f : ridge.facets) cut_by(f, ridge.nodes[0]);
   if (middle_is_inside()) return true;
   for (const int node : ridge.nodes)
@@ -119,7 +122,7 @@ void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const V
   // both are sharp. What has come in is inside.
   const std::uint64_t key = edge_key(edge_a, edge_b);
   const bool is_late = -gap > step.rim(fa.body, fb.body) && step.begun(fa.body, fb.body) && !step.memory.remembers(key);
-  if (is_late && !(cuts_through(step, a, b) && cuts_through(step, b, a))) return;
+  if (is_late && !(cuts_through(step, a, b, s, -gap) && cuts_through(step, b, a, t, -gap))) return;
   // An end near the other edge has the contact if it ends its body in this direction and was found there: so near that
   // both are in one place, or nearer than the edge seems deep, for then it came past that one.
   const double near = std::max(step.rim(fa.body, fb.body), -gap);

@@ -82,6 +82,30 @@ TEST(Meeting, ASharpRidgeThatHasSunkIntoAnotherIsHeldUpwards) {
   }
 }
 
+/// The far flanks of two sharp ridges that slide past each other overlap, too.
+TEST(Meeting, ASharpRidgeThatSlidesDownTheFlankOfAnotherIsHeldByThisFlank) {
+  const Shape lower = mapped(roof(), [](const Vec3& p) { return Vec3(p.x(), p.y(), 6 * p.z()); });
+  const Vec3 down = Vec3(1, 0, -6).normalized(), outwards = Vec3(6, 0, 1).normalized();
+  Scene scene;
+  scene.add(lower, true);
+  scene.add(
+      mapped(lower, [&](const Vec3& p) { return Vec3(p.cwiseProduct(Vec3(-0.9, 0.9, -0.9)) + 0.05 * outwards); }));
+  double depth = -0.05;
+  for (const auto& [along, into] : {std::pair(1e-3, 0.0499), {0.6e-3, 2e-4}, {0.6e-3, 1e-4}, {0.6e-3, 1e-4}}) {
+    scene.move(1, along * down - into * outwards);
+    depth += into;
+    const ContactSet& contacts = scene.detect(reach);
+    ASSERT_FALSE(contacts.points.empty()) << depth;
+    std::vector<ContactOutcome> outcomes;
+    for (const ContactPoint& p : contacts.points) {
+      EXPECT_LT((p.normal + outwards).norm(), 0.1) << depth << ": " << p.normal.transpose();
+      EXPECT_NEAR(p.gap - p.overlap, -depth, 1e-5);
+      outcomes.push_back({.normal_force = 1, .gap = p.gap - p.overlap});
+    }
+    scene.detector().accept(contacts, outcomes);
+  }
+}
+
 /// Two roofs ridge on ridge, the upper one upside down, shifted along it and turned about the vertical.
 void expect_held_at_both_ends(double shift, double turn, double gap) {
   SCOPED_TRACE(::testing::Message() << "shifted " << shift << ", turned " << turn << ", gap " << gap);

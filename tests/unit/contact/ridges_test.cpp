@@ -199,6 +199,20 @@ TEST(Ridges, EdgesThatHaveComePastEachOtherBesideACornerAreDeep) {
   }));
 }
 
+TEST(Ridges, AnEdgeThatHasComeThroughAFaceOfASlenderBarIsDeep) {
+  // It comes out of the plane of that face far beside the bar: the middle of what lies behind both flanks of the bar's
+  // edge is beside it, too.
+  const Mat3 down = (Eigen::AngleAxisd(0.03, Vec3::UnitY()) * Eigen::AngleAxisd(radians(45), Vec3::UnitX())).matrix();
+  Scene scene;
+  scene.add(box({-0.05, -0.5, -0.1}, {0.05, 0.5, 0}), true);
+  scene.add(
+      mapped(box({-0.5, 0, 0}, {0.5, 0.1, 0.1}), [&](const Vec3& p) { return Vec3(down * p - 5e-3 * Vec3::UnitZ()); }));
+  const ContactSet& contacts = come(scene, Vec3::UnitZ());
+  EXPECT_TRUE(std::any_of(contacts.points.begin(), contacts.points.end(), [](const ContactPoint& p) {
+    return (p.normal + Vec3::UnitZ()).norm() < 0.05 && p.gap - p.overlap < -5e-3;
+  }));
+}
+
 TEST(Ridges, EdgesOfTheMeshBehindARimDoNotHoldWhatSlidesOverIt) {
   // A block whose front leans back slides over the joint of two slabs; the side of the second one bulges by a
   // millimetre, so that the edges of its mesh are ridges.
