@@ -16,6 +16,8 @@ double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
   return (point - a - share * along).norm();
 }
 
+constexpr double beside_edge = 1e-9;  // of a triangle's area: nothing falls between two of them
+
 Box box_of(const BodySet& bodies, int block) {
   const Body& body = bodies.bodies[block];
   Box box;
@@ -32,6 +34,18 @@ double distance_to_triangle(const Vec3& point, const Vec3& a, const Vec3& b, con
     return std::abs((point - a).dot(normal)) / normal.norm();
   return std::min(
       {distance_to_segment(point, a, b), distance_to_segment(point, b, c), distance_to_segment(point, c, a)});
+}
+
+std::optional<double> way_through_triangle(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b,
+                                           const Vec3& c) {
+  const Vec3 normal = (b - a).cross(c - a);
+  const double before = normal.dot(from - a), behind = normal.dot(to - a);
+  if ((before > 0) == (behind > 0)) return std::nullopt;
+  const double share = before / (before - behind);
+  const Vec3 place = from + share * (to - from);
+  const double least = -beside_edge * normal.squaredNorm();
+  const auto within = [&](const Vec3& p, const Vec3& q) { return (q - p).cross(place - p).dot(normal) >= least; };
+  return within(a, b) && within(b, c) && within(c, a) ? std::optional(share) : std::nullopt;
 }
 
 double winding_number(const Vec3& point, const std::vector<SurfaceTriangle>& triangles,
@@ -58,6 +72,27 @@ std::vector<Vec3> IntrusionCheck::points_of(const BodySet& bodies, int block) co
   for (const auto& [a, b, c, d] : system_.blocks[block].mesh.tetrahedra)
     points.push_back((node(a) + node(b) + node(c) + node(d)) / 4);
   return points;
+}
+
+void IntrusionCheck::add_chords(const BodySet& bodies, int block, int other, const Box& box,
+                                std::vector<Vec3>& points) const {
+  const auto node = [&](int b, int n) -> const Vec3& { return bodies.nodes.position[bodies.bodies[b].first_node + n]; };
+  std::vector<double> ways;
+  for (const SurfaceEdge& edge : surfaces_[block].edges) {
+    const Vec3 &from = node(block, edge.nodes[0]), &to = node(block, edge.nodes[1]);
+    Box around;
+    around.add(from);
+    around.add(to);
+    if (!around.within(box, 0)) continue;
+    ways.clear();
+    for (const auto& [nodes, joint] : surfaces_[other].triangles) {
+      const auto way =
+          way_through_triangle(from, to, node(other, nodes[0]), node(other, nodes[1]), node(other, nodes[2]));
+      if (way) ways.push_back(*way);
+    }
+    std::sort(ways.begin(), ways.end());
+    for (std::size_t i = 1; i < ways.size(); ++i) points.push_back(from + (ways[i - 1] + ways[i]) / 2 * (to - from));
+  }
 }
 
 double IntrusionCheck::depth_in(const BodySet& bodies, int block, const Box& box,
@@ -88,13 +123,16 @@ Intrusion IntrusionCheck::deepest(const BodySet& bodies) const {
   Intrusion worst;
   for (int b = 0; b < count; ++b) {
     const std::vector<Vec3> points = points_of(bodies, b);
+    std::vector<Vec3> candidates;
     for (int other = 0; other < count; ++other) {
       const bool fixed = bodies.bodies[b].built_fixed(), other_fixed = bodies.bodies[other].built_fixed();
       if (other == b || (fixed && other_fixed) || !boxes[b].within(boxes[other], 0)) continue;
       const double size = fixed         ? surfaces_[other].size
                           : other_fixed ? surfaces_[b].size
                                         : std::min(surfaces_[b].size, surfaces_[other].size);
-      const double depth = depth_in(bodies, other, boxes[other], points) / size;
+      candidates = points;
+      add_chords(bodies, b, other, boxes[other], candidates);
+      const double depth = depth_in(bodies, other, boxes[other], candidates) / size;
       if (depth > worst.depth) worst = {depth, b, other};
     }
   }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "bodies/body_set.hpp"
 #include "contact/box.hpp"
 #include "mesh/surface.hpp"
@@ -13,9 +16,9 @@ struct Intrusion {
 };
 
 /// Looks whether blocks lie in each other, by geometry alone: it shares nothing with the search for contacts, so that
-/// what that one misses is seen. Points are nodes and centroids of tetrahedra; a point is inside where the surface
-/// winds about it; its depth is the distance to the nearest triangle. Edges that cross without a point inside are not
-/// seen.
+/// what that one misses is seen. Points are nodes, centroids of tetrahedra, and the middles of what of an edge lies
+/// between two triangles that it goes through; a point is inside where the surface winds about it; its depth is the
+/// distance to the nearest triangle.
 class IntrusionCheck {
  public:
   /// `system` outlives the check.
@@ -25,6 +28,8 @@ class IntrusionCheck {
 
  private:
   std::vector<Vec3> points_of(const BodySet& bodies, int block) const;
+  /// Adds those of the block's edges that go through another one, which lies in `box`.
+  void add_chords(const BodySet& bodies, int block, int other, const Box& box, std::vector<Vec3>& points) const;
   /// Deepest of `points` in the block's surface [m].
   double depth_in(const BodySet& bodies, int block, const Box& box, const std::vector<Vec3>& points) const;
 
@@ -39,5 +44,9 @@ double winding_number(const Vec3& point, const std::vector<SurfaceTriangle>& tri
 
 /// Distance of a point from a triangle [m].
 double distance_to_triangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Where a segment goes through a triangle, as a share of its length; nothing where it passes by, or lies in its plane.
+std::optional<double> way_through_triangle(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b,
+                                           const Vec3& c);
 
 }  // namespace talus

@@ -1,11 +1,15 @@
 #include "stability/intrusion.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "cases/block_scene.hpp"
 
 namespace talus {
 namespace {
+
+using testing::UnorderedElementsAre;
+
+std::array<int, 2> blocks_of(const Intrusion& found) { return {found.block, found.into}; }
 
 Intrusion deepest(const CaseScene& scene) {
   return IntrusionCheck(scene.system).deepest(BodySet(scene.project, scene.system));
@@ -28,8 +32,7 @@ TEST(Intrusion, OfBlocksThatTouchOrAreApartIsNone) {
 TEST(Intrusion, IsTheDistanceToTheNearestFaceOverTheMeshSize) {
   const Intrusion found = deepest(cube_on_slab(-0.02));
   EXPECT_NEAR(found.depth, 0.02, 1e-12);
-  EXPECT_EQ(found.block, 1);
-  EXPECT_EQ(found.into, 0);
+  EXPECT_THAT(blocks_of(found), UnorderedElementsAre(0, 1));
   EXPECT_NEAR(deepest(cube_on_slab(-0.02, Vec3(1e6, 1e6, 1e6))).depth, 0.02, 1e-9);
 }
 
@@ -38,7 +41,7 @@ TEST(Intrusion, OfAFixedBlockIsSeenToo) {
   add_box(scene, "plate", Vec3(-2, -2, 0), Vec3(2, 2, 1));
   add_fixed_box(scene, "post", Vec3(-0.1, -0.1, -3), Vec3(0.1, 0.1, 0.05));
   const Intrusion found = deepest(scene);
-  EXPECT_EQ(found.block, 1);
+  EXPECT_THAT(blocks_of(found), UnorderedElementsAre(0, 1));
   // Triangles of the plate: 4 of 8 m², 8 of 2 m²; its mesh size is √(2 · 4 m²).
   EXPECT_NEAR(found.depth, 0.05 / std::sqrt(8.0), 1e-12);
 }
@@ -60,6 +63,26 @@ TEST(Intrusion, ANotchIsOutside) {
   EXPECT_EQ(deepest(scene).depth, 0);
   add_box(scene, "other", Vec3(0.3, 0.2, 1.2), Vec3(0.7, 0.8, 1.6));
   EXPECT_GT(deepest(scene).depth, 0.1);
+}
+
+TEST(Intrusion, OfBarsThatCrossWithoutACornerInsideIsSeen) {
+  for (const double depth : {0.02, 0.3}) {
+    CaseScene scene = rock_scene(30);
+    add_box(scene, "below", Vec3(-3, -0.5, -1), Vec3(3, 0.5, 0));
+    add_box(scene, "above", Vec3(-0.5, -3, -depth), Vec3(0.5, 3, 1 - depth));
+    const double size = std::sqrt(2.0 * 26 / 12);  // 12 triangles of 26 m²
+    EXPECT_NEAR(deepest(scene).depth, depth / size, 1e-12);
+  }
+}
+
+TEST(Intrusion, ASegmentGoesThroughATriangleOrPassesBy) {
+  const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), up(0, 0, 1);
+  const auto through = [&](const Vec3& place) { return way_through_triangle(place - up, place + 3 * up, a, b, c); };
+  EXPECT_DOUBLE_EQ(through({0.2, 0.2, 0}).value(), 0.25);
+  EXPECT_TRUE(through({0.5, 0.5, 0})) << "its edge belongs to it";
+  EXPECT_FALSE(through({0.6, 0.6, 0}));
+  EXPECT_FALSE(through({0.2, 0.2, 1.5})) << "it ends above";
+  EXPECT_FALSE(way_through_triangle(a, b, a, b, c)) << "it lies in its plane";
 }
 
 TEST(Intrusion, TheWindingNumberTellsInsideFromOutside) {
