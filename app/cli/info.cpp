@@ -36,7 +36,7 @@ Json json_of(const Joint& joint) {
                {"friction_angle", joint.friction_angle},
                {"cohesion", joint.cohesion},
                {"tensile_strength", joint.tensile_strength}};
-  if (joint.restitution < 1) json["restitution"] = joint.restitution;
+  if (joint.restitution) json["restitution"] = *joint.restitution;
   if (joint.residual_friction_angle) json["residual_friction_angle"] = *joint.residual_friction_angle;
   return json;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -12,13 +13,13 @@ enum class ContactMode : std::uint8_t { open, stick, slip };
 
 /// Strength and stiffness of a joint as contact law sees it, SI, angles already turned into coefficients.
 struct JointLaw {
-  double friction = 0;           ///< tan φ
-  double residual_friction = 0;  ///< tan φ once a bond is broken
-  double cohesion = 0;           ///< Pa
-  double tensile_strength = 0;   ///< Pa
-  double normal_stiffness = 0;   ///< Pa/m; 0: automatic
-  double shear_stiffness = 0;    ///< Pa/m; 0: automatic
-  double restitution = 1;        ///< speed after an impact over that before; 1: contacts take none
+  double friction = 0;                  ///< tan φ
+  double residual_friction = 0;         ///< tan φ once a bond is broken
+  double cohesion = 0;                  ///< Pa
+  double tensile_strength = 0;          ///< Pa
+  double normal_stiffness = 0;          ///< Pa/m; 0: automatic
+  double shear_stiffness = 0;           ///< Pa/m; 0: automatic
+  std::optional<double> restitution{};  ///< speed of parting over that of meeting; absent: as springs do
 };
 
 /// One pair of touching points P1 (first body) and P2 (second body), eq. (29). Fixed during a step.
@@ -38,10 +39,10 @@ struct ContactPoint {
   double normal_stiffness = 0;   ///< N/m
   double shear_stiffness = 0;    ///< N/m
   double hardening = 1;          ///< by which the normal stiffness has been raised
-  double restitution = 1;        ///< of the joint
-  double friction = 0;           ///< tan φ that holds now (residual once broken)
-  double cohesion = 0;           ///< N, c·A while bonded, else 0
-  double tension = 0;            ///< N, σ_t·A while bonded, else 0
+  std::optional<double> restitution{};  ///< of the joint
+  double friction = 0;                  ///< tan φ that holds now (residual once broken)
+  double cohesion = 0;                  ///< N, c·A while bonded, else 0
+  double tension = 0;                   ///< N, σ_t·A while bonded, else 0
   bool bonded = false;
   Vec3 shear_start = Vec3::Zero();  ///< N, shear force on the first body at the start of the step, in the contact plane
   double slip_start = 0;            ///< m, path slipped so far
@@ -57,10 +58,9 @@ struct ContactSet {
   std::vector<int> nodes;       ///< global node numbers of all stencils
   std::vector<double> weights;  ///< Σ = +1 over the first body's nodes, −1 over the second's
 
-  std::vector<int> loose;       ///< numbers of the points without a bond, ascending
-  std::vector<int> bonded;      ///< … of those with one
-  std::vector<int> rebounding;  ///< … of those without a bond whose joint takes speed from an impact
-  std::vector<int> sheared;     ///< … of those that can bear shear: with friction, or with cohesion of a bond
+  std::vector<int> loose;    ///< numbers of the points without a bond, ascending
+  std::vector<int> bonded;   ///< … of those with one
+  std::vector<int> sheared;  ///< … of those that can bear shear: with friction, or with cohesion of a bond
 
   void clear();
   /// Fills the lists from the points. What detect() gives is sorted out already.

@@ -110,7 +110,7 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
       system.blocks.begin(), system.blocks.end(), [](const Block& b) { return b.body != BodyKind::fixed; }));
   const std::size_t linear = deforming_blocks(project, system, MaterialLaw::linear);
   const std::size_t neo_hookean = deforming_blocks(project, system, MaterialLaw::neo_hookean);
-  const std::size_t deformable = linear + neo_hookean;
+  const std::size_t deformable = linear + neo_hookean, rigid = movable - deformable;
   const bool touching = movable > 0 && system.blocks.size() > 1;
   const bool corotational = project.solver.strain == Strain::corotational;
   std::vector<EffectStatus> list;
@@ -119,7 +119,7 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
   };
   const auto resists = [](const Joint& j) { return j.friction_angle > 0 || j.cohesion > 0; };
   const auto bonds = [](const Joint& j) { return j.cohesion > 0 || j.tensile_strength > 0; };
-  const auto takes_speed = [](const Joint& j) { return j.restitution < 1; };
+  const auto rebounds = [](const Joint& j) { return j.restitution.has_value(); };
   const std::string frame = corotational ? ", measured in the rotated frame" : ", summed up step by step";
   const std::string still = "every block is fixed";
   const std::string stiff = movable == 0 ? still : "every block that moves is rigid";
@@ -130,10 +130,13 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
   add("initial stress", deformable > 0 && (!corotational || !project.in_situ.empty()),
       corotational ? "stress in situ" : "stress is carried from step to step",
       deformable == 0 ? stiff : "no stress in situ; corotational strain carries none from step to step");
-  const bool any_static = std::any_of(project.stages.begin(), project.stages.end(),
-                                      [](const Stage& s) { return s.kind == StageKind::static_; });
+  const auto any_stage = [&](StageKind kind) {
+    return std::any_of(project.stages.begin(), project.stages.end(), [=](const Stage& s) { return s.kind == kind; });
+  };
   add("inertia", movable > 0,
-      any_static ? "always; static stages start every step at rest" : "always; the velocity is carried on", still);
+      any_stage(StageKind::static_) ? "always; static stages start every step at rest"
+                                    : "always; the velocity is carried on",
+      still);
   add("displacement constraint", in_any_stage(project, holds_points), "points are held", "no point is held");
   add("point load", in_any_stage(project, [](const Project& p) { return !p.loads.empty(); }), "forces on points",
       "no point load");
@@ -146,8 +149,14 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
       "no joint resists shear");
   add("cohesion and tension", touching && any_joint(bonds), "bonds on " + joints_where(project, bonds),
       "no joint has cohesion or tensile strength");
-  add("rebound", touching && any_joint(takes_speed), "restitution below 1 on " + joints_where(project, takes_speed),
-      "no joint has a restitution below 1");
+  const bool given = any_joint(rebounds), moves = any_stage(StageKind::dynamic);
+  add("rebound", touching && moves && (given || rigid > 0),
+      given
+          ? "restitution of " + joints_where(project, rebounds)
+          : count(rigid, "rigid block stays", "rigid blocks stay") + " where a contact too stiff for the step stops it",
+      !touching ? "nothing can touch"
+      : !moves  ? "every stage is static"
+                : "no restitution given, and no block is rigid");
   add("damping", movable > 0 && damps(project), "a stage or a material asks for it",
       "no stage or material asks for it");
   return list;

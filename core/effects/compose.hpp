@@ -28,7 +28,7 @@ struct Composition {
   Inertia* inertia = nullptr;           ///< among effects; null where every block is fixed
   std::vector<NormalContact*> normal;   ///< among effects; empty where nothing can touch
   ShearContact* shear = nullptr;        ///< among effects; null where no joint resists shear
-  bool rebounds = false;                ///< some joint takes speed from an impact, at the end of dynamic steps
+  bool rebounds = false;                ///< blocks can meet: at the end of dynamic steps they part by the law of impact
 };
 
 /// `set` and `links` outlive the composition. Throws InputError for a load or a constraint outside its block.

@@ -37,7 +37,7 @@ OrderedJson json_from(const Joint& joint) {
   write(json, "residual_friction_angle", joint.residual_friction_angle);
   write(json, "normal_stiffness", joint.normal_stiffness);
   write(json, "shear_stiffness", joint.shear_stiffness);
-  write_unless_usual(json, "restitution", joint.restitution, 1.0);
+  write(json, "restitution", joint.restitution);
   return json;
 }
 

@@ -25,10 +25,12 @@ void check(const Joint& joint, const Place& place) {
                 "°, exceeds the friction angle, " + number_text(joint.friction_angle) + "°",
             "give at most the friction angle, or leave it out");
   }
-  require_finite(joint.restitution, place / "restitution");
-  require(joint.restitution >= 0 && joint.restitution <= 1, place / "restitution",
-          "the restitution must be between 0 and 1, is " + number_text(joint.restitution),
-          "give the share of its speed that a block leaves an impact with");
+  if (joint.restitution) {
+    require_finite(*joint.restitution, place / "restitution");
+    require(*joint.restitution >= 0 && *joint.restitution <= 1, place / "restitution",
+            "the restitution must be between 0 and 1, is " + number_text(*joint.restitution),
+            "give the share of its speed that a block leaves an impact with, or leave it out");
+  }
   if (joint.normal_stiffness) {
     require_positive(*joint.normal_stiffness, place / "normal_stiffness", "normal stiffness", "Pa/m");
   }

@@ -61,7 +61,7 @@ struct Joint {
   std::optional<double> residual_friction_angle;  ///< degrees; friction_angle when absent
   std::optional<double> normal_stiffness;         ///< Pa/m; automatic when absent
   std::optional<double> shear_stiffness;          ///< Pa/m
-  double restitution = 1;  ///< speed after an impact over that before, 0 to 1; at 1 contacts have no dashpots
+  std::optional<double> restitution;  ///< speed of parting over that of meeting, 0 to 1; absent: as springs do
   bool operator==(const Joint&) const = default;
 };
 

@@ -33,7 +33,7 @@ constexpr double damping_of_rigid = 0.3e-6;
 constexpr double normal_point = 0.13e-6;
 constexpr double shear_point = 0.13e-6;
 constexpr double bonded_point = 0.13e-6;
-constexpr double rebounding_point = 0.02e-6;  // once a step
+constexpr double meeting_point = 0.02e-6;  // once a step
 constexpr double held_point = 0.3e-6;
 constexpr double load = 0.2e-6;
 }  // namespace unit_cost
@@ -92,7 +92,7 @@ std::vector<Items> items_of(const std::string& effect, const Project& project, c
   if (effect == "damping") return bodies(size, damping_of_element, damping_of_rigid);
   if (effect == "normal contact") return points(size.loose_points, normal_point);
   if (effect == "shear contact") return points(size.sheared_points, shear_point);
-  if (effect == "rebound") return points(size.rebounding_points, rebounding_point);
+  if (effect == "rebound") return points(size.loose_points, meeting_point);
   if (effect == "cohesion and tension")
     return {{size.bonded_points, "bonded point at the start", "bonded points at the start", bonded_point}};
   if (effect == "displacement constraint")
@@ -118,7 +118,6 @@ SceneSize scene_size(const Project& project, const BlockSystem& system) {
   const ContactSet& contacts = simulation.look_for_contacts();
   size.loose_points = static_cast<long>(contacts.loose.size());
   size.bonded_points = static_cast<long>(contacts.bonded.size());
-  size.rebounding_points = static_cast<long>(contacts.rebounding.size());
   size.sheared_points = static_cast<long>(contacts.sheared.size());
   return size;
 }

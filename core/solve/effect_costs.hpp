@@ -14,10 +14,9 @@ struct SceneSize {
   long affine_blocks = 0;  ///< each of them one element
   long rigid_blocks = 0;
   long neo_hookean_tetrahedra = 0, neo_hookean_affine_blocks = 0;  ///< of them, those whose rock has that law
-  long loose_points = 0;       ///< contact points without a bond that one detection at the start finds …
-  long bonded_points = 0;      ///< … and those with one
-  long sheared_points = 0;     ///< of both, those that can bear shear
-  long rebounding_points = 0;  ///< of the loose ones, those whose joint takes speed from an impact
+  long loose_points = 0;    ///< contact points without a bond that one detection at the start finds …
+  long bonded_points = 0;   ///< … and those with one
+  long sheared_points = 0;  ///< of both, those that can bear shear
 };
 
 /// Looks for contacts once, as the first step will, and takes no step; a project without a stage has no first step, and

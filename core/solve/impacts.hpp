@@ -12,7 +12,8 @@ namespace talus {
 /// speed at which they met. Springs that are stiff for the step throw bodies back at a speed that depends on where in
 /// the step they met; what they gave too much is taken back by impulses, and what they gave too little is added (Moreau
 /// 1988; nonlinear Gauss–Seidel of Jean 1999). Over the step as a whole a contact never pulls, and shears by no more
-/// than its strength. Made only where some joint takes speed from an impact.
+/// than its strength. A joint without a restitution leaves the rebound to blocks that deform and to springs that the
+/// step can follow; rigid bodies that stiffer ones stop do not part.
 class Impacts {
  public:
   /// `set` outlives the impacts.
@@ -47,6 +48,10 @@ class Impacts {
     double pushed = 0;  // N s, by the impact
     Vec3 sheared = Vec3::Zero();
   };
+  /// Sums up what pushes each body, [N/m].
+  void add_up_springs(const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes);
+  /// Whether the rebound of a contact that pushes is its springs' affair.
+  bool left_to_springs(const ContactPoint& point, double step) const;
   Range range(const ContactPoint& point, double closing, double speed, const ContactOutcome& end, double step) const;
   /// Whether some contact that pushed does not part as it should.
   bool gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
@@ -54,7 +59,8 @@ class Impacts {
 
   BodySet& set_;
   InverseMasses masses_;
-  std::vector<double> closing_;  // m/s, of ContactSet::rebounding at the start of the step
+  std::vector<double> closing_;  // m/s, of ContactSet::loose at the start of the step
+  std::vector<double> springs_;  // N/m, of all contacts that push a body
   std::vector<Struck> struck_;
   std::vector<Hit> hits_;
   double seconds_ = 0;

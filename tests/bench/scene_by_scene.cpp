@@ -37,7 +37,7 @@ CaseScene scene_of(const Calls& calls) {
                   box_mesh(Vec3(0, -3, height), Vec3(1, -2, 1 + height), calls.cells, calls.cells, calls.cells),
                   calls.body);
   if (calls.ground) scene.add_block("plane", box_mesh(Vec3(-2, -5, -1), Vec3(100, 100, 0), 2, 2, 1), BodyKind::fixed);
-  if (calls.bystanders > 0) scene.add_joint({"rough", 40, 0, 0, {}, {}, {}});
+  if (calls.bystanders > 0) scene.add_joint({"rough", 40, 0, 0, {}, {}, {}, {}});
   for (int i = 0; i < calls.bystanders; ++i) {
     const std::string name = "bystander " + std::to_string(i + 1);
     const Vec3 corner(3 * (i % 32), 3 * (i / 32), 0);

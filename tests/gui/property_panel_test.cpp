@@ -108,9 +108,12 @@ TEST_F(PropertyPanelTest, SaysWhatAutoBecameAndMeshesAnewAfterAChange) {
 TEST_F(DrivenWindow, TheRestitutionOfAJointIsEditedAsAShareOfSpeed) {
   window->open(slidingCube());
   workspace->selection().select({Item::Kind::joint, 0});
-  NumberField* field = nullptr;
-  for (auto* candidate : window->findChildren<NumberField*>())
-    if (candidate->accessibleName().startsWith(QStringLiteral("Restitution"))) field = candidate;
+  const auto restitutionField = [&]() -> NumberField* {
+    for (auto* candidate : window->findChildren<NumberField*>())
+      if (candidate->accessibleName().startsWith(QStringLiteral("Restitution"))) return candidate;
+    return nullptr;
+  };
+  NumberField* field = restitutionField();
   ASSERT_NE(field, nullptr);
   const auto type = [&](const char* number) {
     field->setFocus();
@@ -119,14 +122,27 @@ TEST_F(DrivenWindow, TheRestitutionOfAJointIsEditedAsAShareOfSpeed) {
     QTest::keyClicks(field, QLatin1String(number));
     QTest::keyClick(field, Qt::Key_Return);
   };
+  const auto restitution = [&] { return workspace->document().project().joints[0].restitution; };
+  EXPECT_TRUE(field->text().isEmpty());
+  EXPECT_EQ(field->placeholderText(), QStringLiteral("by stiffness"));
   type("1.5");
   EXPECT_EQ(field->property("state").toString(), QStringLiteral("error"));
-  EXPECT_EQ(workspace->document().project().joints[0].restitution, 1);
+  EXPECT_EQ(restitution(), std::nullopt);
   keepPicture(*window, "joint_panel_refused.png");
   type("0,4");
-  EXPECT_EQ(workspace->document().project().joints[0].restitution, 0.4);
+  EXPECT_EQ(restitution(), 0.4);
   rest(50);
   keepPicture(*window, "joint_panel.png");
+  field = restitutionField();
+  ASSERT_NE(field, nullptr);
+  field->setFocus();
+  rest(20);
+  field->selectAll();
+  QTest::keyClick(field, Qt::Key_Delete);
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(restitution(), std::nullopt) << "an empty field takes it away";
+  rest(50);
+  keepPicture(*window, "joint_panel_emptied.png");
 }
 
 TEST_F(DrivenWindow, OneGoesOnTypingAfterANumberWasAccepted) {

@@ -12,7 +12,7 @@ inline Project rock_project(double friction_angle, std::vector<Stage> stages) {
   Project project;
   project.name = "scene";
   project.materials = {{"rock", 2600, 5e9, 0.24}};
-  project.joints = {{"J", friction_angle, 0, 0, {}, {}, {}}};
+  project.joints = {{"J", friction_angle, 0, 0, {}, {}, {}, {}}};
   project.default_joint = "J";
   project.stages = std::move(stages);
   return project;

@@ -8,7 +8,8 @@
 
 namespace talus {
 
-NumberField::NumberField(double value, double scale, const QString& unit) : value_(value), scale_(scale), unit_(unit) {
+NumberField::NumberField(std::optional<double> value, double scale, const QString& unit)
+    : value_(value), scale_(scale), unit_(unit) {
   setAlignment(Qt::AlignRight);
   setMinimumWidth(66);
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -16,8 +17,14 @@ NumberField::NumberField(double value, double scale, const QString& unit) : valu
   show();
 }
 
+void NumberField::allowNone(const QString& meaning) {
+  mayBeEmpty_ = true;
+  setPlaceholderText(meaning);
+}
+
 void NumberField::show() {
-  const QString number = QString::number(value_ / scale_, 'g', 12).replace(u'-', QChar(0x2212));
+  if (!value_) return clear();
+  const QString number = QString::number(*value_ / scale_, 'g', 12).replace(u'-', QChar(0x2212));
   setText(unit_.isEmpty() ? number : number + u' ' + unit_);
 }
 
@@ -33,6 +40,11 @@ void NumberField::commit() {
   setModified(false);
   QString typed = text();
   if (!unit_.isEmpty() && typed.endsWith(unit_)) typed.chop(unit_.size());
+  if (mayBeEmpty_ && typed.trimmed().isEmpty()) {
+    setProblem({});
+    if (value_) emit cleared();
+    return;
+  }
   double number = 0;
   if (!numbers::parse(typed, number)) {
     setProblem(tr("This is not a number"));

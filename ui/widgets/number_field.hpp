@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QLineEdit>
+#include <optional>
 
 namespace talus {
 
@@ -9,13 +10,17 @@ class NumberField : public QLineEdit {
   Q_OBJECT
  public:
   /// Shows `value`, which the program keeps in SI, divided by `scale`: Pa as MPa with a scale of 1e6.
-  NumberField(double value, double scale, const QString& unit);
+  NumberField(std::optional<double> value, double scale, const QString& unit);
+  /// It may be left empty, which means this.
+  void allowNone(const QString& meaning);
   /// Marks what was typed as impossible and says why; an empty sentence takes the mark away.
   void setProblem(const QString& sentence);
 
  signals:
   /// In SI, when the user has finished and the number has changed.
   void committed(double value);
+  /// The user has taken the number away.
+  void cleared();
 
  protected:
   void focusInEvent(QFocusEvent* event) override;
@@ -24,8 +29,10 @@ class NumberField : public QLineEdit {
  private:
   void commit();
   void show();
-  double value_, scale_;
+  std::optional<double> value_;
+  double scale_;
   QString unit_;
+  bool mayBeEmpty_ = false;
 };
 
 }  // namespace talus

@@ -178,8 +178,8 @@ void PropertyPanel::showCut(const Cut& cut) {
   position->addFact(tr("Divides"), names.isEmpty() ? tr("every solid") : names.join(QStringLiteral(", ")));
 }
 
-void PropertyPanel::addNumber(Section* section, const QString& name, const Quantity& quantity, double value,
-                              const std::function<void(double)>& change) {
+NumberField* PropertyPanel::addNumber(Section* section, const QString& name, const Quantity& quantity,
+                                      std::optional<double> value, const std::function<void(double)>& change) {
   auto* field = new NumberField(value, quantity.scale, quantity.unit);
   field->setAccessibleName(name);
   connect(field, &NumberField::committed, this, [field, change](double typed) {
@@ -190,25 +190,29 @@ void PropertyPanel::addNumber(Section* section, const QString& name, const Quant
     }
   });
   section->addRow(name, field);
+  return field;
 }
 
 void PropertyPanel::showJoint(int index) {
   const Joint& joint = workspace_.document().project().joints.at(static_cast<size_t>(index));
   header_->setTitle(text(joint.name), tr("joint"));
   auto* strength = addSection(tr("Strength"), tr("Mohr–Coulomb"));
-  auto editable = [&](const QString& name, const Quantity& quantity, double Joint::*member) {
-    addNumber(strength, name, quantity, joint.*member, [this, index, member](double value) {
-      Joint changed = workspace_.document().project().joints.at(static_cast<size_t>(index));
-      changed.*member = value;
-      workspace_.document().changeJoint(index, changed);
-    });
+  const auto give = [this, index](auto Joint::*member, auto value) {
+    Joint changed = workspace_.document().project().joints.at(static_cast<size_t>(index));
+    changed.*member = value;
+    workspace_.document().changeJoint(index, changed);
+  };
+  auto editable = [&](const QString& name, const Quantity& quantity, auto Joint::*member) {
+    return addNumber(strength, name, quantity, joint.*member, [=](double value) { give(member, value); });
   };
   editable(tr("Friction angle φ"), {1, QStringLiteral("°")}, &Joint::friction_angle);
   editable(tr("Cohesion c"), {1e6, QStringLiteral("MPa")}, &Joint::cohesion);
   editable(tr("Tension"), {1e6, QStringLiteral("MPa")}, &Joint::tensile_strength);
   if (joint.residual_friction_angle)
     strength->addFact(tr("Residual φ"), tr("%1°").arg(numbers::significant(*joint.residual_friction_angle)));
-  editable(tr("Restitution"), {1, QString()}, &Joint::restitution);
+  NumberField* restitution = editable(tr("Restitution"), {1, QString()}, &Joint::restitution);
+  restitution->allowNone(tr("by stiffness"));
+  connect(restitution, &NumberField::cleared, this, [=] { give(&Joint::restitution, std::nullopt); });
   auto* stiffness = addSection(tr("Stiffness"));
   auto show = [](const std::optional<double>& value) {
     return value ? numbers::significant(*value / 1e9) + QStringLiteral(" GPa/m") : QObject::tr("automatic");

@@ -4,11 +4,14 @@
 #include <QVBoxLayout>
 #include <QWidget>
 #include <functional>
+#include <optional>
 
 #include "widgets/parts.hpp"
 #include "widgets/workspace.hpp"
 
 namespace talus {
+
+class NumberField;
 
 /// What the selected thing is, with units. Strengths of joints and the constants of materials can be typed
 /// over, the body of solids chosen.
@@ -52,8 +55,8 @@ class PropertyPanel : public QWidget {
   void addChoice(Section* section, const QString& name, const QString& tip, const QStringList& words, int present,
                  const std::function<void(int)>& change);
   /// A number that can be typed over; `change` may throw InputError, which the field then shows.
-  void addNumber(Section* section, const QString& name, const Quantity& quantity, double value,
-                 const std::function<void(double)>& change);
+  NumberField* addNumber(Section* section, const QString& name, const Quantity& quantity, std::optional<double> value,
+                         const std::function<void(double)>& change);
 
   Workspace& workspace_;
   PanelHeader* header_;

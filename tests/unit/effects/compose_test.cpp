@@ -58,7 +58,7 @@ TEST(Compose, each_element_has_the_law_of_its_rock) {
 
 TEST(Compose, everything_a_scene_calls_for_is_there_once) {
   Project project = one_block_project();
-  project.joints = {{"J", 20, 1e5, 0, {}, {}, {}}};
+  project.joints = {{"J", 20, 1e5, 0, {}, {}, {}, {}}};
   project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}};
   project.constraints = {{"B", Vec3(0.2, 0.2, 0.2), {{0.0, {}, 0.0}}}};
   project.in_situ.emplace_back();
@@ -82,7 +82,7 @@ TEST(Compose, everything_a_scene_calls_for_is_there_once) {
 
 TEST(Compose, a_frictionless_scene_has_no_shear_contact_and_says_why) {
   Project project = one_block_project();
-  project.joints = {{"J", 0, 0, 0, {}, {}, {}}};
+  project.joints = {{"J", 0, 0, 0, {}, {}, {}, {}}};
   BlockSystem system = one_block();
   system.blocks.push_back(test::box_block("ground", Vec3(0, 0, -1), Vec3(1, 1, 0), BodyKind::fixed));
   const auto list = called_effects(project, system);

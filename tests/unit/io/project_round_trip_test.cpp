@@ -24,7 +24,7 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   EXPECT_EQ(p.materials[0], (Material{"soft rock", 2100, 1e9, 0.3, 0, MaterialLaw::neo_hookean}));
   EXPECT_EQ(p.materials[1], (Material{"hard/rock", 2600, 25e9, -0.1, 0.5}));
   ASSERT_EQ(p.joints.size(), 2u);
-  EXPECT_EQ(p.joints[0], (Joint{"J2", 8, 0, 0, {}, {}, {}}));
+  EXPECT_EQ(p.joints[0], (Joint{"J2", 8, 0, 0, {}, {}, {}, {}}));
   EXPECT_EQ(p.joints[1], (Joint{"J1", 30, 2e5, 1e4, 25, 1e10, 4e9, 0.4}));
   EXPECT_EQ(p.default_joint, "J1");
   ASSERT_EQ(p.solids.size(), 3u);

@@ -78,7 +78,7 @@ TEST(EffectCounts, what_is_not_called_for_is_never_built_and_never_evaluated) {
        {"neo-Hookean elasticity", "shear contact", "cohesion and tension", "rebound"}},
       {"shear contact", [](Scene& s) { s.project.joints[0] = {"J", 0, 0, 1e4, {}, {}, {}, 0.5}; }},
       {"cohesion and tension", [](Scene& s) { s.project.joints[0].cohesion = 0; }},
-      {"rebound", [](Scene& s) { s.project.joints[0].restitution = 1; }},
+      {"rebound", [](Scene& s) { s.project.joints[0].restitution.reset(); }},
       {"damping", [](Scene& s) { s.project.materials[0].damping = 0; }},
       {"inertia",
        [](Scene& s) {

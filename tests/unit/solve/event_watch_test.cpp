@@ -12,7 +12,7 @@ TEST(EventWatch, tells_that_a_joint_opens_once_and_that_its_block_falls_free) {
   // A block slides off a table's edge: it starts half over it, pushed out by its velocity, and falls.
   Project project;
   project.materials = {{"rock", 2600, 5e9, 0.24}};
-  project.joints = {{"J", 0, 0, 0, {}, {}, {}}};
+  project.joints = {{"J", 0, 0, 0, {}, {}, {}, {}}};
   project.default_joint = "J";
   project.stages = {{"push", StageKind::dynamic, 0.01, 150, {}}};
   project.velocities = {{"B", Vec3(2, 0, 0), Vec3::Zero()}};
@@ -39,7 +39,7 @@ TEST(EventWatch, a_block_that_was_asleep_flies_from_when_it_woke) {
   // It rests for a second and is thrown up in the next stage.
   Project project;
   project.materials = {{"rock", 2600, 5e9, 0.24}};
-  project.joints = {{"J", 30, 0, 0, {}, {}, {}}};
+  project.joints = {{"J", 30, 0, 0, {}, {}, {}, {}}};
   project.default_joint = "J";
   Stage rest{"rest", StageKind::dynamic, 0.01, 100, {}}, fly{"fly", StageKind::dynamic, 0.01, 60, {}};
   fly.loads = std::vector<PointLoad>{{"B", Vec3(0.5, 0.5, 0.5), Vec3(0, 0, 3 * 9.81 * 2600), {}}};

@@ -18,7 +18,7 @@ struct Scene {
 
 /// A rigid plate of 2 m × 2 m × 0.02 m at this height [m] above a slab, with this velocity [m/s]. It is so flat that
 /// friction hardly turns it.
-Scene plate(double height, const Vec3& velocity, double restitution, double friction, double step) {
+Scene plate(double height, const Vec3& velocity, std::optional<double> restitution, double friction, double step) {
   Scene scene;
   scene.project = test::rock_project(std::atan(friction) * pi_degrees, {{"fly", StageKind::dynamic, step, 0, {}}});
   scene.project.joints[0].restitution = restitution;
@@ -45,10 +45,26 @@ Vec3 velocity_at_the_end(const Scene& scene) {
 }
 
 TEST(Impacts, a_block_leaves_with_its_share_of_the_speed_wherever_in_the_step_it_lands) {
-  for (const double restitution : {0.0, 0.3, 0.8})
+  for (const double restitution : {0.0, 0.3, 0.8, 1.0})
     for (const double height : {0.0101, 0.0134, 0.0150, 0.0199})
       EXPECT_NEAR(velocity_at_the_end(plate(height, Vec3(0, 0, -2), restitution, 0, 1e-3)).z(), 2 * restitution, 1e-3)
           << restitution << ", from " << height;
+}
+
+TEST(Impacts, without_a_restitution_springs_too_stiff_for_the_step_throw_nothing_back) {
+  for (const double height : {0.0101, 0.0134, 0.0150, 0.0199})
+    EXPECT_NEAR(velocity_at_the_end(plate(height, Vec3(0, 0, -2), {}, 0, 1e-3)).z(), 0, 1e-3) << "from " << height;
+}
+
+// On springs with ω Δ = 0.1 contact lasts 31 steps; forces at their ends damp it by ωΔ/4, to exp(−π ωΔ/4).
+TEST(Impacts, without_a_restitution_springs_that_the_step_follows_throw_back_what_they_took) {
+  const double step = 1e-3, speed = 0.2, area = 4, mass = 2600 * area * 0.02;
+  for (const double height : {0.00101, 0.00112, 0.00119}) {
+    Scene scene = plate(height, Vec3(0, 0, -speed), {}, 0, step);
+    scene.project.joints[0].normal_stiffness = mass * std::pow(0.1 / step, 2) / area;
+    scene.project.stages[0].steps = 60;
+    EXPECT_NEAR(velocity_at_the_end(scene).z(), speed * std::exp(-M_PI * 0.1 / 4), 0.01 * speed) << "from " << height;
+  }
 }
 
 TEST(Impacts, the_step_does_not_matter) {

@@ -16,7 +16,7 @@ namespace {
 struct TiltedTable {
   TiltedTable(double dip, double friction_angle) {
     project.materials = {{"rock", 2600, 5e9, 0.24}};
-    project.joints = {{"J", friction_angle, 0, 0, {}, {}, {}}};
+    project.joints = {{"J", friction_angle, 0, 0, {}, {}, {}, {}}};
     project.default_joint = "J";
     project.gravity = 9.81 * Vec3(std::sin(radians(dip)), 0, -std::cos(radians(dip)));
     system.joint_names = {"J"};
@@ -163,7 +163,7 @@ TEST(MotionWatch, who_falls_asleep_keeps_the_class_it_came_to_rest_with) {
 
 TEST(MotionWatch, what_rides_on_a_sliding_block_is_carried_by_it) {
   TiltedTable scene(20, 10);
-  scene.project.joints.push_back({"rough", 60, 0, 0, {}, {}, {}});
+  scene.project.joints.push_back({"rough", 60, 0, 0, {}, {}, {}, {}});
   scene.system.joint_names.push_back("rough");
   scene.project.interfaces = {{{"lower", "upper"}, "rough"}};
   scene.add("lower", Vec3(0, 0, 0), Vec3(2, 2, 0.5));
