@@ -93,6 +93,26 @@ TEST(Compose, a_frictionless_scene_has_no_shear_contact_and_says_why) {
   EXPECT_EQ(shear->reason, "no joint resists shear");
 }
 
+TEST(Compose, blocks_rebound_by_a_law_where_a_restitution_asks_for_it_or_a_rigid_block_may_be_stopped) {
+  const auto rebound = [](BodyKind body, StageKind stage, std::optional<double> restitution) {
+    Project project = one_block_project();
+    project.joints = {{"J", 20, 0, 0, {}, {}, {}, restitution}};
+    for (Stage& each : project.stages) each.kind = stage;
+    BlockSystem system = one_block();
+    system.blocks[0].body = body;
+    system.blocks.push_back(test::box_block("ground", Vec3(0, 0, -1), Vec3(1, 1, 0), BodyKind::fixed));
+    for (const EffectStatus& status : called_effects(project, system))
+      if (status.name == "rebound") return std::pair(status.active, status.reason);
+    return std::pair(false, std::string("is not listed"));
+  };
+  EXPECT_EQ(rebound(BodyKind::tetrahedra, StageKind::dynamic, 0.5), std::pair(true, std::string("restitution of J")));
+  EXPECT_EQ(rebound(BodyKind::rigid, StageKind::dynamic, {}),
+            std::pair(true, std::string("1 rigid block stays where a contact too stiff for the step stops it")));
+  EXPECT_EQ(rebound(BodyKind::tetrahedra, StageKind::dynamic, {}),
+            std::pair(false, std::string("no restitution given, and no block is rigid")));
+  EXPECT_EQ(rebound(BodyKind::rigid, StageKind::static_, 0.5), std::pair(false, std::string("every stage is static")));
+}
+
 TEST(Compose, the_papers_incremental_strain_carries_its_stress) {
   Project project = one_block_project();
   project.solver.strain = Strain::incremental;
