@@ -60,8 +60,7 @@ Demand slow_at_end(double speed) {
           }};
 }
 
-/// A blow is over in a tenth of a step, which leaves little of its rebound: a second after the last has come down all
-/// lie, though one may still roll.
+/// Blows give nothing back: a second after the last has come down all lie, though one may still roll.
 StabilityScene poured(int count, double width, double duration) {
   return {.name = "poured_" + std::to_string(count),
           .group = crowd_group,

@@ -74,9 +74,9 @@ std::vector<Vec3> IntrusionCheck::points_of(const BodySet& bodies, int block) co
   return points;
 }
 
-void IntrusionCheck::add_chords(const BodySet& bodies, int block, int other, const Box& box,
-                                std::vector<Vec3>& points) const {
+std::vector<Vec3> IntrusionCheck::chords_of(const BodySet& bodies, int block, int other, const Box& box) const {
   const auto node = [&](int b, int n) -> const Vec3& { return bodies.nodes.position[bodies.bodies[b].first_node + n]; };
+  std::vector<Vec3> points;
   std::vector<double> ways;
   for (const SurfaceEdge& edge : surfaces_[block].edges) {
     const Vec3 &from = node(block, edge.nodes[0]), &to = node(block, edge.nodes[1]);
@@ -93,6 +93,7 @@ void IntrusionCheck::add_chords(const BodySet& bodies, int block, int other, con
     std::sort(ways.begin(), ways.end());
     for (std::size_t i = 1; i < ways.size(); ++i) points.push_back(from + (ways[i - 1] + ways[i]) / 2 * (to - from));
   }
+  return points;
 }
 
 double IntrusionCheck::depth_in(const BodySet& bodies, int block, const Box& box,
@@ -121,21 +122,26 @@ Intrusion IntrusionCheck::deepest(const BodySet& bodies) const {
   std::vector<Box> boxes;
   for (int b = 0; b < count; ++b) boxes.push_back(box_of(bodies, b));
   Intrusion worst;
+  const auto look = [&](int b, int other, const std::vector<Vec3>& points) {
+    const double size = bodies.bodies[b].built_fixed()       ? surfaces_[other].size
+                        : bodies.bodies[other].built_fixed() ? surfaces_[b].size
+                                                             : std::min(surfaces_[b].size, surfaces_[other].size);
+    const double depth = depth_in(bodies, other, boxes[other], points) / size;
+    if (depth > worst.depth) worst = {depth, b, other};
+  };
+  const auto may_meet = [&](int b, int other) {
+    const bool both_fixed = bodies.bodies[b].built_fixed() && bodies.bodies[other].built_fixed();
+    return other != b && !both_fixed && boxes[b].within(boxes[other], 0);
+  };
   for (int b = 0; b < count; ++b) {
     const std::vector<Vec3> points = points_of(bodies, b);
-    std::vector<Vec3> candidates;
-    for (int other = 0; other < count; ++other) {
-      const bool fixed = bodies.bodies[b].built_fixed(), other_fixed = bodies.bodies[other].built_fixed();
-      if (other == b || (fixed && other_fixed) || !boxes[b].within(boxes[other], 0)) continue;
-      const double size = fixed         ? surfaces_[other].size
-                          : other_fixed ? surfaces_[b].size
-                                        : std::min(surfaces_[b].size, surfaces_[other].size);
-      candidates = points;
-      add_chords(bodies, b, other, boxes[other], candidates);
-      const double depth = depth_in(bodies, other, boxes[other], candidates) / size;
-      if (depth > worst.depth) worst = {depth, b, other};
-    }
+    for (int other = 0; other < count; ++other)
+      if (may_meet(b, other)) look(b, other, points);
   }
+  // A corner that lies inside is told rather than the edges of the other block that go through this one.
+  for (int b = 0; b < count; ++b)
+    for (int other = 0; other < count; ++other)
+      if (may_meet(b, other)) look(b, other, chords_of(bodies, b, other, boxes[other]));
   return worst;
 }
 

@@ -28,8 +28,8 @@ class IntrusionCheck {
 
  private:
   std::vector<Vec3> points_of(const BodySet& bodies, int block) const;
-  /// Adds those of the block's edges that go through another one, which lies in `box`.
-  void add_chords(const BodySet& bodies, int block, int other, const Box& box, std::vector<Vec3>& points) const;
+  /// The middles of what of the block's edges goes through another one, which lies in `box`.
+  std::vector<Vec3> chords_of(const BodySet& bodies, int block, int other, const Box& box) const;
   /// Deepest of `points` in the block's surface [m].
   double depth_in(const BodySet& bodies, int block, const Box& box, const std::vector<Vec3>& points) const;
 
