@@ -23,10 +23,14 @@ constexpr int fewest_samples = 200, intrusion_looks = 20;
 /// Nor goes any node farther between two samples than this share of the size of the smallest movable block.
 constexpr double unseen_way = 0.25;
 
+// FNV-1a, a number at a time.
+constexpr std::uint64_t hash_of_nothing = 14695981039346656037u;
+constexpr std::uint64_t hash_with(std::uint64_t hash, std::uint64_t number) { return (hash ^ number) * 1099511628211u; }
+
 std::uint64_t hash_of(const std::vector<Vec3>& positions) {
-  std::uint64_t hash = 14695981039346656037u;  // FNV-1a, a number at a time
+  std::uint64_t hash = hash_of_nothing;
   for (const Vec3& position : positions)
-    for (int k = 0; k < 3; ++k) hash = (hash ^ std::bit_cast<std::uint64_t>(position[k])) * 1099511628211u;
+    for (int k = 0; k < 3; ++k) hash = hash_with(hash, std::bit_cast<std::uint64_t>(position[k]));
   return hash;
 }
 
@@ -179,6 +183,16 @@ std::string difference(const Trial& a, const Trial& b) {
 }
 
 }  // namespace
+
+std::uint64_t fingerprint(const Trial& trial) {
+  std::uint64_t hash = hash_of_nothing;
+  for (const MomentPrint& moment : trial.prints) {
+    hash = hash_with(hash, std::bit_cast<std::uint64_t>(moment.time));
+    hash = hash_with(hash, static_cast<std::uint64_t>(moment.iterations));
+    hash = hash_with(hash, moment.positions);
+  }
+  return hash;
+}
 
 bool Trial::passed() const { return faults(*this).empty(); }
 

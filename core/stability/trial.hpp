@@ -75,6 +75,10 @@ struct Trial {
 inline constexpr double most_penetration = 1e-3;    ///< of the local mesh size; of what geometry alone finds, too
 inline constexpr double most_energy_growth = 1e-6;  ///< of the energy moved
 
+/// One number for the whole course, that of another run with the same bits at every sampled moment and no other's (but
+/// by a chance of 1 in 2⁶⁴): runs of other threads, processes and machines can be compared by it.
+std::uint64_t fingerprint(const Trial& trial);
+
 /// What did not hold, in words with figures; empty: the scene passes.
 std::vector<std::string> faults(const Trial& trial);
 

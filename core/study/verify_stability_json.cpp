@@ -1,13 +1,23 @@
 #include "study/verify_stability_json.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace talus {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// 16 digits: JSON's numbers do not hold 64 bits.
+std::string hexadecimal(std::uint64_t number) {
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << number;
+  return text.str();
+}
 
 Json json_of(const Trial& trial) {
   Json repetitions = Json::array();
@@ -33,6 +43,7 @@ Json json_of(const Trial& trial) {
           {"remainder", trial.remainder},
           {"least_volume", trial.least_volume},
           {"intrusion", trial.intrusion},
+          {"fingerprint", hexadecimal(fingerprint(trial))},
           {"faults", faults(trial)},
           {"known_shortfall", trial.known_shortfall},
           {"repetitions", repetitions}};

@@ -3,8 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <set>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "base/parallel.hpp"
 #include "stability/expectations.hpp"
@@ -145,6 +150,24 @@ TEST(Trial, OtherBitsOnOtherThreadsAreFound) {
   const Trial trial = trial_of(scene, {1, true});
   EXPECT_EQ(trial.repetitions[0].difference, "");
   EXPECT_THAT(faults(trial), ElementsAre(HasSubstr("not the same bits on 2 threads: positions or iterations differ")));
+}
+
+TEST(Trial, FingerprintsOfRunsAreTheSameWhereAllTheirMomentsAre) {
+  const Trial trial = trial_of(named(cube_at_rest));
+  EXPECT_EQ(fingerprint(trial_of(named(cube_at_rest), {2, false})), fingerprint(trial));
+  const auto of_changed = [&trial](const std::function<void(std::vector<MomentPrint>&)>& change) {
+    Trial other = trial;
+    change(other.prints);
+    return fingerprint(other);
+  };
+  using Prints = std::vector<MomentPrint>;
+  const std::set<std::uint64_t> others{fingerprint(trial),
+                                       of_changed([](Prints& prints) { prints[20].positions ^= 1; }),
+                                       of_changed([](Prints& prints) { ++prints[20].iterations; }),
+                                       of_changed([](Prints& prints) { prints[20].time += 1e-15; }),
+                                       of_changed([](Prints& prints) { std::swap(prints[20], prints[21]); }),
+                                       of_changed([](Prints& prints) { prints.pop_back(); })};
+  EXPECT_EQ(others.size(), 6U) << "each must be told from all others";
 }
 
 TEST(Trial, ARunThatIsSaidToStopGoesNoFurther) {

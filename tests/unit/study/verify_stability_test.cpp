@@ -68,6 +68,7 @@ TEST(VerifyStability, JsonHasFiguresFaultsAndRepetitions) {
   EXPECT_EQ(one["status"], "completed");
   EXPECT_EQ(one["iterations_per_step"], 2.5);
   EXPECT_EQ(one["faults"].size(), 2U);
+  EXPECT_EQ(one["fingerprint"], "cbf29ce484222325") << "that of no moments, FNV-1a's offset";
   EXPECT_TRUE(one["repetitions"][0]["same_bits"]);
   EXPECT_FALSE(one["repetitions"][1]["same_bits"]);
   trial.penetration = 0;
