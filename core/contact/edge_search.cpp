@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/units.hpp"
 #include "contact/cones.hpp"
@@ -63,14 +65,83 @@ bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactE
   return middle_is_inside();
 }
 
+/// Where two edges cross, seen along a normal into whose cones both bodies' facets let them.
+struct Crossing {
+  const ContactEdge &a, &b;
+  double s = 0, t = 0;                                             // shares of the way along a and b
+  std::array<double, 2> from_ends_of_a = {}, from_ends_of_b = {};  // m
+  Vec3 normal = Vec3::Zero();                                      // from b's body to a's
+  Vec3 position = Vec3::Zero();                                    // on a
+  double gap = 0;                                                  // m
+};
+
+std::optional<Crossing> crossing_of(const StepGeometry& step, const ContactEdge& a, const ContactEdge& b) {
+  const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
+  const Vec3 u = step.x[a.nodes[1]] - a0, w = step.x[b.nodes[1]] - b0, c = u.cross(w), r = b0 - a0;
+  const double squared = c.squaredNorm();
+  if (!(squared > nearly_parallel * u.squaredNorm() * w.squaredNorm())) return {};
+  const double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
+  if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return {};
+
+  const auto into_a = into_facets(step, a), into_b = into_facets(step, b);
+  const double tolerance = cone_tolerance(step.settings);
+  const auto in_both_cones = [&](const Vec3& m) {
+    return m.dot(into_a[0]) >= -tolerance && m.dot(into_a[1]) >= -tolerance && m.dot(into_b[0]) <= tolerance &&
+           m.dot(into_b[1]) <= tolerance;
+  };
+  Vec3 n = c / std::sqrt(squared);
+  if (!in_both_cones(n)) {
+    n = -n;
+    if (!in_both_cones(n)) return {};
+  }
+  const double la = u.norm(), lb = w.norm();
+  return Crossing{a, b, s, t, {s * la, (1 - s) * la}, {t * lb, (1 - t) * lb}, n, a0 + s * u, -n.dot(r)};
+}
+
+/// Edges may cross beside the bodies, and still far behind each other along the normal: near a ridge's end, or where
+/// both are sharp. What has come in is inside.
+bool passes_beside(const StepGeometry& step, const Crossing& c) {
+  return !(cuts_through(step, c.a, c.b, c.s, -c.gap) && cuts_through(step, c.b, c.a, c.t, -c.gap));
+}
+
+/// An end nearer to the other edge than `near` has the contact if it ends its body in this direction and was found
+/// there.
+bool end_has_it(const StepGeometry& step, const VertexSearch& vertices, const ContactEdge& e,
+                const std::array<double, 2>& from_ends, const Vec3& inwards, const ContactEdge& other, double near) {
+  const auto has_it = [&](int node) {
+    if (!step.features.corner[node] || rise(step, node, inwards) < -cone_tolerance(step.settings)) return false;
+    return std::any_of(other.facets.begin(), other.facets.end(),
+                       [&](int f) { return vertices.has(node, step.features.facets[f].patch); });
+  };
+  return (from_ends[0] <= near && has_it(e.nodes[0])) || (from_ends[1] <= near && has_it(e.nodes[1]));
+}
+
 /// What crosses an edge of the mesh nearer to the crease that it ends at than `near` came past that crease.
-bool crease_has_it(const StepGeometry& step, const ContactEdge& e, double from_first, double from_second, double near) {
+bool crease_has_it(const StepGeometry& step, const ContactEdge& e, const std::array<double, 2>& from_ends,
+                   double near) {
   const int patch = step.features.facets[e.facets[0]].patch;
   const auto on_crease = [&](int node) {
     const auto facets = step.features.facets_at(node);
     return std::any_of(facets.begin(), facets.end(), [&](int f) { return step.features.facets[f].patch != patch; });
   };
-  return !e.parts && ((from_first < near && on_crease(e.nodes[0])) || (from_second < near && on_crease(e.nodes[1])));
+  return !e.parts && ((from_ends[0] < near && on_crease(e.nodes[0])) || (from_ends[1] < near && on_crease(e.nodes[1])));
+}
+
+FoundPoint point_at(const StepGeometry& step, const Crossing& c, std::uint64_t key) {
+  FoundPoint p{};
+  p.key = key;
+  p.kind = PointKind::edge;
+  p.family = crease_family(c.a.crease, c.b.crease);
+  p.facets = {c.a.facets[0], c.b.facets[0]};
+  p.patches = {-1, -1};
+  p.node = -1;
+  p.joint = -1;
+  for (int f : c.a.facets) {
+    for (int g : c.b.facets) p.joint = std::max(p.joint, step.common_joint(f, g));
+  }
+  p.normal = c.normal;
+  p.position = c.position;
+  return p;
 }
 
 }  // namespace
@@ -95,62 +166,27 @@ void EdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs
 
 void EdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const VertexSearch& vertices,
                        FoundPoints& found) {
-  const ContactEdge &a = step.features.edges[edge_a], &b = step.features.edges[edge_b];
-  const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
-  const Vec3 u = step.x[a.nodes[1]] - a0, w = step.x[b.nodes[1]] - b0, c = u.cross(w), r = b0 - a0;
-  const double squared = c.squaredNorm();
-  if (!(squared > nearly_parallel * u.squaredNorm() * w.squaredNorm())) return;
-  const double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
-  if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return;
-
-  const ContactFacet &fa = step.features.facets[a.facets[0]], &fb = step.features.facets[b.facets[0]];
-  const double size = step.broad.scale(fa.body, fb.body).size, la = u.norm(), lb = w.norm();
-  Vec3 n = c / std::sqrt(squared);
-  const auto into_a = into_facets(step, a), into_b = into_facets(step, b);
-  const double tolerance = cone_tolerance(step.settings);
-  const auto in_both_cones = [&](const Vec3& m) {
-    return m.dot(into_a[0]) >= -tolerance && m.dot(into_a[1]) >= -tolerance && m.dot(into_b[0]) <= tolerance &&
-           m.dot(into_b[1]) <= tolerance;
-  };
-  if (!in_both_cones(n)) {
-    n = -n;
-    if (!in_both_cones(n)) return;
-  }
-  const double gap = -n.dot(r);
-  if (!(gap <= step.reach) || (gap < 0 && gap < -step.depth(fa.body, fb.body))) return;
-  // Edges may cross beside the bodies, and still far behind each other along the normal: near a ridge's end, or where
-  // both are sharp. What has come in is inside.
+  const std::optional<Crossing> crossing = crossing_of(step, step.features.edges[edge_a], step.features.edges[edge_b]);
+  if (!crossing) return;
+  const Crossing& c = *crossing;
+  const auto &of_a = c.from_ends_of_a, &of_b = c.from_ends_of_b;
+  const int body_a = step.features.facets[c.a.facets[0]].body, body_b = step.features.facets[c.b.facets[0]].body;
+  if (!(c.gap <= step.reach) || (c.gap < 0 && c.gap < -step.depth(body_a, body_b))) return;
   const std::uint64_t key = edge_key(edge_a, edge_b);
-  const bool is_late = -gap > step.rim(fa.body, fb.body) && step.begun(fa.body, fb.body) && !step.memory.remembers(key);
-  if (is_late && !(cuts_through(step, a, b, s, -gap) && cuts_through(step, b, a, t, -gap))) return;
-  // An end near the other edge has the contact if it ends its body in this direction and was found there: so near that
-  // both are in one place, or nearer than the edge seems deep, for then it came past that one.
-  const double near = std::max(step.rim(fa.body, fb.body), -gap);
-  const auto end_has_it = [&](int node, double away, const Vec3& inwards, const ContactEdge& other) {
-    if (away > near || !step.features.corner[node] || rise(step, node, inwards) < -tolerance) return false;
-    return std::any_of(other.facets.begin(), other.facets.end(),
-                       [&](int f) { return vertices.has(node, step.features.facets[f].patch); });
-  };
-  if (end_has_it(a.nodes[0], s * la, n, b) || end_has_it(a.nodes[1], (1 - s) * la, n, b)) return;
-  if (end_has_it(b.nodes[0], t * lb, -n, a) || end_has_it(b.nodes[1], (1 - t) * lb, -n, a)) return;
-  if (crease_has_it(step, a, s * la, (1 - s) * la, near) || crease_has_it(step, b, t * lb, (1 - t) * lb, near)) return;
-  if (lies_between_facing(step, a, b, n)) return;
+  const double rim = step.rim(body_a, body_b);
+  const bool is_late = -c.gap > rim && step.begun(body_a, body_b) && !step.memory.remembers(key);
+  if (is_late && passes_beside(step, c)) return;
+  // An end is near where both are in one place, or nearer than the edge seems deep: then it came past that one.
+  const double near = std::max(rim, -c.gap);
+  if (end_has_it(step, vertices, c.a, of_a, c.normal, c.b, near)) return;
+  if (end_has_it(step, vertices, c.b, of_b, -c.normal, c.a, near)) return;
+  if (crease_has_it(step, c.a, of_a, near) || crease_has_it(step, c.b, of_b, near)) return;
+  if (lies_between_facing(step, c.a, c.b, c.normal)) return;
 
-  FoundPoint p{};
-  p.key = key;
-  p.kind = PointKind::edge;
-  p.family = crease_family(a.crease, b.crease);
-  p.facets = {a.facets[0], b.facets[0]};
-  p.patches = {-1, -1};
-  p.node = -1;
-  p.joint = -1;
-  for (int f : a.facets) {
-    for (int g : b.facets) p.joint = std::max(p.joint, step.common_joint(f, g));
-  }
-  p.normal = n;
-  p.position = a0 + s * u;
-  if (found_before(p, std::min({s * la, (1 - s) * la, t * lb, (1 - t) * lb}), same_place * size, step, found)) return;
-  found.add_between(p, a.nodes, s, b.nodes, t, step.features, step.x);
+  const FoundPoint p = point_at(step, c, key);
+  const double size = step.broad.scale(body_a, body_b).size;
+  if (found_before(p, std::min({of_a[0], of_a[1], of_b[0], of_b[1]}), same_place * size, step, found)) return;
+  found.add_between(p, c.a.nodes, c.s, c.b.nodes, c.t, step.features, step.x);
 }
 
 /// At the end of an edge the next edge, or a vertex, may have found the same contact.

@@ -25,16 +25,18 @@ constexpr double close_by = 1e-3;
 
 }  // namespace
 
-void InteriorContacts::begin(const Increment& d, const Eigen::VectorXd& flight, double force) {
-  const ContactSet& contacts = links_.contacts();
+void InteriorContacts::begin(const ContactLinks& links, const Increment& d, const Eigen::VectorXd& flight,
+                             double force) {
+  links_ = &links;
+  const ContactSet& contacts = links.contacts();
   double deepest = 0, sum = 0;
-  for (const int i : contacts.loose) deepest = std::max(deepest, -links_.gap(i, d));
+  for (const int i : contacts.loose) deepest = std::max(deepest, -links.gap(i, d));
   points_.clear();
   double fastest = 0;
   for (Eigen::Index n = 0; n < flight.size(); n += 3) fastest = std::max(fastest, flight.segment<3>(n).norm());
   for (const int i : contacts.loose) {
-    const ContactPoint& contact = links_.point(i);
-    const double least_gap = links_.gap(i, d) + links_.moves().farthest_against(i, d, contact.normal, flight);
+    const ContactPoint& contact = links.point(i);
+    const double least_gap = links.gap(i, d) + links.moves().farthest_against(i, d, contact.normal, flight);
     if (least_gap > kicked * fastest + close_by * contact.size) continue;
     points_.push_back(point_at(i));
     Point& point = points_.back();
@@ -50,7 +52,7 @@ void InteriorContacts::begin(const Increment& d, const Eigen::VectorXd& flight, 
 }
 
 InteriorContacts::Point InteriorContacts::point_at(int index) const {
-  const ContactPoint& contact = links_.point(index);
+  const ContactPoint& contact = links_->point(index);
   Point point{.index = index};
   const bool rubs = contact.friction > 0;
   if (rubs) point.friction = contact.friction;
@@ -68,7 +70,7 @@ InteriorContacts::Point InteriorContacts::point_at(int index) const {
 
 Vec3 InteriorContacts::way_of(const Point& point, const Increment& d) const {
   Vec3 way = point.apart + point.compliance.cwiseProduct(point.x) +
-             point.directions.transpose() * links_.moves().increment(point.index, d);
+             point.directions.transpose() * links_->moves().increment(point.index, d);
   way[0] += way.tail<2>().norm();
   return way;
 }
@@ -106,11 +108,11 @@ void InteriorContacts::aim_at(double product) {
 
 void InteriorContacts::add_forces(const Increment& d, Eigen::VectorXd& sum) const {
   for (const Point& point : points_)
-    links_.moves().add_force(point.index, d, point.directions * (point.x + point.first), sum);
+    links_->moves().add_force(point.index, d, point.directions * (point.x + point.first), sum);
 }
 
 void InteriorContacts::add_tangent(const Increment& d, UnsymmetricBlocks& sum) const {
-  const Attachments& moves = links_.moves();
+  const Attachments& moves = links_->moves();
   for (const Point& point : points_) {
     const Mat3 spring = point.directions * point.tangent * point.directions.transpose();
     moves.add_spring(point.index, d, spring, sum);
@@ -123,7 +125,7 @@ void InteriorContacts::add_tangent(const Increment& d, UnsymmetricBlocks& sum) c
 void InteriorContacts::find_changes(const Increment& from, const Increment& to) {
   for (Point& point : points_) {
     const Vec3 moved = point.directions.transpose() *
-                       (links_.moves().increment(point.index, to) - links_.moves().increment(point.index, from));
+                       (links_->moves().increment(point.index, to) - links_->moves().increment(point.index, from));
     point.force_change = point.first - point.tangent * moved;
     point.way_change =
         point.way - point.z + point.lifting * (point.compliance.cwiseProduct(point.force_change) + moved);

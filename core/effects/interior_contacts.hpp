@@ -18,12 +18,11 @@ namespace talus {
 /// Todd do, condenses into one spring a point. A point without friction has x = F_n, z = y_n alone.
 class InteriorContacts {
  public:
-  explicit InteriorContacts(const ContactLinks& links) : links_(links) {}
-
+  void clear() { points_.clear(); }
   /// Takes the points that may come to bear when without contacts the bodies would go on from D by `flight` [m], and
   /// kick others on. All begin with one product, of the depth of the deepest times `force` [N], which counts as the
-  /// force that contacts may have to bear.
-  void begin(const Increment& d, const Eigen::VectorXd& flight, double force);
+  /// force that contacts may have to bear. The links must outlive what is asked of it from here on.
+  void begin(const ContactLinks& links, const Increment& d, const Eigen::VectorXd& flight, double force);
   /// The law's linearisation at D, which the next changes are found with.
   void linearise(const Increment& d);
   /// The next changes shall bring all products to zero, to first order.
@@ -66,7 +65,7 @@ class InteriorContacts {
   /// The z that belongs to x and D [m].
   Vec3 way_of(const Point& point, const Increment& d) const;
 
-  const ContactLinks& links_;
+  const ContactLinks* links_ = nullptr;
   std::vector<Point> points_;
 };
 

@@ -30,10 +30,10 @@ IndependentSystem::IndependentSystem(std::vector<int> nodes, BlockPattern patter
   if (3 * size() <= DenseSolver::largest) return;
   sparse_ = std::make_unique<Sparse>();
   sparse_->of_size.resize(largest_dense_part / 3 + 1);
-  sparse_->cholesky.analyse(matrix_.pattern());
+  sparse_->factor.analyse(matrix_.pattern());
   // A solve with a factor touches each of its entries twice; what a factor costs beside it, at the rates of one core.
   constexpr double factor_rate = 20e9, solve_rate = 10e9;
-  const Cholesky& cholesky = sparse_->cholesky;
+  const Cholesky& cholesky = sparse_->factor.cholesky();
   sparse_->patience =
       std::clamp(static_cast<int>(cholesky.flops() / factor_rate / (16 * cholesky.entries() / solve_rate)), 5, 30);
 }
@@ -100,7 +100,7 @@ void IndependentSystem::solve_parts(const LinearSettings& settings, double negli
       ++work.dense_factorisations;
     } else {
       s.large_part.factor(matrix_, beyond_, nodes);
-      work.gmres_iterations += s.large_part.solve(s.right, settings.tolerance, settings.limit, s.solution);
+      work.gmres_iterations += s.large_part.solve(s.right, settings, s.solution);
       ++work.factorisations;
     }
     for (Eigen::Index k = 0; k < count; ++k)
@@ -110,7 +110,7 @@ void IndependentSystem::solve_parts(const LinearSettings& settings, double negli
 
 void IndependentSystem::factor(LinearWork& work) {
   const Stopwatch watch(work.factor_seconds);
-  sparse_->cholesky.factor(matrix_);
+  sparse_->factor.factor(matrix_);
   current_ = true;
   outdated_ = false;
   ++work.factorisations;
@@ -119,22 +119,16 @@ void IndependentSystem::factor(LinearWork& work) {
 void IndependentSystem::solve_sparsely(const LinearSettings& settings, LinearWork& work) {
   solution_.setZero(right_.size());
   if (right_.isZero(0)) return;
-  Cholesky& cholesky = sparse_->cholesky;
   int& iterations = sparse_->iterations;
   if (current_)
     outdated_ = false;
   else if (outdated_ || iterations > sparse_->patience)
     factor(work);
-  const auto apply = [this](const Eigen::VectorXd& from, Eigen::VectorXd& to) {
-    matrix_.multiply(from, to);
-    UnsymmetricBlocks::add_product(beyond_, from, to);
-  };
-  const auto precondition = [&](const Eigen::VectorXd& from, Eigen::VectorXd& to) { cholesky.solve(from, to); };
   const auto iterate = [&] {
     const Stopwatch watch(work.solve_seconds);
     iterations = 0;
-    if (current_ && beyond_.empty()) return cholesky.solve(right_, solution_);
-    iterations = sparse_->gmres.solve(apply, precondition, right_, solution_, settings.tolerance, settings.limit);
+    if (current_ && beyond_.empty()) return sparse_->factor.solve(right_, solution_);
+    iterations = sparse_->factor.solve(matrix_, beyond_, right_, settings, solution_);
     work.gmres_iterations += iterations;
   };
   iterate();

@@ -3,20 +3,13 @@
 #include <memory>
 #include <vector>
 
-#include "solve/cholesky.hpp"
 #include "solve/coupled_parts.hpp"
 #include "solve/dense_solver.hpp"
-#include "solve/gmres.hpp"
 #include "solve/linear_work.hpp"
 #include "solve/sparse_part.hpp"
+#include "solve/tangent_factor.hpp"
 
 namespace talus {
-
-/// How far GMRES goes.
-struct LinearSettings {
-  double tolerance = 1e-4;  ///< of the right-hand side of a system
-  int limit = 40;           ///< iterations after which the matrix is factored anew
-};
 
 /// Equations that share no unknown with the others, such as those of a block that can touch no other. Small ones are
 /// solved densely. A large one that has just changed is taken apart, where nothing couples its parts but contacts that
@@ -47,8 +40,7 @@ class IndependentSystem {
 
  private:
   struct Sparse {
-    Cholesky cholesky;
-    Gmres gmres;
+    TangentFactor factor;
     int patience = 5;    ///< GMRES iterations that cost as much as a factor
     int iterations = 0;  ///< of the last solution
     CoupledParts parts;

@@ -20,29 +20,29 @@ constexpr int shorts = 4;
 int InteriorMethod::approach(const Step& step, int limit, Increment& d) {
   matrix_.set_pattern(step.pattern);
   beyond_.set_pattern(step.pattern);
-  InteriorContacts contacts(step.links);
-  const bool began = begin(step, contacts, d);
-  points_ = contacts.size();
-  if (!began) return 0;
+  contacts_.clear();
+  if (!begin(step, d)) return 0;
   int count = 0, short_ones = 0;
   for (; count < limit && short_ones < shorts && !step.is_near(d); ++count) {
-    if (!find_changes(step, contacts, d)) break;
-    const double share = std::min(contacts.longest_share(), step.longest_share(d, direction_));
+    if (count > 0) find_rest(step, d);
+    if (!find_changes(step, d)) break;
+    const double share = std::min(contacts_.longest_share(), step.longest_share(d, direction_));
     start_ = d;
     direction_ *= share;
     step.bodies.advance(start_, direction_, d);
-    contacts.change_by(share);
+    contacts_.change_by(share);
     short_ones = share < short_share ? short_ones + 1 : 0;
   }
   return count;
 }
 
-bool InteriorMethod::begin(const Step& step, InteriorContacts& contacts, const Increment& d) {
+bool InteriorMethod::begin(const Step& step, const Increment& d) {
   find_rest(step, d);
   const Stopwatch watch(times_.factor);
   if (!lu_.factor(matrix_, beyond_.pairs())) return false;
-  lu_.solve(-rest_, direction_);
-  contacts.begin(d, direction_, rest_.cwiseAbs().maxCoeff());
+  right_ = -rest_;
+  lu_.solve(right_, direction_);
+  contacts_.begin(step.links, d, direction_, rest_.cwiseAbs().maxCoeff());
   return true;
 }
 
@@ -54,32 +54,31 @@ void InteriorMethod::find_rest(const Step& step, const Increment& d) {
   step.assemble(d, matrix_, beyond_);
 }
 
-bool InteriorMethod::find_changes(const Step& step, InteriorContacts& contacts, const Increment& d) {
-  find_rest(step, d);
+bool InteriorMethod::find_changes(const Step& step, const Increment& d) {
   {
     const Stopwatch watch(times_.assemble);
-    contacts.linearise(d);
-    contacts.add_tangent(d, beyond_);
+    contacts_.linearise(d);
+    contacts_.add_tangent(d, beyond_);
   }
   {
     const Stopwatch watch(times_.factor);
     if (!lu_.factor(matrix_, beyond_.pairs())) return false;
   }
-  const double product = contacts.mean_product();
-  contacts.aim_at_contact();
-  solve(step, contacts, d);
-  contacts.aim_at(std::max(least_aim, std::pow(1 - contacts.longest_share(), 3)) * product);
-  solve(step, contacts, d);
+  const double product = contacts_.mean_product();
+  contacts_.aim_at_contact();
+  solve(step, d);
+  contacts_.aim_at(std::max(least_aim, std::pow(1 - contacts_.longest_share(), 3)) * product);
+  solve(step, d);
   return direction_.allFinite();
 }
 
-void InteriorMethod::solve(const Step& step, InteriorContacts& contacts, const Increment& d) {
+void InteriorMethod::solve(const Step& step, const Increment& d) {
   const Stopwatch watch(times_.solve);
   right_ = -rest_;
-  contacts.add_forces(d, right_);
+  contacts_.add_forces(d, right_);
   lu_.solve(right_, direction_);
   step.bodies.advance(d, direction_, end_);
-  contacts.find_changes(d, end_);
+  contacts_.find_changes(d, end_);
 }
 
 }  // namespace talus

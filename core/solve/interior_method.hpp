@@ -30,25 +30,25 @@ class InteriorMethod {
 
   /// Goes on from D until it is near, or in vain. Returns the iterations that took.
   int approach(const Step& step, int limit, Increment& d);
-  int points() const { return points_; }  ///< contact points that the last approach told apart, or tried to
+  int points() const { return contacts_.size(); }  ///< contact points that the last approach told apart, or tried to
   const SolveTimes& times() const { return times_; }
 
  private:
-  /// Contacts begin where D is; false: without them the matrix is singular.
-  bool begin(const Step& step, InteriorContacts& contacts, const Increment& d);
+  /// Finds the rest at D, where contacts begin; false: without them the matrix is singular.
+  bool begin(const Step& step, const Increment& d);
   /// Gradient and matrix without contacts.
   void find_rest(const Step& step, const Increment& d);
-  /// Of the contacts and of D, to `end_`; false: the matrix is singular.
-  bool find_changes(const Step& step, InteriorContacts& contacts, const Increment& d);
-  void solve(const Step& step, InteriorContacts& contacts, const Increment& d);
+  /// Of the contacts and of D, to `end_`, with the rest at D; false: the matrix is singular.
+  bool find_changes(const Step& step, const Increment& d);
+  void solve(const Step& step, const Increment& d);
 
+  InteriorContacts contacts_;
   SymmetricBlocks matrix_;
   UnsymmetricBlocks beyond_;
   SparseLu lu_;
   Eigen::VectorXd rest_, right_, direction_;
   Increment start_, end_;
   SolveTimes times_;
-  int points_ = 0;
 };
 
 }  // namespace talus

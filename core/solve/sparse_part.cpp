@@ -18,7 +18,7 @@ void SparsePart::factor(const SymmetricBlocks& matrix, std::span<const Unsymmetr
   each_value([&](int row, int column, const Mat3&) { couplings_.emplace_back(column, row); });
   BlockPattern pattern(static_cast<int>(nodes.size()), couplings_);
   if (pattern != matrix_.pattern()) {
-    cholesky_.analyse(pattern);
+    factor_.analyse(pattern);
     matrix_.set_pattern(std::move(pattern));
   }
   matrix_.set_zero();
@@ -30,23 +30,16 @@ void SparsePart::factor(const SymmetricBlocks& matrix, std::span<const Unsymmetr
       beyond_.push_back({number_[pair.row], number_[pair.column], pair.below, pair.above});
   }
   try {
-    cholesky_.factor(matrix_);
+    factor_.factor(matrix_);
   } catch (const NotPositiveDefinite& error) {
     throw NotPositiveDefinite(nodes[error.node]);
   }
 }
 
-int SparsePart::solve(const Eigen::VectorXd& b, double tolerance, int limit, Eigen::VectorXd& x) {
-  if (beyond_.empty()) {
-    cholesky_.solve(b, x);
-    return 0;
-  }
-  const auto apply = [this](const Eigen::VectorXd& from, Eigen::VectorXd& to) {
-    matrix_.multiply(from, to);
-    UnsymmetricBlocks::add_product(beyond_, from, to);
-  };
-  const auto precondition = [this](const Eigen::VectorXd& from, Eigen::VectorXd& to) { cholesky_.solve(from, to); };
-  return gmres_.solve(apply, precondition, b, x, tolerance, limit);
+int SparsePart::solve(const Eigen::VectorXd& b, const LinearSettings& settings, Eigen::VectorXd& x) {
+  if (!beyond_.empty()) return factor_.solve(matrix_, beyond_, b, settings, x);
+  factor_.solve(b, x);
+  return 0;
 }
 
 }  // namespace talus

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "effects/unsymmetric_blocks.hpp"
-#include "solve/cholesky.hpp"
-#include "solve/gmres.hpp"
+#include "solve/tangent_factor.hpp"
 
 namespace talus {
 
@@ -17,16 +16,15 @@ class SparsePart {
   /// `nodes`: ascending, coupled to no others. Throws NotPositiveDefinite with the node of the matrix.
   void factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> beyond,
               std::span<const int> nodes);
-  /// To `tolerance` of `b`, in at most `limit` iterations; how many it took, 0 where the factor alone solves it.
-  int solve(const Eigen::VectorXd& b, double tolerance, int limit, Eigen::VectorXd& x);
+  /// Returns the iterations that took, 0 where the factor alone solves it.
+  int solve(const Eigen::VectorXd& b, const LinearSettings& settings, Eigen::VectorXd& x);
 
  private:
   SymmetricBlocks matrix_;
   std::vector<UnsymmetricBlocks::Pair> beyond_;  ///< by numbers in the part
   std::vector<int> number_;                      ///< in the part, of those of its nodes; of others anything
   std::vector<std::pair<int, int>> couplings_;
-  Cholesky cholesky_;
-  Gmres gmres_;
+  TangentFactor factor_;
 };
 
 }  // namespace talus

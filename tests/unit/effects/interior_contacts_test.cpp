@@ -53,8 +53,8 @@ class Interior : public testing::TestWithParam<Case> {
   Eigen::VectorXd still() const { return Eigen::VectorXd::Zero(d.size()); }
   /// Brings the products down to a share while the bodies stand still at D.
   InteriorContacts brought_down(double share) {
-    InteriorContacts inside(links);
-    inside.begin(d, still(), 1e6);
+    InteriorContacts inside;
+    inside.begin(links, d, still(), 1e6);
     const double least = share * inside.mean_product();
     for (int i = 0; i < 60 && inside.mean_product() > least; ++i) {
       inside.linearise(d);
@@ -114,8 +114,8 @@ TEST_P(Interior, its_tangent_becomes_that_of_the_contacts_law) {
 }
 
 TEST_P(Interior, products_come_down_together) {
-  InteriorContacts inside(links);
-  inside.begin(d, still(), 1e6);
+  InteriorContacts inside;
+  inside.begin(links, d, still(), 1e6);
   const double before = inside.mean_product();
   EXPECT_GT(before, 0);
   EXPECT_LT(brought_down(1e-10).mean_product(), 1e-10 * before);
@@ -124,18 +124,18 @@ TEST_P(Interior, products_come_down_together) {
 TEST_P(Interior, points_that_cannot_come_to_bear_stay_out) {
   contacts.points[0].gap = 0.1;
   Eigen::VectorXd flight = still();
-  InteriorContacts inside(links);
-  inside.begin(d, flight, 1e6);
+  InteriorContacts inside;
+  inside.begin(links, d, flight, 1e6);
   EXPECT_EQ(inside.size(), 0);
   Eigen::Ref<Vec3> fall = flight.segment<3>(3 * set.nodes.freedom[set.rigid[0].centre]);
   fall.z() = -0.06;
-  inside.begin(d, flight, 1e6);
+  inside.begin(links, d, flight, 1e6);
   EXPECT_EQ(inside.size(), 0);
   fall.z() = -0.12;
-  inside.begin(d, flight, 1e6);
+  inside.begin(links, d, flight, 1e6);
   EXPECT_EQ(inside.size(), 1);
   fall.z() = 0.12;
-  inside.begin(d, flight, 1e6);
+  inside.begin(links, d, flight, 1e6);
   EXPECT_EQ(inside.size(), 0);
 }
 
