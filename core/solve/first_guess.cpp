@@ -36,7 +36,7 @@ void FirstGuess::remember(const Increment& taken, double length) {
 void FirstGuess::choose(OpenClose& open_close, const BodySet& bodies, const StepContext& step, Increment& d) {
   d.setZero();
   double best = open_close.residual_at(d);
-  const double share = best <= open_close.rounding_of_positions() ? clearly_better : better;
+  const double share = best <= open_close.balance().rounding_of_positions() ? clearly_better : better;
   if (step.dynamic_factor == 0) best *= creeping;
   const auto offer = [&](const Increment& guess) {
     const double residual = open_close.residual_at(guess);

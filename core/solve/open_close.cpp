@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <utility>
 
 #include "solve/stopwatch.hpp"
@@ -12,11 +10,6 @@ namespace talus {
 
 namespace {
 
-/// Internal forces of stressed rock cancel in equilibrium: round-off in them must not count as imbalance, nor may their
-/// size hide one.
-constexpr double internal_share = 1e-3;
-/// The same for the change of momentum that a free flight would need.
-constexpr double momentum_share = 1e-6;
 /// A full step that leaves less than this share of the residual needs no search.
 constexpr double worthwhile = 0.9;
 /// Nor does one whose slope turns round by no more than this share …
@@ -36,180 +29,51 @@ constexpr double closing_tolerance = 2e-7;
 /// Of the residual at which a step has settled: systems that together are out of balance by less are left alone.
 constexpr double negligible_share = 0.1;
 
-/// While it lives, moments are taken with the arms that there are at the end of the step, as those of a potential are.
-class EndArms {
- public:
-  explicit EndArms(BodySet& set) : set_(set), before_(std::exchange(set.mean_arms, false)) {}
-  ~EndArms() { set_.mean_arms = before_; }
-  EndArms(const EndArms&) = delete;
-  EndArms& operator=(const EndArms&) = delete;
-
- private:
-  BodySet& set_;
-  bool before_;
-};
-
 }  // namespace
-
-std::map<std::string, OpenClose::EffectWork> OpenClose::effect_work() const {
-  std::map<std::string, EffectWork> all = earlier_work_;
-  for (std::size_t i = 0; i < effect_work_.size(); ++i) {
-    EffectWork& sum = all[std::string(composition_->effects[i]->name())];
-    sum.seconds += effect_work_[i].seconds;
-    sum.built += effect_work_[i].built;
-    sum.evaluations += effect_work_[i].evaluations;
-    sum.assemblies += effect_work_[i].assemblies;
-  }
-  return all;
-}
-
-void OpenClose::end_stage() {
-  earlier_work_ = effect_work();
-  effect_work_.clear();
-}
 
 void OpenClose::begin_stage(Composition& composition) {
   composition_ = &composition;
-  effect_work_.assign(composition.effects.size(), {.built = 1});
-  works_.assign(composition.effects.size(), 0);
-  norms_.assign(composition.effects.size(), 0);
-  constant_length_ = 0;
+  balance_.begin_stage(composition);
 }
 
 SolveTimes OpenClose::times() const {
-  SolveTimes times = times_;
+  SolveTimes times = balance_.times();
   times.assemble += interior_.times().assemble;
-  times.factor += linear_.work().factor_seconds + interior_.times().factor;
+  times.factor += pattern_seconds_ + linear_.work().factor_seconds + interior_.times().factor;
   times.solve += linear_.work().solve_seconds + interior_.times().solve;
   return times;
 }
 
 void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
-  const Stopwatch watch(times_.factor);
-  for (const auto& effect : composition_->effects) effect->add_couplings(couplings);
-  const BlockPattern pattern(nodes, std::move(couplings));
-  constant_.set_pattern(pattern);
-  of_step_.set_pattern(pattern);
-  matrix_.set_pattern(pattern);
+  const Stopwatch watch(pattern_seconds_);
+  balance_.set_pattern(nodes, std::move(couplings));
+  const BlockPattern& pattern = balance_.matrix().pattern();
   beyond_.set_pattern(pattern);
   linear_.set_pattern(pattern);
   search_.set_size(nodes);
   zero_.setZero(3 * nodes);
-  pattern_changed_ = true;
-  rounding_ = rounding_of_positions_ = 0;
-}
-
-void OpenClose::assemble_constant(const StepContext& step) {
-  const bool same_sizes = step.length == constant_length_ && step.integration == constant_integration_;
-  if (same_sizes && !pattern_changed_) return;
-  if (!same_sizes) linear_.outdate();
-  constant_length_ = step.length;
-  constant_integration_ = step.integration;
-  pattern_changed_ = false;
-  constant_.set_zero();
-  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
-    const Effect& effect = *composition_->effects[i];
-    if (!effect.constant()) continue;
-    const Stopwatch share(effect_work_[i].seconds);
-    constant_.set_weight(effect.smooth() ? share_ : 1);
-    effect.add_hessian(zero_, constant_);
-    ++effect_work_[i].assemblies;
-  }
 }
 
 void OpenClose::begin_step(const StepContext& step) {
-  const Stopwatch watch(times_.assemble);
-  share_ = step.integration.smooth_share();
-  mesh_size_ = step.mesh_size;
-  reach_ = step.reach;
   tolerance_ = step.dynamic_factor > 0 ? settings_.tolerance : settings_.static_tolerance;
-  extent_ = step.extent;
-  assemble_constant(step);
-  of_step_.assign(constant_);
-  part_.resize(zero_.size());
-  momentum_scale_ = 0;
-  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
-    const Effect& effect = *composition_->effects[i];
-    const Stopwatch share(effect_work_[i].seconds);
-    of_step_.set_weight(effect.smooth() ? share_ : 1);
-    if (effect.quadratic() && !effect.constant()) {
-      effect.add_hessian(zero_, of_step_);
-      ++effect_work_[i].assemblies;
-    }
-    if (effect.account() != EnergyAccount::kinetic) continue;
-    part_.setZero();
-    effect.add_gradient(zero_, part_);
-    momentum_scale_ = momentum_share * part_.norm();
-  }
-}
-
-void OpenClose::evaluate(const Increment& d, Friction friction) {
-  const Stopwatch watch(times_.update);
-  if (composition_->shear && friction == Friction::coupled) composition_->shear->update_strength(d);
-  std::optional<EndArms> with_potential;
-  if (friction == Friction::lagged) with_potential.emplace(*composition_->bodies);
-  if (friction == Friction::lagged)
-    gradient_ = held_;
-  else
-    gradient_.setZero(d.size());
-  part_.resize(d.size());
-  scaled_ = share_ * d;
-  force_scale_ = momentum_scale_;
-  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
-    const Effect& effect = *composition_->effects[i];
-    const Stopwatch share(effect_work_[i].seconds);
-    part_.setZero();
-    effect.add_gradient(effect.smooth() ? scaled_ : d, part_);
-    ++effect_work_[i].evaluations;
-    gradient_ += part_;
-    works_[i] = part_.dot(d);
-    norms_[i] = part_.norm();
-    const double counts = effect.account() == EnergyAccount::elastic ? internal_share : 1;
-    force_scale_ = std::max(force_scale_, counts * norms_[i]);
-  }
-}
-
-void OpenClose::hold(const Increment& d) {
-  held_.setZero(d.size());
-  if (!composition_->bodies->mean_arms) return;
-  held_ = -gradient_;
-  evaluate(d, Friction::lagged);  // what has a potential, less what there is
-  held_.swap(gradient_);
-  held_ *= -1;
-  gradient_ *= -1;
+  if (balance_.begin_step(step)) linear_.outdate();
 }
 
 double OpenClose::residual_at(const Increment& d) {
-  evaluate(d, Friction::coupled);
-  return gradient_.norm();
-}
-
-double OpenClose::imbalance() const {
-  double inertia = 0, largest = 0;
-  for (std::size_t i = 0; i < norms_.size(); ++i) {
-    const bool kinetic = composition_->effects[i]->account() == EnergyAccount::kinetic;
-    double& norm = kinetic ? inertia : largest;
-    norm = std::max(norm, norms_[i]);
-  }
-  return largest > 0 ? inertia / largest : 0;
+  balance_.evaluate(d, Friction::coupled);
+  return balance_.residual();
 }
 
 void OpenClose::solve_at_the_start(Friction friction) {
-  assemble(zero_, closing_tolerance);
+  balance_.assemble(zero_, closing_tolerance);
   linear_.outdate();  // solved exactly
   beyond_.set_zero();
-  if (friction == Friction::coupled) add_unsymmetric(zero_, Contacts::included, beyond_);
-  linear_.solve(matrix_, beyond_, gradient_, 0, direction_);
+  if (friction == Friction::coupled) balance_.add_beyond(zero_, beyond_);
+  linear_.solve(balance_.matrix(), beyond_, balance_.gradient(), 0, direction_);
 }
 
 const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
-  evaluate(zero_, Friction::coupled);
-  for (const auto& effect : composition_->effects) {
-    if (effect->account() != EnergyAccount::kinetic) continue;
-    part_.setZero();
-    effect->add_gradient(zero_, part_);
-    gradient_ -= part_;
-  }
+  balance_.evaluate_without_inertia();
   solve_at_the_start(Friction::lagged);
   if (ShearContact* shear = composition_->shear; shear && shear->let_slide(-direction_)) {
     solve_at_the_start(Friction::coupled);
@@ -219,64 +83,23 @@ const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
   return direction_;
 }
 
-void OpenClose::assemble(const Increment& d, double touching) {
-  const Stopwatch watch(times_.assemble);
-  for (NormalContact* normal : composition_->normal) normal->count_as_closed(touching);
-  if (composition_->shear) composition_->shear->count_as_closed(touching);
-  matrix_.assign(of_step_);
-  add_hessians(d, Contacts::included, matrix_);
-}
-
-void OpenClose::add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix) {
-  scaled_ = share_ * d;
-  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
-    const Effect& effect = *composition_->effects[i];
-    if (effect.quadratic() || (contacts == Contacts::left_out && effect.account() == EnergyAccount::contact)) continue;
-    const Stopwatch share(effect_work_[i].seconds);
-    matrix.set_weight(effect.smooth() ? share_ : 1);
-    effect.add_hessian(effect.smooth() ? scaled_ : d, matrix);
-    ++effect_work_[i].assemblies;
-  }
-  matrix.set_weight(1);
-}
-
-void OpenClose::add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& beyond) {
-  for (const auto& effect : composition_->effects)
-    if (contacts == Contacts::included || effect->account() != EnergyAccount::contact)
-      effect->add_unsymmetric(d, beyond);
-}
-
 void OpenClose::find_direction(const Increment& d, Friction friction) {
   beyond_.set_zero();
-  if (friction == Friction::coupled) {
-    const Stopwatch watch(times_.assemble);
-    add_unsymmetric(d, Contacts::included, beyond_);
-  }
-  search_.pick_pending(gradient_, part_);
-  linear_.solve(matrix_, beyond_, part_, negligible_share * tolerance_ * force_scale_, direction_);
+  if (friction == Friction::coupled) balance_.add_beyond(d, beyond_);
+  search_.pick_pending(balance_.gradient(), part_);
+  linear_.solve(balance_.matrix(), beyond_, part_, negligible_share * tolerance_ * balance_.force_scale(), direction_);
   part_ = -direction_;
-  direction_ *= longest_share(d, part_);
-}
-
-double OpenClose::longest_share(const Increment& d, const Eigen::VectorXd& change) {
-  double longest = 0;
-  for (Eigen::Index n = 0; n < change.size(); n += 3) longest = std::max(longest, change.segment<3>(n).squaredNorm());
-  double share = longest > reach_ * reach_ ? reach_ / std::sqrt(longest) : 1;
-  scaled_ = share_ * d;
-  part_ = share_ * change;
-  for (const auto& effect : composition_->effects)
-    if (effect->smooth()) share = std::min(share, effect->longest_share(scaled_, part_));
-  return share;
+  direction_ *= balance_.longest_share(d, part_);
 }
 
 void OpenClose::step_from_start(Increment& d, Friction friction) {
   search_.step_along(direction_, scaled_);
   composition_->bodies->advance(start_, scaled_, d);
-  evaluate(d, friction);
+  balance_.evaluate(d, friction);
 }
 
 double OpenClose::slight_residual() const {
-  return std::max(slight_share * gradient_.norm(), tolerance_ * force_scale_);
+  return std::max(slight_share * balance_.residual(), tolerance_ * balance_.force_scale());
 }
 
 void OpenClose::begin_search(const Increment& d) {
@@ -286,7 +109,7 @@ void OpenClose::begin_search(const Increment& d) {
   for (const NormalContact* normal : composition_->normal) normal->join_meeting(d, part_, together_);
   if (composition_->shear) composition_->shear->join_strong(together_);
   search_.set_parts(together_);
-  search_.begin(gradient_, direction_);
+  search_.begin(balance_.gradient(), direction_);
 }
 
 void OpenClose::move(Increment& d, bool early) {
@@ -294,7 +117,7 @@ void OpenClose::move(Increment& d, bool early) {
   const double slight = slight_residual();
   start_ = d;
   step_from_start(d, Friction::coupled);
-  search_.leave(gradient_, direction_, [slight](const PartwiseSearch::State& part) {
+  search_.leave(balance_.gradient(), direction_, [slight](const PartwiseSearch::State& part) {
     const bool little_turned = part.slope_before < 0 && std::abs(part.slope) < -turned_round * part.slope_before;
     return part.residual < std::max(worthwhile * part.residual_before, slight) || little_turned;
   });
@@ -303,12 +126,12 @@ void OpenClose::move(Increment& d, bool early) {
   // the direction, and its floor is found by its slope. Often that is the narrow range in which a contact sticks, with
   // sliding one way before and the other way behind it.
   search_.go_back(start_, d);
-  evaluate(d, Friction::coupled);
-  hold(d);
+  balance_.evaluate(d, Friction::coupled);
+  balance_.hold(d);
   if (early) prepare(d, 0);
   find_direction(d, Friction::lagged);
   go_to_the_floor(d);
-  evaluate(d, Friction::coupled);
+  balance_.evaluate(d, Friction::coupled);
 }
 
 bool OpenClose::another_step_leads_on(Increment& d) {
@@ -318,7 +141,7 @@ bool OpenClose::another_step_leads_on(Increment& d) {
   start_ = d;
   step_from_start(d, Friction::coupled);
   start_ = second_start_;
-  search_.leave(gradient_, direction_,
+  search_.leave(balance_.gradient(), direction_,
                 [](const PartwiseSearch::State& part) { return part.residual < worthwhile * part.residual_before; });
   return !search_.any_pending();
 }
@@ -327,15 +150,13 @@ void OpenClose::go_to_the_floor(Increment& d) {
   begin_search(d);
   const double slight = slight_residual();
   step_from_start(d, Friction::lagged);
-  for (int k = 0; k < settings_.shortenings && search_.narrow(gradient_, direction_, slight); ++k)
+  for (int k = 0; k < settings_.shortenings && search_.narrow(balance_.gradient(), direction_, slight); ++k)
     step_from_start(d, Friction::lagged);
 }
 
 void OpenClose::prepare(const Increment& d, double touching) {
-  assemble(d, touching);
-  const double stiffness = matrix_.diagonal_norm();
-  rounding_ = std::numeric_limits<double>::epsilon() * mesh_size_ * stiffness;
-  rounding_of_positions_ = std::numeric_limits<double>::epsilon() * extent_ * stiffness;
+  balance_.assemble(d, touching);
+  balance_.measure_rounding();
 }
 
 Settling OpenClose::settle(Increment& d) {
@@ -344,17 +165,18 @@ Settling OpenClose::settle(Increment& d) {
   int in_vain = 0, stalls = 0;
   bool may_go_inside = can_settle_from_inside();
   first_guess_ = d;
-  evaluate(d, Friction::coupled);
+  balance_.evaluate(d, Friction::coupled);
   for (;; ++result.iterations) {
-    result.residual = gradient_.norm();
-    result.force_scale = force_scale_;
+    result.residual = balance_.residual();
+    result.force_scale = balance_.force_scale();
     if (!std::isfinite(result.residual)) return result;
-    const double round_off = std::max(settings_.round_off * force_scale_, settings_.rounding * rounding_);
+    const double round_off =
+        std::max(settings_.round_off * balance_.force_scale(), settings_.rounding * balance_.rounding());
     stalls = result.residual > 0.5 * least ? stalls + 1 : 0;
     if (stalls == 0) least = result.residual;
     const bool stalled = stalls >= 2 && result.residual <= round_off;
-    const bool stands = result.iterations == 0 && result.residual <= rounding_of_positions_ && d.isZero(0);
-    result.settled = result.residual <= tolerance_ * force_scale_ || stalled || stands;
+    const bool stands = result.iterations == 0 && result.residual <= balance_.rounding_of_positions() && d.isZero(0);
+    result.settled = result.residual <= tolerance_ * balance_.force_scale() || stalled || stands;
     if (result.settled || result.iterations >= settings_.iteration_limit) break;
     if (result.iterations >= settings_.slow && result.worst_freedom < 0) result.worst_freedom = worst_freedom();
     if (in_vain == settings_.patience) {
@@ -369,7 +191,7 @@ Settling OpenClose::settle(Increment& d) {
     ++in_vain;
   }
   if (result.settled) return result;
-  result.residual = gradient_.norm();
+  result.residual = balance_.residual();
   result.worst_freedom = worst_freedom();
   return result;
 }
@@ -387,7 +209,8 @@ bool OpenClose::settle_patiently(Increment& d, int& iterations, bool& may_go_ins
 }
 
 bool OpenClose::is_astray(int iterations_left) const {
-  return gradient_.norm() > settings_.interior_astray * force_scale_ && interior_.points() > iterations_left;
+  return balance_.residual() > settings_.interior_astray * balance_.force_scale() &&
+         interior_.points() > iterations_left;
 }
 
 bool OpenClose::can_settle_from_inside() const {
@@ -397,78 +220,73 @@ bool OpenClose::can_settle_from_inside() const {
 }
 
 int OpenClose::settle_from_inside(Increment& d, int limit) {
-  const auto add_gradient = [&](const Increment& at, Eigen::VectorXd& sum) {
-    scaled_ = share_ * at;
-    for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
-      const Effect& effect = *composition_->effects[i];
-      if (effect.account() == EnergyAccount::contact) continue;
-      const Stopwatch seconds(effect_work_[i].seconds);
-      effect.add_gradient(effect.smooth() ? scaled_ : at, sum);
-      ++effect_work_[i].evaluations;
-    }
+  const auto add_gradient = [this](const Increment& at, Eigen::VectorXd& sum) {
+    balance_.add_gradient_of_rest(at, sum);
   };
-  const auto assemble_rest = [&](const Increment& at, SymmetricBlocks& matrix, UnsymmetricBlocks& beyond) {
-    matrix.assign(of_step_);
-    add_hessians(at, Contacts::left_out, matrix);
-    add_unsymmetric(at, Contacts::left_out, beyond);
+  const auto assemble = [this](const Increment& at, SymmetricBlocks& matrix, UnsymmetricBlocks& beyond) {
+    balance_.assemble_rest(at, matrix, beyond);
   };
-  const auto share = [&](const Increment& at, const Eigen::VectorXd& change) { return longest_share(at, change); };
-  const auto is_near = [&](const Increment& at) { return residual_at(at) < settings_.interior_share * force_scale_; };
+  const auto longest_share = [this](const Increment& at, const Eigen::VectorXd& change) {
+    return balance_.longest_share(at, change);
+  };
+  const auto is_near = [this](const Increment& at) {
+    return residual_at(at) < settings_.interior_share * balance_.force_scale();
+  };
   const int count = interior_.approach({.bodies = *composition_->bodies,
                                         .links = *composition_->links,
-                                        .pattern = matrix_.pattern(),
+                                        .pattern = balance_.matrix().pattern(),
                                         .add_gradient = add_gradient,
-                                        .assemble = assemble_rest,
-                                        .longest_share = share,
+                                        .assemble = assemble,
+                                        .longest_share = longest_share,
                                         .is_near = is_near},
                                        std::min(limit, settings_.interior_limit), d);
-  evaluate(d, Friction::coupled);
+  balance_.evaluate(d, Friction::coupled);
   return count;
 }
 
 int OpenClose::worst_freedom() const {
-  if (gradient_.size() == 0) return -1;
+  if (balance_.gradient().size() == 0) return -1;
   Eigen::Index worst = 0;
-  gradient_.cwiseAbs().maxCoeff(&worst);
+  balance_.gradient().cwiseAbs().maxCoeff(&worst);
   return static_cast<int>(worst / 3);
 }
 
 int OpenClose::settle_with_care(Increment& d, int limit) {
-  double before = gradient_.norm();
+  double before = balance_.residual();
   int count = 0;
-  hold(d);
+  balance_.hold(d);
   for (; count < limit; ++count) {
     prepare(d, 0);
     search_.take_all();
     find_direction(d, Friction::lagged);
     start_ = d;
     go_to_the_floor(d);
-    const double negligible = std::max(tolerance_ * force_scale_, settings_.rounding * rounding_);
-    if (gradient_.norm() > std::max(near_floor * before, negligible)) continue;
-    evaluate(d, Friction::coupled);
-    before = gradient_.norm();
+    const double negligible = std::max(tolerance_ * balance_.force_scale(), settings_.rounding * balance_.rounding());
+    if (balance_.residual() > std::max(near_floor * before, negligible)) continue;
+    balance_.evaluate(d, Friction::coupled);
+    before = balance_.residual();
     if (before <= negligible || coupled_step_is_worthwhile(d)) return count;
-    hold(d);
+    balance_.hold(d);
   }
-  evaluate(d, Friction::coupled);
+  balance_.evaluate(d, Friction::coupled);
   return count;
 }
 
 bool OpenClose::coupled_step_is_worthwhile(Increment& d) {
-  const double before = gradient_.norm();
+  const double before = balance_.residual();
   search_.take_all();
   find_direction(d, Friction::coupled);
   begin_search(d);
   start_ = d;
   step_from_start(d, Friction::coupled);
-  search_.leave(gradient_, direction_, [](const PartwiseSearch::State& part) {
+  search_.leave(balance_.gradient(), direction_, [](const PartwiseSearch::State& part) {
     return part.residual < well_worthwhile * part.residual_before;
   });
   if (search_.any_pending()) {
     search_.go_back(start_, d);
-    evaluate(d, Friction::coupled);
+    balance_.evaluate(d, Friction::coupled);
   }
-  return gradient_.norm() < well_worthwhile * before;
+  return balance_.residual() < well_worthwhile * before;
 }
 
 }  // namespace talus

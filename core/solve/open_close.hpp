@@ -2,12 +2,13 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "effects/compose.hpp"
 #include "solve/interior_method.hpp"
 #include "solve/linear_system.hpp"
 #include "solve/partwise_search.hpp"
-#include "solve/solve_times.hpp"
+#include "solve/step_balance.hpp"
 
 namespace talus {
 
@@ -49,10 +50,10 @@ class OpenClose {
 
   /// The effects of a stage; they must live until end_stage.
   void begin_stage(Composition& composition);
-  void end_stage();
+  void end_stage() { balance_.end_stage(); }
   /// The couplings of contacts have changed: finds the independent systems anew.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
-  /// Assembles what stays the same through a step, where it has changed; called once after Effect::begin_step.
+  /// Once after Effect::begin_step.
   void begin_step(const StepContext& step);
 
   /// The bodies and contacts stand at the start of a step. `d`: a first guess in, the increment out.
@@ -64,39 +65,17 @@ class OpenClose {
   /// not set off by a load that begins with the stage; what slides goes on sliding. Between begin_step and settle.
   const Eigen::VectorXd& start_accelerations(const StepContext& step);
 
-  /// ∇Π_e·D of each effect at the last D that was looked at [J].
-  const std::vector<double>& works() const { return works_; }
-  /// Norm of inertia's force over that of the largest force, at the last D: how far from static equilibrium.
-  double imbalance() const;
-  /// What the rounding of where a step begins may leave in the residual [N], by the last matrix; 0: there is none yet.
-  double rounding_of_positions() const { return rounding_of_positions_; }
+  /// As of the last D that was looked at.
+  const StepBalance& balance() const { return balance_; }
   SolveTimes times() const;
   const LinearWork& linear_work() const { return linear_.work(); }
-  /// What an effect has cost in all stages.
-  struct EffectWork {
-    double seconds = 0;  ///< wall time
-    long built = 0, evaluations = 0, assemblies = 0;
-  };
-  std::map<std::string, EffectWork> effect_work() const;  ///< by name
 
  private:
-  /// Strengths in shear: those of the D that is looked at, or those of the iterate that they are held at.
-  enum class Friction { coupled, lagged };
-  /// Holds at D, where forces are known, what no potential has: strengths, and what mean arms change in moments.
-  void hold(const Increment& d);
-  void evaluate(const Increment& d, Friction friction);
-  void assemble_constant(const StepContext& step);
-  void assemble(const Increment& d, double touching);
-  /// What effects that are not quadratic add to the matrix at D, all or all but contacts.
-  enum class Contacts { included, left_out };
-  void add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix);
-  void add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& beyond);
+  using Friction = StepBalance::Friction;
   /// Of the parts that do not meet along the direction from D.
   void begin_search(const Increment& d);
   void find_direction(const Increment& d, Friction friction);
   void solve_at_the_start(Friction friction);
-  /// Of a change of D that smooth effects bear, and that leads no further than contacts were sought; at most 1.
-  double longest_share(const Increment& d, const Eigen::VectorXd& change);
   /// Of the part of a search, which is left with so little where all are out of balance as now [N].
   double slight_residual() const;
   void move(Increment& d, bool early);
@@ -126,31 +105,16 @@ class OpenClose {
 
   Composition* composition_ = nullptr;
   OpenCloseSettings settings_;
-  SymmetricBlocks constant_;  ///< what stays the same through steps of this length of a stage …
-  SymmetricBlocks of_step_;   ///< … with what stays the same through this step …
-  SymmetricBlocks matrix_;    ///< … with the rest
+  StepBalance balance_;
   UnsymmetricBlocks beyond_;
   LinearSystem linear_;
   PartwiseSearch search_;
   InteriorMethod interior_;
   DisjointSets together_;
-  Eigen::VectorXd gradient_, part_, direction_, zero_;
-  Eigen::VectorXd held_;  ///< N, moments that lagged forces go on with beside those that have a potential
+  Eigen::VectorXd part_, direction_, zero_;
   Increment scaled_, start_, second_start_, first_guess_;
-  std::vector<double> works_, norms_;
-  double share_ = 1;            ///< of D at which smooth forces are taken
-  double constant_length_ = 0;  ///< s, Δ that constant_ holds for; 0: for none in this stage
-  TimeIntegration constant_integration_;
-  bool pattern_changed_ = false;       ///< since constant_ was assembled
-  double tolerance_ = 0;               ///< of this step
-  double mesh_size_ = 0, extent_ = 0;  ///< m, largest
-  double reach_ = 0;                   ///< m, that an iteration may lead
-  double rounding_ = 0;                ///< N, that the rounding of deformations alone may leave in the residual
-  double rounding_of_positions_ = 0;   ///< N, that the rounding of where a step begins may leave
-  double force_scale_ = 0, momentum_scale_ = 0;
-  SolveTimes times_;
-  std::vector<EffectWork> effect_work_;  ///< of each effect of the stage
-  std::map<std::string, EffectWork> earlier_work_;
+  double tolerance_ = 0;  ///< of this step
+  double pattern_seconds_ = 0;
 };
 
 }  // namespace talus

@@ -133,7 +133,7 @@ void Simulation::end_static_stage_in_equilibrium(StepReport& report) {
   if (!converged() || s.clock.stage_ended()) return;
   const Stage& stage = s.project.stages[s.clock.stage()];
   if (!stage.until_equilibrium || stage.kind != StageKind::static_ || s.stage_steps < fewest_static_steps) return;
-  if (s.bodies.nodes.movable > 0 && s.open_close.imbalance() > stage.equilibrium_tolerance) return;
+  if (s.bodies.nodes.movable > 0 && s.open_close.balance().imbalance() > stage.equilibrium_tolerance) return;
   report.equilibrium = true;
   s.clock.end_stage();
 }
@@ -284,7 +284,7 @@ void Simulation::accept(StepReport& report) {
   if (s.bodies.nodes.movable > 0) {
     const StepMeasure measure = measure_step(0);
     report.time_error = std::max(report.time_error, measure.time_error);
-    if (s.context.dynamic_factor == 0) s.fading.taken(measure.displacement, s.open_close.imbalance());
+    if (s.context.dynamic_factor == 0) s.fading.taken(measure.displacement, s.open_close.balance().imbalance());
     for (const auto& effect : s.composition.effects) effect->accept(s.increment);
     s.detector.accept(s.contacts, s.outcomes.outcomes());
     s.shocks.look(s.bodies, s.contacts, s.outcomes.outcomes());
@@ -301,7 +301,7 @@ void Simulation::accept(StepReport& report) {
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   if (s.context.dynamic_factor > 0) s.falls_asleep = s.sleep.settle(s.bodies, s.contacts, s.context.length);
   report.energy = s.bodies.nodes.movable > 0
-                      ? s.energy.after_step(s.composition, s.open_close.works(), s.increment, by_impacts)
+                      ? s.energy.after_step(s.composition, s.open_close.balance().works(), s.increment, by_impacts)
                       : s.energy.ledger();
   s.first_guess.remember(s.increment, s.context.length);
 }

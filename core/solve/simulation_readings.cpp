@@ -74,7 +74,7 @@ HistoryRow Simulation::history() const {
 
 std::vector<EffectOutcome> Simulation::effects() const {
   const State& s = *state_;
-  auto work = s.open_close.effect_work();
+  auto work = s.open_close.balance().effect_work();
   if (s.impacts)
     work["rebound"] = {.seconds = s.impacts->seconds(), .built = 1, .evaluations = s.impacts->evaluations()};
   std::vector<EffectOutcome> outcomes;

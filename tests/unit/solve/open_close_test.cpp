@@ -4,113 +4,24 @@
 
 #include "mesh/structured_mesh.hpp"
 #include "support/solver_scenes.hpp"
+#include "support/spring_chain.hpp"
 
 namespace talus {
 namespace {
 
-constexpr int nodes = 12;  ///< of a chain, too many for the dense solver
-const std::vector<std::pair<int, int>> no_contacts;
-
-/// A chain of springs, each node held by a spring of its own; counts how often it is assembled.
-class Springs final : public Effect {
- public:
-  Springs(bool stays, int& assembled) : stays_(stays), assembled_(assembled) {}
-  std::string_view name() const override { return "springs"; }
-  EnergyAccount account() const override { return EnergyAccount::potential; }
-  bool constant() const override { return stays_; }
-  void add_couplings(std::vector<std::pair<int, int>>& couplings) const override {
-    for (int node = 1; node < nodes; ++node) couplings.emplace_back(node, node - 1);
-  }
-  double energy(const Increment&) const override { return 0; }
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override {
-    SymmetricBlocks stiffness;
-    std::vector<std::pair<int, int>> couplings;
-    add_couplings(couplings);
-    stiffness.set_pattern(nodes, couplings);
-    fill(stiffness);
-    Eigen::VectorXd force;
-    stiffness.multiply(d, force);
-    sum += force;
-  }
-  void add_hessian(const Increment&, SymmetricBlocks& sum) const override {
-    ++assembled_;
-    fill(sum);
-  }
-
- private:
-  static void fill(SymmetricBlocks& sum) {
-    for (int node = 0; node < nodes; ++node) {
-      sum.add(node, node, 3 * Mat3::Identity());
-      if (node > 0) sum.add(node, node - 1, -Mat3::Identity());
-    }
-  }
-  bool stays_;
-  int& assembled_;
-};
-
-/// Pulls at every node.
-class Load final : public Effect {
- public:
-  std::string_view name() const override { return "load"; }
-  EnergyAccount account() const override { return EnergyAccount::potential; }
-  double energy(const Increment&) const override { return 0; }
-  void add_gradient(const Increment&, Eigen::VectorXd& sum) const override {
-    sum -= Eigen::VectorXd::LinSpaced(sum.size(), 1, 2);
-  }
-};
-
-/// Bodies without any rotation: unknowns add up.
-BodySet& no_bodies() {
-  static BodySet none{Project(), BlockSystem()};
-  return none;
-}
-
-StepContext step_of(double length) {
-  StepContext step;
-  step.length = length;
-  step.mesh_size = step.extent = 1;
-  return step;
-}
-
-TEST(OpenClose, what_stays_the_same_through_a_stage_is_assembled_when_length_integration_or_pattern_change) {
-  int constant = 0, of_step = 0;
-  Composition composition;
-  composition.effects.push_back(std::make_unique<Springs>(true, constant));
-  composition.effects.push_back(std::make_unique<Springs>(false, of_step));
-  OpenClose open_close({});
-  open_close.begin_stage(composition);
-  open_close.set_pattern(nodes, no_contacts);
-  StepContext step = step_of(0.01);
-  for (int i = 0; i < 5; ++i) open_close.begin_step(step);
-  EXPECT_EQ(constant, 1);
-  EXPECT_EQ(of_step, 5);
-  step.length = 0.02;
-  for (int i = 0; i < 2; ++i) open_close.begin_step(step);
-  EXPECT_EQ(constant, 2);
-  step.integration = TimeIntegration::generalized_alpha(0.5);
-  for (int i = 0; i < 2; ++i) open_close.begin_step(step);
-  EXPECT_EQ(constant, 3);
-  open_close.set_pattern(nodes, {{0, 5}});
-  for (int i = 0; i < 2; ++i) open_close.begin_step(step);
-  EXPECT_EQ(constant, 4);
-  open_close.end_stage();
-  open_close.begin_stage(composition);
-  open_close.begin_step(step);
-  EXPECT_EQ(constant, 5);
-}
-
 TEST(OpenClose, what_is_linear_is_factored_once_for_all_steps_and_takes_one_iteration_each) {
   int assembled = 0;
   Composition composition;
-  composition.bodies = &no_bodies();
-  composition.effects.push_back(std::make_unique<Springs>(true, assembled));
-  composition.effects.push_back(std::make_unique<Load>());
+  composition.bodies = &test::no_bodies();
+  composition.effects.push_back(
+      std::make_unique<test::SpringChain>(test::SpringChain::Stays::through_the_stage, assembled));
+  composition.effects.push_back(std::make_unique<test::Load>());
   OpenClose open_close({});
   open_close.begin_stage(composition);
-  open_close.set_pattern(nodes, no_contacts);
+  open_close.set_pattern(test::chain_nodes, test::no_contacts);
   for (int i = 0; i < 20; ++i) {
-    open_close.begin_step(step_of(0.01));
-    Increment d = Increment::Zero(3 * nodes);
+    open_close.begin_step(test::step_of(0.01));
+    Increment d = Increment::Zero(3 * test::chain_nodes);
     const Settling settling = open_close.settle(d);
     EXPECT_TRUE(settling.settled);
     EXPECT_EQ(settling.iterations, 1);
@@ -137,9 +48,9 @@ TEST(OpenClose, blocks_that_fall_side_by_side_are_factored_once_each) {
   Composition composition = compose(project, system, 0, bodies, links);
   OpenClose open_close({});
   open_close.begin_stage(composition);
-  open_close.set_pattern(bodies.nodes.movable, no_contacts);
+  open_close.set_pattern(bodies.nodes.movable, test::no_contacts);
   for (int i = 0; i < 30; ++i) {
-    const StepContext step = step_of(0.01);
+    const StepContext step = test::step_of(0.01);
     for (const auto& effect : composition.effects) effect->begin_step(step);
     open_close.begin_step(step);
     Increment d = Increment::Zero(bodies.unknowns());
@@ -184,8 +95,8 @@ Settling settling_of_a_cube_that_lands(int iteration_limit) {
   settings.interior_limit = 0;
   OpenClose open_close(settings);
   open_close.begin_stage(composition);
-  open_close.set_pattern(bodies.nodes.movable, no_contacts);
-  StepContext step = step_of(0.01);
+  open_close.set_pattern(bodies.nodes.movable, test::no_contacts);
+  StepContext step = test::step_of(0.01);
   step.dynamic_factor = 1;
   step.reach = 1;
   for (const auto& effect : composition.effects) effect->begin_step(step);
