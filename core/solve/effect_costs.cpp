@@ -33,7 +33,9 @@ constexpr double damping_of_rigid = 0.3e-6;
 constexpr double normal_point = 0.13e-6;
 constexpr double shear_point = 0.13e-6;
 constexpr double bonded_point = 0.13e-6;
-constexpr double meeting_point = 0.02e-6;  // once a step
+/// Once a step, shared out among its iterations. Where blocks rest 0.02 µs; where they fall onto each other 0.14 to
+/// 0.4, in a row of dominoes 1.2: as shares of normal contact's in the same scenes of stability.
+constexpr double meeting_point = 0.2e-6;
 constexpr double held_point = 0.3e-6;
 constexpr double load = 0.2e-6;
 }  // namespace unit_cost
