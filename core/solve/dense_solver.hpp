@@ -27,7 +27,9 @@ class DenseSolver {
  private:
   std::vector<int> number_;  ///< of a node that was among the last ones: its number there
   Eigen::MatrixXd full_;
-  Eigen::LLT<Eigen::MatrixXd> symmetric_;
+  /// Of something from the start: a solver that has not factored anything yet may be moved, and LLT then copies a state
+  /// that only a factor sets.
+  Eigen::LLT<Eigen::MatrixXd> symmetric_{Eigen::MatrixXd::Identity(1, 1)};
   Eigen::PartialPivLU<Eigen::MatrixXd> unsymmetric_;
   bool is_symmetric_ = true;
 };
