@@ -55,7 +55,7 @@ void StepBalance::begin_stage(Composition& composition) {
   effect_work_.assign(composition.effects.size(), {.built = 1});
   works_.assign(composition.effects.size(), 0);
   norms_.assign(composition.effects.size(), 0);
-  constant_length_ = 0;
+  step_.length = 0;
 }
 
 void StepBalance::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
@@ -70,8 +70,6 @@ void StepBalance::set_pattern(int nodes, std::vector<std::pair<int, int>> coupli
 }
 
 void StepBalance::assemble_constant() {
-  constant_length_ = step_.length;
-  constant_integration_ = step_.integration;
   pattern_changed_ = false;
   constant_.set_zero();
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
@@ -86,7 +84,7 @@ void StepBalance::assemble_constant() {
 
 bool StepBalance::begin_step(const StepContext& step) {
   const Stopwatch watch(times_.assemble);
-  const bool same_kind = step.length == constant_length_ && step.integration == constant_integration_;
+  const bool same_kind = step.length == step_.length && step.integration == step_.integration;
   step_ = step;
   share_ = step.integration.smooth_share();
   if (!same_kind || pattern_changed_) assemble_constant();

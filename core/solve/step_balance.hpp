@@ -74,13 +74,11 @@ class StepBalance {
   void add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& beyond) const;
 
   Composition* composition_ = nullptr;
-  StepContext step_;
-  double share_ = 1;            ///< of D at which smooth forces are taken
-  SymmetricBlocks constant_;    ///< what stays the same through steps of this length of a stage …
-  SymmetricBlocks of_step_;     ///< … with what stays the same through this step …
-  SymmetricBlocks matrix_;      ///< … with the rest
-  double constant_length_ = 0;  ///< s, Δ that constant_ holds for; 0: for none in this stage
-  TimeIntegration constant_integration_;
+  StepContext step_;              ///< of length 0: the stage has had none yet
+  double share_ = 1;              ///< of D at which smooth forces are taken
+  SymmetricBlocks constant_;      ///< what stays the same through steps of this length of a stage …
+  SymmetricBlocks of_step_;       ///< … with what stays the same through this step …
+  SymmetricBlocks matrix_;        ///< … with the rest
   bool pattern_changed_ = false;  ///< since constant_ was assembled
   Eigen::VectorXd gradient_, part_, zero_;
   Eigen::VectorXd held_;  ///< N, moments that lagged forces go on with beside those that have a potential
