@@ -1,8 +1,8 @@
-# Every folder of core/ and ui/ is one static library that links only what it may include.
+# Every folder of core/ and ui/, with the rooms in it, is one static library that links only what it may include.
 # The arrows are the arguments here; tests/unit/architecture holds the #include lines to them.
 
 add_library(talus_options INTERFACE)
-target_compile_options(talus_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic)
+target_compile_options(talus_options INTERFACE -Wall -Wextra -Wpedantic $<IF:$<BOOL:${TALUS_BY_ROOM}>,-Wshadow=local,-Wshadow>)
 # GCC 12 sees overlapping copies in std::string's operator+ that are not there (its bug 105651).
 target_compile_options(talus_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(TALUS_WARNINGS_AS_ERRORS)
@@ -17,11 +17,41 @@ if(TALUS_SANITIZE)
   target_link_options(talus_options INTERFACE -fsanitize=${sanitizers})
 endif()
 
-# talus_library(FOLDER [PUBLIC dep...] [PRIVATE dep...])
+# talus_compile_by_room(TARGET [QUICK] [APART room...])  The files of one folder are compiled together: what they all include, Eigen above
+# all, is read and instantiated once a folder (docs/developing.md has the figures). QUICK: what does not compute is
+# optimized less, which gives the same bits. APART: rooms of files that each have constants of their own. `-Wshadow` in full is the dev preset's, which compiles file by file.
+function(talus_compile_by_room target)
+  cmake_parse_arguments(ARG "QUICK" "" "APART" ${ARGN})
+  if(ARG_QUICK)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+  if(NOT TALUS_BY_ROOM)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/.*[.]cpp$")
+  foreach(source ${sources})
+    cmake_path(GET source PARENT_PATH room)
+    cmake_path(RELATIVE_PATH room BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    cmake_path(GET room FILENAME name)
+    if(name IN_LIST ARG_APART)
+      continue()
+    endif()
+    string(REPLACE "/" "_" room ${room})
+    set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${room})
+  endforeach()
+endfunction()
+
+# talus_library(FOLDER [QUICK] [EXCEPT subfolder] [APART room...] [PUBLIC dep...] [PRIVATE dep...])  the folder with all rooms below it
 function(talus_library folder)
-  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
-  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.hpp)
+  cmake_parse_arguments(ARG "QUICK" "EXCEPT" "PUBLIC;PRIVATE;APART" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.hpp)
+  if(ARG_EXCEPT)
+    list(FILTER sources EXCLUDE REGEX "/${folder}/${ARG_EXCEPT}/")
+    list(FILTER headers EXCLUDE REGEX "/${folder}/${ARG_EXCEPT}/")
+  endif()
   if(NOT sources)  # headers only
     add_library(talus_${folder} INTERFACE)
     target_include_directories(talus_${folder} INTERFACE ${CMAKE_CURRENT_SOURCE_DIR})
@@ -31,15 +61,27 @@ function(talus_library folder)
   add_library(talus_${folder} STATIC ${sources} ${headers})
   target_include_directories(talus_${folder} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(talus_${folder} PUBLIC ${ARG_PUBLIC} PRIVATE talus_options ${ARG_PRIVATE})
+  if(ARG_QUICK)
+    talus_compile_by_room(talus_${folder} QUICK APART ${ARG_APART})
+  else()
+    talus_compile_by_room(talus_${folder} APART ${ARG_APART})
+  endif()
 endfunction()
 
-# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...])  a GoogleTest program, each of its tests a ctest
+# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [BLAS_KERNELS name])  a GoogleTest program, each of its
+# tests a ctest. BLAS_KERNELS: OpenBLAS takes these, where the processor has them, so that figures are those of the
+# tables in docs (its choice differs from processor to processor, and with it the last bits).
+file(STRINGS /proc/cpuinfo processor_has_avx2 REGEX "avx2" LIMIT_COUNT 1)
 function(talus_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "BLAS_KERNELS" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if(ARG_BLAS_KERNELS AND processor_has_avx2)
+    set(kernels ENVIRONMENT_MODIFICATION OPENBLAS_CORETYPE=set:${ARG_BLAS_KERNELS})
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PRIVATE talus_options ${ARG_LIBRARIES} GTest::gmock_main)
   target_compile_definitions(${name} PRIVATE TALUS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  talus_compile_by_room(${name} QUICK)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-    PROPERTIES ENVIRONMENT "OPENBLAS_NUM_THREADS=1" LABELS "${ARG_LABELS}")
+    PROPERTIES ENVIRONMENT "OPENBLAS_NUM_THREADS=1" LABELS "${ARG_LABELS}" ${kernels})
 endfunction()

@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 #include "options.hpp"
-#include "render/movie.hpp"
-#include "terminal.hpp"
+#include "render/film/movie.hpp"
+#include "text/terminal.hpp"
 
 namespace talus::cli {
 
@@ -35,7 +35,7 @@ ExitCode animate(const AnimateOptions& options, bool json) {
   Scene scene(results.system(), settings);
   scene.set_stage_names(results.stage_names());
   for (int i = 0; i < count; ++i) scene.include_in_view(results.frame(i));
-  mark_struggles(options.look, results, scene);
+  mark_troubles(options.look, results, scene);
   point_camera(options.look, results, scene);
   const FilmOptions film{options.size.width, options.size.height, options.fps};
   {

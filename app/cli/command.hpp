@@ -10,7 +10,8 @@
 
 namespace talus::cli {
 
-/// What a command ends with, as DESIGN's contract has it. Bad input is an InputError, our fault any other exception.
+/// What a command ends with, as scripts rely on it (docs/manual.md). Bad input is an InputError, our fault any other
+/// exception.
 enum ExitCode { done = 0, failed = 1, bad_input = 2, our_fault = 3 };
 
 /// What the user asked for, filled while the command line is read.

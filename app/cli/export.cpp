@@ -7,7 +7,7 @@
 
 #include "command.hpp"
 #include "options.hpp"
-#include "terminal.hpp"
+#include "text/terminal.hpp"
 
 namespace talus::cli {
 

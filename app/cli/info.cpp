@@ -3,19 +3,19 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "chosen_bodies.hpp"
 #include "command.hpp"
-#include "effect_text.hpp"
-#include "forecast_text.hpp"
 #include "model/stage_length.hpp"
 #include "project_choice.hpp"
-#include "report_text.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
-#include "solve/effect_costs.hpp"
+#include "run/effect_costs.hpp"
 #include "study/accuracy/study_record.hpp"
-#include "table.hpp"
-#include "terminal.hpp"
+#include "text/chosen_bodies.hpp"
+#include "text/effect_text.hpp"
+#include "text/forecast_text.hpp"
+#include "text/report_text.hpp"
+#include "text/table.hpp"
+#include "text/terminal.hpp"
 
 namespace talus::cli {
 
@@ -49,7 +49,7 @@ Json json_of(const Stage& stage) {
 }
 
 Json json_of(const EffectCost& effect) {
-  return {{"name", effect.name},
+  return {{"name", to_string(effect.kind)},
           {"active", effect.active},
           {"reason", effect.reason},
           {"items", effect.items},
@@ -195,7 +195,7 @@ Json json_of_results(const ResultReader& results, const std::optional<RunReport>
           {"motions", motions_of(results)},
           {"effects", of_report("effects")},
           {"work", report ? summary["work"] : Json()},
-          {"struggles", of_report("struggles")},
+          {"convergence_trouble", of_report("convergence_trouble")},
           {"events", of_report("events")}};
 }
 
@@ -215,7 +215,7 @@ void print_results(const Json& info, const BlockSystem& system, const std::optio
   if (report) std::cout << '\n' << profile_text(*report) << '\n';
   for (const Json& event : info["events"])
     std::cout << event["time"] << " s  " << event["what"].get<std::string>() << '\n';
-  if (report) std::cout << struggles_text(report->struggles);
+  if (report) std::cout << troubles_text(report->troubles);
 }
 
 ExitCode inform_of_results(const std::filesystem::path& folder, bool json) {

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "command.hpp"
-#include "markdown_page.hpp"
-#include "paragraph.hpp"
-#include "terminal.hpp"
+#include "text/markdown_page.hpp"
+#include "text/paragraph.hpp"
+#include "text/terminal.hpp"
+#include "verification/named_runs.hpp"
 
 namespace talus::cli {
 
@@ -32,16 +33,11 @@ template <typename Result>
 std::string verdict_text(const std::string& what, const std::vector<Result>& results) {
   double seconds = 0;
   std::string failed;
-  std::size_t passed = 0;
   for (const Result& result : results) {
     seconds += result.seconds;
-    if (result.passed())
-      ++passed;
-    else
-      failed += (failed.empty() ? "" : ", ") + result.name;
+    if (!result.passed()) failed += (failed.empty() ? "" : ", ") + result.name;
   }
-  std::string text = std::to_string(passed) + " of " + std::to_string(results.size()) + ' ' + what + " passed, " +
-                     duration_text(seconds) + " of computing\n";
+  std::string text = passed_text(what, results) + ", " + duration_text(seconds) + " of computing\n";
   if (!failed.empty()) text += paragraph("failed: " + failed, 0);
   return text;
 }

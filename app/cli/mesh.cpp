@@ -3,12 +3,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "chosen_bodies.hpp"
 #include "command.hpp"
 #include "mesh/quality.hpp"
 #include "project_choice.hpp"
-#include "table.hpp"
-#include "terminal.hpp"
+#include "text/chosen_bodies.hpp"
+#include "text/table.hpp"
+#include "text/terminal.hpp"
 
 namespace talus::cli {
 

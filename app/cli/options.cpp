@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "base/error.hpp"
-#include "render/slope_view.hpp"
+#include "render/scene/slope_view.hpp"
 
 namespace talus::cli {
 
@@ -108,7 +108,8 @@ void add_look(CLI::App& command, Look& look) {
       ->type_name("N")
       ->capture_default_str();
   command.add_flag("--contacts", look.contacts, "Show contact points: open grey, stick blue, slip orange");
-  command.add_flag("--struggles", look.struggles, "Mark the contacts at which steps were cut or took many iterations");
+  command.add_flag("--trouble,--struggles", look.troubles,
+                   "Mark the contacts at which steps were cut or took many iterations (--struggles is the old name)");
   add_theme(command, look.theme);
 }
 
@@ -123,9 +124,9 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
   return settings;
 }
 
-void mark_struggles(const Look& look, const ResultReader& results, Scene& scene) {
-  if (!look.struggles) return;
-  if (const auto report = results.report()) scene.set_struggles(report->struggles);
+void mark_troubles(const Look& look, const ResultReader& results, Scene& scene) {
+  if (!look.troubles) return;
+  if (const auto report = results.report()) scene.set_troubles(report->troubles);
 }
 
 void point_camera(const Look& look, const ResultReader& results, Scene& scene) {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "render/image.hpp"
-#include "render/scene.hpp"
+#include "render/paint/image.hpp"
+#include "render/scene/scene.hpp"
 #include "results/result_folder.hpp"
 
 // Options that several commands share, each with its unit and default in its help.
@@ -36,14 +36,14 @@ struct Look {
   std::string field, view = "auto";
   Theme theme = Theme::light;
   Edges edges = Edges::blocks;
-  bool contacts = false, struggles = false;
+  bool contacts = false, troubles = false;
   double scale = 1;
 };
 void add_look(CLI::App& command, Look& look);
 /// Throws InputError for a field or a view there is not.
 SceneSettings scene_settings(const Look& look, const ResultReader& results);
 /// Marks where the run was hard, if that was asked for; of a run that was killed nothing is known.
-void mark_struggles(const Look& look, const ResultReader& results, Scene& scene);
+void mark_troubles(const Look& look, const ResultReader& results, Scene& scene);
 /// Points the camera of a scene that shows `results`. Throws InputError for a view there is not.
 void point_camera(const Look& look, const ResultReader& results, Scene& scene);
 

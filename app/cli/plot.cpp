@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 #include "options.hpp"
-#include "render/charts.hpp"
-#include "report_text.hpp"
+#include "render/charts/charts.hpp"
+#include "text/report_text.hpp"
 
 namespace talus::cli {
 

@@ -4,7 +4,7 @@
 
 #include "command.hpp"
 #include "geometry/block_builder.hpp"
-#include "terminal.hpp"
+#include "text/terminal.hpp"
 
 namespace talus::cli {
 

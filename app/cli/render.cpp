@@ -4,7 +4,7 @@
 
 #include "command.hpp"
 #include "options.hpp"
-#include "render/offscreen.hpp"
+#include "render/scene/offscreen.hpp"
 
 namespace talus::cli {
 
@@ -23,7 +23,7 @@ ExitCode render(const RenderOptions& options, bool json) {
   Scene scene(results.system(), scene_settings(options.look, results));
   scene.set_stage_names(results.stage_names());
   scene.set_frame(std::make_shared<const Frame>(results.frame(index)));
-  mark_struggles(options.look, results, scene);
+  mark_troubles(options.look, results, scene);
   point_camera(options.look, results, scene);
   render_png(scene, options.out, options.size.width, options.size.height);
 

@@ -8,10 +8,10 @@
 #include "command.hpp"
 #include "options.hpp"
 #include "project_choice.hpp"
-#include "report_text.hpp"
 #include "results/summary.hpp"
-#include "solve/run.hpp"
-#include "terminal.hpp"
+#include "run/run.hpp"
+#include "text/report_text.hpp"
+#include "text/terminal.hpp"
 
 namespace talus::cli {
 

@@ -11,9 +11,9 @@
 #include "study/accuracy/local_engine.hpp"
 #include "study/accuracy/slurm_engine.hpp"
 #include "study/accuracy/study_record.hpp"
-#include "study_chart.hpp"
-#include "study_text.hpp"
-#include "terminal.hpp"
+#include "text/study_chart.hpp"
+#include "text/study_text.hpp"
+#include "text/terminal.hpp"
 
 namespace talus::cli {
 

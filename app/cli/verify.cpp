@@ -1,4 +1,4 @@
-#include "study/verify.hpp"
+#include "verification/verify.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -10,10 +10,10 @@
 
 #include "list_of_runs.hpp"
 #include "options.hpp"
-#include "study/verify_json.hpp"
-#include "verify_markdown.hpp"
-#include "verify_stability.hpp"
-#include "verify_text.hpp"
+#include "text/verify_text.hpp"
+#include "verification/known_answers_page.hpp"
+#include "verification/verify_json.hpp"
+#include "verify_hard_cases.hpp"
 
 namespace talus::cli {
 
@@ -22,8 +22,8 @@ namespace {
 struct Request {
   std::vector<std::string> names;
   bool all = false, list = false, tables = false;
-  bool stability = false;
-  int nudges = 0;
+  bool hard_cases = false;
+  int perturbations = 0;
   std::string group;
   std::filesystem::path samples, markdown;
   VerifyOptions options;
@@ -50,30 +50,26 @@ ExitCode verify_cases(const Request& request, bool json) {
   list.run = [&](Progress& progress, const auto& ended) { verify(cases, request.options, progress, ended); };
   list.columns = case_columns();
   list.text = [&](const CaseResult& result) { return case_text(result, request.tables); };
-  list.markdown = markdown_of;
+  list.markdown = known_answers_page;
   list.json = [](const auto& results, bool complete) { return json_text(results, complete); };
   return run_list(list, request.markdown, json);
 }
 
-StabilityRequest of_stability(const Request& request) {
-  return {request.names,
-          request.group,
-          request.all,
-          request.list,
-          request.nudges,
-          request.markdown,
-          {request.options.run.threads, request.options.repeat}};
+HardCasesRequest of_hard_cases(const Request& request) {
+  TrialOptions options{.threads = request.options.run.threads};
+  if (request.options.repeat) options.repeat_on = {1, 2};
+  return {request.names, request.group, request.all, request.list, request.perturbations, request.markdown, options};
 }
 
 /// Options that have to do with known cases alone.
-void add_case_options(CLI::App& command, Request& request, CLI::Option* stability) {
+void add_case_options(CLI::App& command, Request& request, CLI::Option* hard_cases) {
   command
       .add_option("--scale", request.options.run.scale,
                   "Run at another scale: of all lengths; times go with its root, stresses with itself")
       ->check(CLI::Validator(CLI::PositiveNumber).description(""))
       ->type_name("S")
       ->capture_default_str()
-      ->excludes(stability);
+      ->excludes(hard_cases);
   static const std::map<std::string, BodyKind> bodies{
       {"tetrahedra", BodyKind::tetrahedra}, {"affine", BodyKind::affine}, {"rigid", BodyKind::rigid}};
   command
@@ -83,30 +79,31 @@ void add_case_options(CLI::App& command, Request& request, CLI::Option* stabilit
       ->check(CLI::IsMember(bodies).description(""))
       ->type_name("rigid|affine|tetrahedra")
       ->default_str("tetrahedra")
-      ->excludes(stability);
+      ->excludes(hard_cases);
   command.add_flag("--tables", request.tables, "Print the tables of cases that have more than numbers")
-      ->excludes(stability);
+      ->excludes(hard_cases);
   command.add_option("--samples", request.samples, "Folder of the samples (default: the shipped ones)")
       ->type_name("DIR")
-      ->excludes(stability);
+      ->excludes(hard_cases);
 }
 
-/// The suite of stability instead of known cases.
-CLI::Option* add_stability_options(CLI::App& command, Request& request) {
-  auto* stability = command.add_flag(
-      "--stability", request.stability,
+/// The hard cases instead of known answers.
+CLI::Option* add_hard_case_options(CLI::App& command, Request& request) {
+  auto* hard_cases = command.add_flag(
+      "--hard-cases,--stability", request.hard_cases,
       "Run the scenes chosen to break contact codes instead: a row each with the deepest penetration and what energy "
-      "grew by (both must stay below their limits), iterations a step, and in words what did not hold");
-  command.add_option("--group", request.group, "Only scenes of this group")->type_name("G")->needs(stability);
+      "grew by (both must stay below their limits), iterations a step, and in words what did not hold (--stability is "
+      "the old name)");
+  command.add_option("--group", request.group, "Only scenes of this group")->type_name("G")->needs(hard_cases);
   command
-      .add_option("--nudge", request.nudges,
+      .add_option("--perturbations,--nudge", request.perturbations,
                   "Run each scene N times more, with gravity and initial velocities greater by 1e-10 of themselves, by "
-                  "2e-10, …: chance must not decide whether it holds")
+                  "2e-10, …: chance must not decide whether it holds (--nudge is the old name)")
       ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->type_name("N")
       ->capture_default_str()
-      ->needs(stability);
-  return stability;
+      ->needs(hard_cases);
+  return hard_cases;
 }
 
 }  // namespace
@@ -120,11 +117,11 @@ void add_verify(CLI::App& program, Invocation& invocation) {
   command->add_option("NAME", request->names, "Cases or scenes to run (default: all that are quick)")->type_name("");
   command->add_flag("--all", request->all, "Also those that take minutes, and every row of those that are thinned");
   command->add_flag("--list", request->list, "List the cases there are and leave");
-  add_case_options(*command, *request, add_stability_options(*command, *request));
+  add_case_options(*command, *request, add_hard_case_options(*command, *request));
   add_threads(*command, request->options.run.threads);
   command->add_flag("--repeat", request->options.repeat,
                     "Run each case again with 2 threads, which must give the same bits, and at a tenth of the scale, "
-                    "which must give the same relative numbers; scenes of stability with 1 and 2 threads");
+                    "which must give the same relative numbers; hard cases with 1 and 2 threads");
   command
       ->add_option("--markdown", request->markdown,
                    "Write the results into this page, between its lines <!-- talus-cli verify: begin --> and "
@@ -133,8 +130,8 @@ void add_verify(CLI::App& program, Invocation& invocation) {
   command->callback([&invocation, request] {
     request->options.run.thorough = request->all;
     invocation.run = [&invocation, request] {
-      return request->stability ? run_stability(of_stability(*request), invocation.json)
-                                : verify_cases(*request, invocation.json);
+      return request->hard_cases ? run_hard_cases(of_hard_cases(*request), invocation.json)
+                                 : verify_cases(*request, invocation.json);
     };
   });
 }

@@ -1,5 +1,5 @@
 // talus [PROJECT|RESULTS]: the window.
-// talus --screenshot OUT.png [--size WxH] [--theme light|dark] [--step STEP] [--field FIELD] [--time SECONDS]
+// talus --screenshot OUT.png [--size WxH] [--theme light|dark] [--page PAGE] [--field FIELD] [--time SECONDS]
 // [PROJECT|RESULTS]: a picture of the window and out, for regression tests; with QT_QPA_PLATFORM=offscreen it needs no
 // display.
 #include <QApplication>
@@ -8,9 +8,9 @@
 #include <cstdio>
 
 #include "screenshot.hpp"
-#include "widgets/main_window.hpp"
-#include "widgets/render_surface.hpp"
-#include "widgets/theme.hpp"
+#include "widgets/kit/theme.hpp"
+#include "widgets/view/render_surface.hpp"
+#include "widgets/window/main_window.hpp"
 
 namespace {
 
@@ -38,8 +38,8 @@ int main(int argc, char** argv) {
   parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("A .talus project or a results folder."));
   const QCommandLineOption themeOption(QStringLiteral("theme"), QStringLiteral("light or dark"),
                                        QStringLiteral("name"));
-  const QCommandLineOption stepOption(
-      QStringLiteral("step"),
+  const QCommandLineOption pageOption(
+      {QStringLiteral("page"), QStringLiteral("step")},  // "step" is what it was called before
       QStringLiteral("geometry, joints, blocks, mesh, materials, loads, stages, solve or results"),
       QStringLiteral("name"));
   const QCommandLineOption sizeOption(QStringLiteral("size"), QStringLiteral("Size of the window, pixels"),
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
                                       QStringLiteral("seconds"));
   const QCommandLineOption screenshotOption(
       QStringLiteral("screenshot"), QStringLiteral("Write a picture of the window and leave"), QStringLiteral("PNG"));
-  parser.addOptions({themeOption, stepOption, sizeOption, fieldOption, timeOption, screenshotOption});
+  parser.addOptions({themeOption, pageOption, sizeOption, fieldOption, timeOption, screenshotOption});
   parser.process(app);
 
   QSettings settings;
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
   talus::ScreenshotRequest request;
   request.out = parser.value(screenshotOption);
   request.file = parser.positionalArguments().value(0);
-  request.step = parser.value(stepOption);
+  request.page = parser.value(pageOption);
   request.field = parser.value(fieldOption);
   request.time = parser.value(timeOption);
   if (const QString wrong = talus::readSize(parser.value(sizeOption), request.size); !wrong.isEmpty())

@@ -5,14 +5,15 @@
 #include <cstdio>
 
 #include "base/error.hpp"
-#include "widgets/viewport.hpp"
+#include "jobs/solver_job.hpp"
+#include "widgets/view/viewport.hpp"
 
 namespace talus {
 
 namespace {
 
 constexpr int bad_input = 2, our_fault = 3;
-constexpr int settle_ms = 600;  // the fine drawing comes when the camera has rested
+constexpr int rest_ms = 600;  // the fine drawing comes when the camera has rested
 constexpr int patience_ms = 600000;
 
 int complain(int code, const QString& sentence) {
@@ -46,46 +47,46 @@ QString readSize(const QString& text, QSize& size) {
 }
 
 int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
-  Workspace& workspace = window.workspace();
+  Session& session = window.session();
   window.show();
   if (!request.file.isEmpty()) {
-    if (!workspace.open(request.file.toStdString())) {
-      const Problem& problem = workspace.problems().back();
+    if (!session.open(request.file.toStdString())) {
+      const Problem& problem = session.messages.problems().back();
       return complain(bad_input, QStringLiteral("%1: %2; %3").arg(problem.place, problem.problem, problem.remedy));
     }
-    const auto failed = [&] { return !workspace.problems().empty(); };
-    if (workspace.isLoadingResults()) waitFor([&] { return workspace.frame() || failed(); }, patience_ms);
-    if (!workspace.system() && !failed()) {
-      workspace.mesh();
-      waitFor([&] { return !workspace.job().isBusy(); }, patience_ms);
+    const auto failed = [&] { return !session.messages.problems().empty(); };
+    if (session.playback.isLoading()) waitFor([&] { return session.playback.frame() || failed(); }, patience_ms);
+    if (!session.project.system() && !failed()) {
+      session.run.mesh();
+      waitFor([&] { return !session.run.job().isBusy(); }, patience_ms);
     }
   }
   if (!request.field.isEmpty()) {
     try {
-      SceneSettings display = workspace.display();
-      display.field = field_named(request.field.toStdString());
-      workspace.setDisplay(display);
+      SceneSettings settings = session.display.settings();
+      settings.field = field_named(request.field.toStdString());
+      session.display.set(settings);
     } catch (const InputError& error) {
       return complain(bad_input, QString::fromUtf8(error.what()));
     }
   }
-  if (!request.time.isEmpty() && !workspace.frameTimes().empty()) {
+  if (!request.time.isEmpty() && !session.playback.times().empty()) {
     bool good = false;
     const double time = request.time.toDouble(&good);
     if (!good) return complain(bad_input, QStringLiteral("--time: \"%1\" is no number of seconds").arg(request.time));
-    workspace.showTime(time);
-    waitFor([&] { return !workspace.isWaitingForFrame(); }, patience_ms);
+    session.playback.showTime(time);
+    waitFor([&] { return !session.playback.isWaiting(); }, patience_ms);
   }
-  for (const Step step : all_steps)
-    if (request.step == QLatin1String(stepKey(step))) workspace.goTo(step);
-  if (!request.step.isEmpty() && request.step != QLatin1String(stepKey(workspace.step())))
-    return complain(bad_input, QStringLiteral("--step: there is no step \"%1\"; see talus --help").arg(request.step));
+  for (const WorkflowPage page : all_pages)
+    if (request.page == QLatin1String(pageKey(page))) session.display.goTo(page);
+  if (!request.page.isEmpty() && request.page != QLatin1String(pageKey(session.display.page())))
+    return complain(bad_input, QStringLiteral("--page: there is no page \"%1\"; see talus --help").arg(request.page));
   window.viewport().fit();
   window.resize(request.size);
-  rest(settle_ms);
+  rest(rest_ms);
   if (!window.grab().save(request.out))
     return complain(bad_input, QStringLiteral("%1: cannot be written; choose another place").arg(request.out));
-  return workspace.problems().empty() ? 0 : our_fault;
+  return session.messages.problems().empty() ? 0 : our_fault;
 }
 
 }  // namespace talus

@@ -27,7 +27,7 @@ class PoseFit {
 
  private:
   struct Shape {
-    std::vector<double> weight;  ///< a node: its share of the block's volume; none without tetrahedra
+    std::vector<double> weight;  ///< a node: its fraction of the block's volume; none without tetrahedra
     VolumeMoments moments;
     bool fixed = false;
   };

@@ -60,8 +60,8 @@ BodySet::BodySet(const Project& project, const BlockSystem& system) {
   nodes.position = nodes.reference;
   for (auto* vectors : {&nodes.velocity, &nodes.acceleration, &nodes.prescribed})
     vectors->assign(nodes.reference.size(), Vec3::Zero());
-  nodes.freedom.assign(nodes.reference.size(), -1);
-  number_freedoms();
+  nodes.dof_block.assign(nodes.reference.size(), -1);
+  number_dof_blocks();
   stress.assign(elements.size(), Voigt::Zero());
   shapes.resize(elements.size());
   update_shapes();
@@ -85,7 +85,7 @@ void BodySet::add_tetrahedra(const Block& block, int index) {
   }
 }
 
-int BodySet::add_carrier(const Vec3& where, int body) {
+int BodySet::add_control_node(const Vec3& where, int body) {
   nodes.reference.push_back(where);
   nodes.body.push_back(body);
   return static_cast<int>(nodes.reference.size()) - 1;
@@ -97,12 +97,12 @@ void BodySet::add_affine(const Block& block, int index) {
   const Corners corners = equivalent_tetrahedron(moments);
   const ElementShape shape = element_shape(corners);
   Element element{};
-  for (int i = 0; i < 4; ++i) element.nodes[i] = add_carrier(corners[i], index);
+  for (int i = 0; i < 4; ++i) element.nodes[i] = add_control_node(corners[i], index);
   element.body = index;
   element.mass = body.density * moments.volume;
   element.volume_ratio = moments.volume / shape.volume;
   elements.push_back(element);
-  body.first_carrier = element.nodes[0];
+  body.first_control_node = element.nodes[0];
   body.first_carried = static_cast<int>(carried.size());
   for (const Vec3& x : block.mesh.nodes) {
     std::array<double, 4> weights;
@@ -116,7 +116,7 @@ void BodySet::add_rigid(const Block& block, int index) {
   const VolumeMoments moments = volume_moments(block.mesh);
   RigidBody one;
   one.body = index;
-  one.centre = add_carrier(moments.centroid, index);
+  one.centre = add_control_node(moments.centroid, index);
   one.mass = body.density * moments.volume;
   one.inertia = one.mass * (moments.spread.trace() * Mat3::Identity() - moments.spread);
   one.radius =
@@ -126,34 +126,34 @@ void BodySet::add_rigid(const Block& block, int index) {
   rigid.push_back(one);
 }
 
-void BodySet::number_freedoms() {
+void BodySet::number_dof_blocks() {
   nodes.movable = 0;
   nodes.free.clear();
   moving.clear();
   turning.clear();
   const auto let_go = [&](int node) {
-    nodes.freedom[node] = nodes.movable++;
+    nodes.dof_block[node] = nodes.movable++;
     nodes.free.push_back(node);
   };
-  std::fill(nodes.freedom.begin(), nodes.freedom.end(), -1);
+  std::fill(nodes.dof_block.begin(), nodes.dof_block.end(), -1);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Body& body = bodies[b];
-    if (body.rigid >= 0) rigid[body.rigid].rotation_freedom = -1;
+    if (body.rigid >= 0) rigid[body.rigid].rotation_dof_block = -1;
     if (body.fixed) continue;
     moving.push_back(static_cast<int>(b));
     if (body.kind == BodyKind::tetrahedra)
       for (int n = body.first_node; n < body.first_node + body.node_count; ++n) let_go(n);
     if (body.kind == BodyKind::affine)
-      for (int c = 0; c < 4; ++c) let_go(body.first_carrier + c);
+      for (int c = 0; c < 4; ++c) let_go(body.first_control_node + c);
     if (body.kind != BodyKind::rigid) continue;
     let_go(rigid[body.rigid].centre);
-    rigid[body.rigid].rotation_freedom = nodes.movable++;
+    rigid[body.rigid].rotation_dof_block = nodes.movable++;
     turning.push_back(body.rigid);
   }
   linear.clear();
   neo_hookean.clear();
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    for (int i = 0; i < 4; ++i) elements[e].freedoms[i] = nodes.freedom[elements[e].nodes[i]];
+    for (int i = 0; i < 4; ++i) elements[e].dof_blocks[i] = nodes.dof_block[elements[e].nodes[i]];
     (bodies[elements[e].body].law == MaterialLaw::linear ? linear : neo_hookean).push_back(static_cast<int>(e));
   }
 }
@@ -186,7 +186,7 @@ void BodySet::hold(const std::vector<bool>& held) {
     shapes.push_back(one.shape);
     stress.push_back(one.stress);
   }
-  number_freedoms();
+  number_dof_blocks();
 }
 
 std::span<const BodySet::HeldElement> BodySet::held_of(int index) const {
@@ -226,60 +226,60 @@ void BodySet::update_shapes() {
 void BodySet::add_couplings(std::vector<std::pair<int, int>>& couplings) const {
   for (const Element& element : elements)
     for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < a; ++b) couplings.emplace_back(element.freedoms[a], element.freedoms[b]);
-  for (const int r : turning) couplings.emplace_back(nodes.freedom[rigid[r].centre], rigid[r].rotation_freedom);
+      for (int b = 0; b < a; ++b) couplings.emplace_back(element.dof_blocks[a], element.dof_blocks[b]);
+  for (const int r : turning) couplings.emplace_back(nodes.dof_block[rigid[r].centre], rigid[r].rotation_dof_block);
 }
 
-void BodySet::join_freedoms(DisjointSets& together) const {
+void BodySet::join_dof_blocks(DisjointSets& together) const {
   for (const int b : moving) {
     const Body& body = bodies[b];
     if (body.rigid >= 0) {
-      together.join(nodes.freedom[rigid[body.rigid].centre], rigid[body.rigid].rotation_freedom);
+      together.join(nodes.dof_block[rigid[body.rigid].centre], rigid[body.rigid].rotation_dof_block);
       continue;
     }
-    const int first = nodes.freedom[body.first_free()];
-    for (int i = 1; i < body.free_count(); ++i) together.join(first, nodes.freedom[body.first_free() + i]);
+    const int first = nodes.dof_block[body.first_free()];
+    for (int i = 1; i < body.free_count(); ++i) together.join(first, nodes.dof_block[body.first_free() + i]);
   }
 }
 
 Corners BodySet::corner_increments(const Element& element, const Increment& d) const {
   Corners corners;
-  for (int i = 0; i < 4; ++i) corners[i] = d.segment<3>(3 * element.freedoms[i]);
+  for (int i = 0; i < 4; ++i) corners[i] = d.segment<3>(3 * element.dof_blocks[i]);
   return corners;
 }
 
 Vec3 BodySet::node_increment(int node, const Increment& d) const {
-  if (const int freedom = nodes.freedom[node]; freedom >= 0) return d.segment<3>(3 * freedom);
+  if (const int dof_block = nodes.dof_block[node]; dof_block >= 0) return d.segment<3>(3 * dof_block);
   const Body& body = bodies[nodes.body[node]];
   if (body.fixed) return nodes.prescribed[node];
   if (body.kind == BodyKind::affine) {
     Vec3 sum = Vec3::Zero();
     for (int c = 0; c < 4; ++c)
       sum += carried[node - body.first_node + body.first_carried][c] *
-             d.segment<3>(3 * nodes.freedom[body.first_carrier + c]);
+             d.segment<3>(3 * nodes.dof_block[body.first_control_node + c]);
     return sum;
   }
   const RigidBody& one = rigid[body.rigid];
-  return Vec3(d.segment<3>(3 * nodes.freedom[one.centre])) +
+  return Vec3(d.segment<3>(3 * nodes.dof_block[one.centre])) +
          turn_of(one.theta(d), nodes.position[node] - nodes.position[one.centre]);
 }
 
-void BodySet::freedoms_of(int node, std::vector<int>& freedoms) const {
-  freedoms.clear();
+void BodySet::dof_blocks_of(int node, std::vector<int>& dof_blocks) const {
+  dof_blocks.clear();
   const Body& body = bodies[nodes.body[node]];
   if (body.fixed) return;
-  if (body.kind == BodyKind::tetrahedra) freedoms.push_back(nodes.freedom[node]);
+  if (body.kind == BodyKind::tetrahedra) dof_blocks.push_back(nodes.dof_block[node]);
   if (body.kind == BodyKind::affine)
-    for (int c = 0; c < 4; ++c) freedoms.push_back(nodes.freedom[body.first_carrier + c]);
+    for (int c = 0; c < 4; ++c) dof_blocks.push_back(nodes.dof_block[body.first_control_node + c]);
   if (body.kind != BodyKind::rigid) return;
-  freedoms.push_back(nodes.freedom[rigid[body.rigid].centre]);
-  freedoms.push_back(rigid[body.rigid].rotation_freedom);
+  dof_blocks.push_back(nodes.dof_block[rigid[body.rigid].centre]);
+  dof_blocks.push_back(rigid[body.rigid].rotation_dof_block);
 }
 
 void BodySet::advance(const Increment& from, const Eigen::VectorXd& change, Increment& to) const {
   to = from + change;
   for (const int r : turning) {
-    const int first = 3 * rigid[r].rotation_freedom;
+    const int first = 3 * rigid[r].rotation_dof_block;
     const double radius = rigid[r].radius;
     to.segment<3>(first) = radius * composed(change.segment<3>(first) / radius, from.segment<3>(first) / radius);
   }
@@ -290,7 +290,7 @@ void BodySet::carry_positions(Body& body) {
   for (int n = 0; n < body.node_count; ++n) {
     Vec3 x = Vec3::Zero();
     if (body.kind == BodyKind::affine) {
-      for (int c = 0; c < 4; ++c) x += carried[body.first_carried + n][c] * nodes.position[body.first_carrier + c];
+      for (int c = 0; c < 4; ++c) x += carried[body.first_carried + n][c] * nodes.position[body.first_control_node + c];
     } else {
       const RigidBody& one = rigid[body.rigid];
       const Vec3 arm = nodes.reference[body.first_node + n] - nodes.reference[one.centre];
@@ -300,21 +300,21 @@ void BodySet::carry_positions(Body& body) {
     square = std::max(square, (x - before).squaredNorm());
     before = x;
   }
-  body.way = std::sqrt(square);
+  body.largest_displacement = std::sqrt(square);
 }
 
 void BodySet::move(const Increment& d) {
   for (const int b : driven) {
     Body& body = bodies[b];
     for (int n = body.first_node; n < body.first_node + body.node_count; ++n) nodes.position[n] += nodes.prescribed[n];
-    body.way = nodes.prescribed[body.first_node].norm();
+    body.largest_displacement = nodes.prescribed[body.first_node].norm();
   }
-  for (const int b : moving) bodies[b].way = 0;
+  for (const int b : moving) bodies[b].largest_displacement = 0;
   for (const int n : nodes.free) {
-    const Vec3 step = d.segment<3>(3 * nodes.freedom[n]);
+    const Vec3 step = d.segment<3>(3 * nodes.dof_block[n]);
     Body& body = bodies[nodes.body[n]];
     nodes.position[n] += step;
-    body.way = std::max(body.way, step.norm());
+    body.largest_displacement = std::max(body.largest_displacement, step.norm());
   }
   for (const int r : turning) {
     RigidBody& one = rigid[r];
@@ -322,13 +322,13 @@ void BodySet::move(const Increment& d) {
     one.rotation = Eigen::Quaterniond(turn * one.rotation).normalized().toRotationMatrix();
   }
   for (const int b : moving)
-    if (bodies[b].one_piece()) carry_positions(bodies[b]);
+    if (bodies[b].single_body()) carry_positions(bodies[b]);
 }
 
 void BodySet::carry_velocities() {
   for (const int b : moving) {
     const Body& body = bodies[b];
-    if (!body.one_piece()) continue;
+    if (!body.single_body()) continue;
     const RigidBody* one = body.kind == BodyKind::rigid ? &rigid[body.rigid] : nullptr;
     const Vec3 spin = one ? one->spin() : Vec3::Zero();
     for (int n = 0; n < body.node_count; ++n) {
@@ -337,20 +337,21 @@ void BodySet::carry_velocities() {
       if (one)
         v = nodes.velocity[one->centre] + spin.cross(nodes.position[body.first_node + n] - nodes.position[one->centre]);
       else
-        for (int c = 0; c < 4; ++c) v += carried[body.first_carried + n][c] * nodes.velocity[body.first_carrier + c];
+        for (int c = 0; c < 4; ++c)
+          v += carried[body.first_carried + n][c] * nodes.velocity[body.first_control_node + c];
     }
   }
 }
 
-int BodySet::node_of(int freedom) const {
+int BodySet::node_of(int dof_block) const {
   const auto turns =
-      std::find_if(turning.begin(), turning.end(), [&](int r) { return rigid[r].rotation_freedom == freedom; });
+      std::find_if(turning.begin(), turning.end(), [&](int r) { return rigid[r].rotation_dof_block == dof_block; });
   if (turns != turning.end()) return rigid[*turns].centre;
-  return *std::find_if(nodes.free.begin(), nodes.free.end(), [&](int n) { return nodes.freedom[n] == freedom; });
+  return *std::find_if(nodes.free.begin(), nodes.free.end(), [&](int n) { return nodes.dof_block[n] == dof_block; });
 }
 
 void BodySet::give_accelerations(const Eigen::VectorXd& accelerations) {
-  for (const int n : nodes.free) nodes.acceleration[n] = accelerations.segment<3>(3 * nodes.freedom[n]);
+  for (const int n : nodes.free) nodes.acceleration[n] = accelerations.segment<3>(3 * nodes.dof_block[n]);
   for (const int r : turning) rigid[r].moment = rigid[r].inertia_now() * rigid[r].theta(accelerations);
 }
 

@@ -11,28 +11,28 @@
 
 namespace talus {
 
-/// All nodes of all blocks, in BlockSystem's order, and behind them the nodes that carry affine and rigid bodies: four
-/// corners of the one, the centroid of the other. Nodes of those blocks follow their carriers and have no freedom (−1)
-/// of their own; nor has a node of a body that is fixed.
+/// All nodes of all blocks, in BlockSystem's order, and behind them the control nodes: four corners of each affine
+/// body, the centroid of each rigid one. Nodes of those blocks follow their control nodes and have no degree-of-freedom
+/// block of their own (−1); nor has a node of a body that is fixed. A degree-of-freedom block is three unknowns.
 struct NodeSet {
   std::vector<Vec3> reference;     ///< m, at the start of the run
   std::vector<Vec3> position;      ///< m, at the start of the step
   std::vector<Vec3> velocity;      ///< m/s, at the start of the step
-  std::vector<Vec3> acceleration;  ///< m/s², at the start of the step; of nodes that have a freedom
+  std::vector<Vec3> acceleration;  ///< m/s², at the start of the step; of nodes that have unknowns
   std::vector<Vec3> prescribed;    ///< m, increment in this step of a node of a fixed body; zero for all others
-  std::vector<int> freedom;        ///< number among the freedoms; its unknowns are 3·freedom … 3·freedom+2
+  std::vector<int> dof_block;      ///< number k of a node's own; its unknowns are 3k … 3k+2
   std::vector<int> body;           ///< that it belongs to
-  std::vector<int> free;           ///< nodes that have a freedom, in the order of their freedoms
+  std::vector<int> free;           ///< nodes that have one of their own, in its order
   int of_blocks = 0;               ///< the first so many are nodes of blocks
-  int movable = 0;              ///< freedoms, each of three unknowns: those of nodes and the rotations of rigid bodies
-  bool any_prescribed = false;  ///< some node of a fixed body moves in this step
+  int movable = 0;                 ///< degree-of-freedom blocks, those of nodes and of the rotations of rigid bodies
+  bool any_prescribed = false;     ///< some node of a fixed body moves in this step
 };
 
-/// A four-node tetrahedron of a movable block; or all of an affine block, as the tetrahedron of its carriers, which is
-/// made such that its consistent mass is the block's.
+/// A four-node tetrahedron of a movable block; or all of an affine block, as the tetrahedron of its control nodes,
+/// which is made such that its consistent mass is the block's.
 struct Element {
   std::array<int, 4> nodes;  ///< into NodeSet
-  std::array<int, 4> freedoms;
+  std::array<int, 4> dof_blocks;
   int body = 0;
   int number = 0;           ///< among all elements, those of held bodies too
   double mass = 0;          ///< kg, constant whatever the strain does
@@ -43,26 +43,26 @@ struct Element {
 struct Body {
   BodyKind kind = BodyKind::tetrahedra;  ///< as it was built
   int first_node = 0, node_count = 0;
-  int first_element = 0, element_count = 0;   ///< into BodySet::elements; none while fixed, none if rigid
-  int first_tetrahedron = 0;                  ///< into a frame's stress
-  int first_carrier = -1, first_carried = 0;  ///< of an affine body, into NodeSet and BodySet::carried
-  int rigid = -1;                             ///< of a rigid body, into BodySet::rigid
-  bool fixed = false;                         ///< now: built so, or held
-  double density = 0;                         ///< kg/m³
-  double young = 0;                           ///< Pa
+  int first_element = 0, element_count = 0;        ///< into BodySet::elements; none while fixed, none if rigid
+  int first_tetrahedron = 0;                       ///< into a frame's stress
+  int first_control_node = -1, first_carried = 0;  ///< of an affine body, into NodeSet and BodySet::carried
+  int rigid = -1;                                  ///< of a rigid body, into BodySet::rigid
+  bool fixed = false;                              ///< now: built so, or held
+  double density = 0;                              ///< kg/m³
+  double young = 0;                                ///< Pa
   Elastic elastic;
   MaterialLaw law = MaterialLaw::linear;
-  double reference_volume = 0;  ///< m³, of the mesh
-  double way = 0;               ///< m, of the node that went furthest when the body moved last
+  double reference_volume = 0;      ///< m³, of the mesh
+  double largest_displacement = 0;  ///< m, of a node, when the body moved last
 
   bool built_fixed() const { return kind == BodyKind::fixed; }
-  bool one_piece() const { return kind == BodyKind::rigid || kind == BodyKind::affine; }
-  /// Nodes whose motion is that of a body that is not rigid: the four that carry an affine one, else all.
-  int first_free() const { return kind == BodyKind::affine ? first_carrier : first_node; }
+  bool single_body() const { return kind == BodyKind::rigid || kind == BodyKind::affine; }
+  /// Nodes whose motion is that of a body that is not rigid: the four control nodes of an affine one, else all.
+  int first_free() const { return kind == BodyKind::affine ? first_control_node : first_node; }
   int free_count() const { return kind == BodyKind::affine ? 4 : node_count; }
 };
 
-/// Increments of a step [m]: 3 numbers a freedom.
+/// Increments of a step [m]: three numbers a degree-of-freedom block.
 using Increment = Eigen::VectorXd;
 
 /// All blocks with their nodes, elements and stresses: what moves. Elements run through the bodies that may move now.
@@ -79,39 +79,35 @@ struct BodySet {
   std::vector<Voigt> stress;  ///< Pa, an element: what the paper's incremental strain has summed up
   std::vector<RigidBody> rigid;
   std::vector<int> turning;                    ///< rigid bodies that are not fixed now
-  std::vector<std::array<double, 4>> carried;  ///< a node of an affine body: weights of its four carriers
+  std::vector<std::array<double, 4>> carried;  ///< a node of an affine body: weights of its four control nodes
 
   BodySet(const Project& project, const BlockSystem& system);
-
-  /// Moments on rigid bodies are taken with the mean arm of the step, by which a force does the work of its way exactly
-  /// (docs/theory.md, "Turning under load"); else with that at its end.
-  bool mean_arms = false;
 
   int unknowns() const { return 3 * nodes.movable; }
   /// Shapes at the current positions: incremental strain calls for it at the start of every step.
   void update_shapes();
   /// Holds or lets go bodies that were built to move, one flag a body; held ones stand still and keep their stress.
   void hold(const std::vector<bool>& held);
-  /// Adds the pairs of freedoms that the mass and the stiffness of a body join.
+  /// Adds the pairs of degree-of-freedom blocks that the mass and the stiffness of a body join.
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const;
-  /// The freedoms of each body belong together.
-  void join_freedoms(DisjointSets& together) const;
+  /// The degree-of-freedom blocks of each body belong together.
+  void join_dof_blocks(DisjointSets& together) const;
   Corners corner_increments(const Element& element, const Increment& d) const;
   Vec3 node_increment(int node, const Increment& d) const;
-  /// Freedoms that move a node: its own, or those of its affine or rigid body; none where it is fixed.
-  void freedoms_of(int node, std::vector<int>& freedoms) const;
+  /// Degree-of-freedom blocks that move a node: its own, or those of its affine or rigid body; none where it is fixed.
+  void dof_blocks_of(int node, std::vector<int>& dof_blocks) const;
 
-  /// `to` = the increment that lies `change` beyond `from`. Unknowns add up, but for rotations, which follow one
-  /// another: a change of a rotation turns the body on from where it stands.
+  /// `to` = the increment that `from` becomes by a further `change`. Unknowns add up, but for rotations, which follow
+  /// one another: a change of a rotation turns the body on from where it stands.
   void advance(const Increment& from, const Eigen::VectorXd& change, Increment& to) const;
   /// The step is taken: positions and rotations move on by `d`, and the nodes of affine and rigid bodies follow. Each
-  /// body notes its way.
+  /// body notes its largest displacement.
   void move(const Increment& d);
-  /// Velocities of the nodes of affine and rigid bodies from those of their carriers and their angular momentum.
+  /// Velocities of the nodes of affine and rigid bodies from those of their control nodes and their angular momentum.
   void carry_velocities();
-  /// The node of a freedom, or that of the centroid that it turns about.
-  int node_of(int freedom) const;
-  /// Takes over accelerations [m/s²] of all freedoms.
+  /// The node that a degree-of-freedom block moves, or that of the centroid that it turns a body about.
+  int node_of(int dof_block) const;
+  /// Takes over accelerations [m/s²], three numbers a degree-of-freedom block.
   void give_accelerations(const Eigen::VectorXd& accelerations);
   /// No node moves faster than this [m/s].
   double top_speed() const;
@@ -131,8 +127,8 @@ struct BodySet {
   void add_tetrahedra(const Block& block, int index);
   void add_affine(const Block& block, int index);
   void add_rigid(const Block& block, int index);
-  int add_carrier(const Vec3& where, int body);
-  void number_freedoms();
+  int add_control_node(const Vec3& where, int body);
+  void number_dof_blocks();
   void carry_positions(Body& body);
   ElementShape shape_of(const Element& element) const;
   std::vector<HeldElement> held_;  ///< of bodies that are held, in their order

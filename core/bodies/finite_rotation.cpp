@@ -21,23 +21,23 @@ double alternating(double square, const double (&ratios)[count]) {
   return ratios[0] * sum;
 }
 
-double sine_share(double square) {  // sin t / t
+double sine_over_angle(double square) {  // sin t / t
   constexpr double ratios[] = {1, 1.0 / 6, 1.0 / 20, 1.0 / 42, 1.0 / 72, 1.0 / 110};
   if (square < small_square) return alternating(square, ratios);
   const double t = std::sqrt(square);
   return std::sin(t) / t;
 }
 
-double cosine_share(double square) {  // (1 − cos t) / t²
+double cosine_over_square(double square) {  // (1 − cos t) / t²
   constexpr double ratios[] = {1.0 / 2, 1.0 / 12, 1.0 / 30, 1.0 / 56, 1.0 / 90, 1.0 / 132};
   if (square < small_square) return alternating(square, ratios);
   return (1 - std::cos(std::sqrt(square))) / square;
 }
 
-double cubic_share(double square) {  // (t − sin t) / t³
+double cubic_over_cube(double square) {  // (t − sin t) / t³
   constexpr double ratios[] = {1.0 / 6, 1.0 / 20, 1.0 / 42, 1.0 / 72, 1.0 / 110, 1.0 / 156};
   if (square < small_square) return alternating(square, ratios);
-  return (1 - sine_share(square)) / square;
+  return (1 - sine_over_angle(square)) / square;
 }
 
 }  // namespace
@@ -51,13 +51,13 @@ Mat3 cross_matrix(const Vec3& v) {
 Mat3 rotation_by(const Vec3& theta) {
   const double square = theta.squaredNorm();
   const Mat3 hat = cross_matrix(theta);
-  return Mat3::Identity() + sine_share(square) * hat + cosine_share(square) * hat * hat;
+  return Mat3::Identity() + sine_over_angle(square) * hat + cosine_over_square(square) * hat * hat;
 }
 
 Vec3 turn_of(const Vec3& theta, const Vec3& p) {
   const double square = theta.squaredNorm();
   const Vec3 once = theta.cross(p);
-  return sine_share(square) * once + cosine_share(square) * theta.cross(once);
+  return sine_over_angle(square) * once + cosine_over_square(square) * theta.cross(once);
 }
 
 Vec3 composed(const Vec3& later, const Vec3& earlier) {
@@ -65,7 +65,7 @@ Vec3 composed(const Vec3& later, const Vec3& earlier) {
     const double quarter = theta.squaredNorm() / 4;  // of half the angle
     Eigen::Quaterniond q;
     q.w() = std::cos(std::sqrt(quarter));
-    q.vec() = 0.5 * sine_share(quarter) * theta;
+    q.vec() = 0.5 * sine_over_angle(quarter) * theta;
     return q;
   };
   Eigen::Quaterniond both = quaternion(later) * quaternion(earlier);
@@ -83,17 +83,17 @@ Vec3 cayley_vector(const Vec3& theta) {
 Mat3 rotation_tangent(const Vec3& theta) {
   const double square = theta.squaredNorm();
   const Mat3 hat = cross_matrix(theta);
-  return Mat3::Identity() + cosine_share(square) * hat + cubic_share(square) * hat * hat;
+  return Mat3::Identity() + cosine_over_square(square) * hat + cubic_over_cube(square) * hat * hat;
 }
 
 Mat3 inverse_rotation_tangent(const Vec3& theta) {
   const double square = theta.squaredNorm();
   const Mat3 hat = cross_matrix(theta);
   // (1 − t/2 · cot(t/2)) / t², with cot(t/2) = sin t / (1 − cos t)
-  const double share = square < small_square
-                           ? 1.0 / 12 + square / 720 + square * square / 30240 + square * square * square / 1209600
-                           : (1 - 0.5 * sine_share(square) / cosine_share(square)) / square;
-  return Mat3::Identity() - 0.5 * hat + share * hat * hat;
+  const double factor = square < small_square
+                            ? 1.0 / 12 + square / 720 + square * square / 30240 + square * square * square / 1209600
+                            : (1 - 0.5 * sine_over_angle(square) / cosine_over_square(square)) / square;
+  return Mat3::Identity() - 0.5 * hat + factor * hat * hat;
 }
 
 }  // namespace talus

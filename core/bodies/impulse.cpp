@@ -2,14 +2,22 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 
 #include "bodies/finite_rotation.hpp"
 
 namespace talus {
 
+struct InverseMasses::Factor : Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> {
+  using SimplicialLLT::SimplicialLLT;
+};
+
+InverseMasses::InverseMasses(const BodySet& set) : set_(set), factors_(set.bodies.size()) {}
+InverseMasses::~InverseMasses() = default;
+
 Eigen::VectorXd InverseMasses::velocities(int index, const Eigen::VectorXd& impulses) {
-  std::optional<Factor>& factor = factors_[index];
+  std::unique_ptr<Factor>& factor = factors_[index];
   if (!factor) {
     const Body& body = set_.bodies[index];
     std::vector<Eigen::Triplet<double>> entries;
@@ -22,7 +30,7 @@ Eigen::VectorXd InverseMasses::velocities(int index, const Eigen::VectorXd& impu
     }
     Eigen::SparseMatrix<double> mass(body.free_count(), body.free_count());
     mass.setFromTriplets(entries.begin(), entries.end());
-    factor.emplace(mass);
+    factor = std::make_unique<Factor>(mass);
   }
   return factor->solve(impulses);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,20 +9,23 @@
 /// Impulses: how they change velocities in no time.
 namespace talus {
 
-/// Inverse mass matrices of bodies that deform, each for its own nodes or carriers; made where they are first asked
-/// for. Mass stays the same whatever bodies do.
+/// Inverse mass matrices of bodies that deform, each for its own nodes or control nodes; made when first asked for.
+/// Mass stays the same whatever bodies do.
 class InverseMasses {
  public:
-  explicit InverseMasses(const BodySet& set) : set_(set), factors_(set.bodies.size()) {}
+  explicit InverseMasses(const BodySet& set);
+  ~InverseMasses();
+  InverseMasses(const InverseMasses&) = delete;
+  InverseMasses& operator=(const InverseMasses&) = delete;
 
-  /// Velocities of the nodes of a body [m/s] by impulses on them [N s], both one number a node or carrier: all three
-  /// directions are alike. The body moves now.
+  /// Velocities of the nodes of a body [m/s] by impulses on them [N s], both one number a node or control node: all
+  /// three directions are alike. The body moves now.
   Eigen::VectorXd velocities(int body, const Eigen::VectorXd& impulses);
 
  private:
-  using Factor = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
+  struct Factor;
   const BodySet& set_;
-  std::vector<std::optional<Factor>> factors_;
+  std::vector<std::unique_ptr<Factor>> factors_;  ///< a body
 };
 
 /// How fast Σ weight·node moves [m/s], in a step of this length [s]: nodes of fixed bodies as they are prescribed to.
@@ -56,7 +58,7 @@ class StruckPoint {
 
   std::vector<Deforming> deforming_;
   std::vector<Turning> turning_;
-  Vec3 driven_ = Vec3::Zero();  // m/s, share of bodies that are moved by prescription
+  Vec3 driven_ = Vec3::Zero();  // m/s, part of bodies that are moved by prescription
   Mat3 mobility_ = Mat3::Zero();
 };
 

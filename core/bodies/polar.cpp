@@ -18,7 +18,7 @@ Mat3 rotation_by_singular_values(const Mat3& f) {
 }  // namespace
 
 Mat3 rotation_of(const Mat3& f) {
-  constexpr double nearly_singular = 1e-6, settled = 1e-28;
+  constexpr double nearly_singular = 1e-6, converged = 1e-28;
   constexpr int limit = 20;
   const double size = f.squaredNorm() / 3;
   if (!(f.determinant() > nearly_singular * size * std::sqrt(size))) return rotation_by_singular_values(f);
@@ -27,7 +27,7 @@ Mat3 rotation_of(const Mat3& f) {
     const Mat3 next = 0.5 * (r + r.inverse().transpose());
     const double change = (next - r).squaredNorm();
     r = next;
-    if (change <= settled) return r;
+    if (change <= converged) return r;
   }
   return rotation_by_singular_values(f);
 }

@@ -9,7 +9,7 @@ namespace talus {
 struct RigidBody {
   int body = 0;                          ///< into BodySet::bodies
   int centre = 0;                        ///< into NodeSet
-  int rotation_freedom = -1;             ///< numbered with the nodes' freedoms; −1 while it is held
+  int rotation_dof_block = -1;           ///< numbered with those of nodes; −1 while it is held
   double mass = 0;                       ///< kg
   Mat3 inertia = Mat3::Zero();           ///< kg m², about the centroid, before the run
   double radius = 0;                     ///< m, of gyration about the axis that is hardest to turn
@@ -19,15 +19,16 @@ struct RigidBody {
   Vec3 moment = Vec3::Zero();            ///< N m, by which it changes
 
   /// θ of an increment, whose unknowns are radius·θ.
-  Vec3 theta(const Eigen::VectorXd& d) const { return d.segment<3>(3 * rotation_freedom) / radius; }
+  Vec3 theta(const Eigen::VectorXd& d) const { return d.segment<3>(3 * rotation_dof_block) / radius; }
   Mat3 inertia_now() const { return rotation * inertia * rotation.transpose(); }
   Vec3 spin() const;  ///< rad/s
 
-  /// Jθ + ½ φ × Jθ with the inertia J at the start of a step and the Cayley vector φ of θ: over its length the angular
-  /// momentum L of a body that turns by θ in it without a moment, for that makes J⁻¹(Λ₀ᵀL + Λ₁ᵀL) parallel to φ, by
-  /// which ½ ω·L stays the same (Simo & Wong 1991, Lewis & Simo 1994; a turn about a principal axis is exact besides)
-  /// [kg m²]. And its derivative as the body turns on from θ.
+  /// Jθ + ½ φ × Jθ [kg m²], with the inertia J at the start of a step and the Cayley vector φ of θ: divided by the
+  /// length of the step, the angular momentum L of a body that turns by θ in the step without a moment. With it
+  /// J⁻¹(Λ₀ᵀL + Λ₁ᵀL) is parallel to φ, so that ½ ω·L stays the same (Simo & Wong 1991, Lewis & Simo 1994); a turn
+  /// about a principal axis is exact.
   Vec3 momentum_of(const Vec3& theta) const;
+  /// Its derivative as the body turns on from θ [kg m²].
   Mat3 momentum_slope(const Vec3& theta) const;
 };
 

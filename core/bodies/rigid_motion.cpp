@@ -17,7 +17,7 @@ struct Spin {
 };
 
 /// The nodes that carry a body which deforms: all of its own, or the corners of an affine one.
-std::span<const int> carriers(const BodySet& set, const Body& body, std::size_t first) {
+std::span<const int> control_nodes(const BodySet& set, const Body& body, std::size_t first) {
   return std::span(set.nodes.free).subspan(first, body.kind == BodyKind::affine ? 4 : body.node_count);
 }
 
@@ -45,7 +45,7 @@ void continue_deformable(const BodySet& set, std::span<const int> nodes, double 
   for (const int n : nodes) {
     const Vec3 arm = set.nodes.position[n] - spin.centre;
     const Vec3 beside = set.nodes.velocity[n] - spin.velocity - spin.rate.cross(arm);
-    d.segment<3>(3 * set.nodes.freedom[n]) = turn_of(length * spin.rate, arm) + length * (spin.velocity + beside);
+    d.segment<3>(3 * set.nodes.dof_block[n]) = turn_of(length * spin.rate, arm) + length * (spin.velocity + beside);
   }
 }
 
@@ -58,12 +58,12 @@ void continue_motion(const BodySet& set, double length, Increment& d) {
     const Body& body = set.bodies[b];
     if (body.kind == BodyKind::rigid) {
       const RigidBody& rigid = set.rigid[body.rigid];
-      d.segment<3>(3 * set.nodes.freedom[rigid.centre]) = length * set.nodes.velocity[rigid.centre];
-      d.segment<3>(3 * rigid.rotation_freedom) = length * rigid.radius * rigid.spin();
+      d.segment<3>(3 * set.nodes.dof_block[rigid.centre]) = length * set.nodes.velocity[rigid.centre];
+      d.segment<3>(3 * rigid.rotation_dof_block) = length * rigid.radius * rigid.spin();
       ++first;
       continue;
     }
-    const std::span<const int> nodes = carriers(set, body, first);
+    const std::span<const int> nodes = control_nodes(set, body, first);
     continue_deformable(set, nodes, length, d);
     first += nodes.size();
   }

@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "mesh/surface.hpp"
+
 namespace talus {
 
 double least_width(const ContactBody& body, std::span<const Vec3> x) {

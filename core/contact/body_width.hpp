@@ -2,7 +2,8 @@
 
 #include <span>
 
-#include "contact/contact_detector.hpp"
+#include "base/vector.hpp"
+#include "contact/contact_body.hpp"
 
 namespace talus {
 

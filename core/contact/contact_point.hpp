@@ -19,7 +19,7 @@ struct JointLaw {
   double tensile_strength = 0;          ///< Pa
   double normal_stiffness = 0;          ///< Pa/m; 0: automatic
   double shear_stiffness = 0;           ///< Pa/m; 0: automatic
-  std::optional<double> restitution{};  ///< speed of parting over that of meeting; absent: as springs do
+  std::optional<double> restitution{};  ///< speed after an impact over that before; absent: as springs do
 };
 
 /// One pair of touching points P1 (first body) and P2 (second body), eq. (29). Fixed during a step.
@@ -28,17 +28,17 @@ struct JointLaw {
 struct ContactPoint {
   std::uint64_t key = 0;  ///< names the pair of features; the same contact has the same key in the next step
   int bodies[2]{};
-  int patches[2]{};              ///< flat parts of both surfaces it lies on (−1 at a crease)
-  int joint = 0;                 ///< index into the joint laws
-  Vec3 position = Vec3::Zero();  ///< m, on the first body
-  Vec3 normal = Vec3::Zero();    ///< unit, from the second body to the first
-  double gap = 0;                ///< m, at the start of the step
-  double overlap = 0;            ///< m, by how much gap leaves out what was there when the contact was found, too late
-  double size = 0;               ///< m, local mesh size: what lengths are measured against
-  double area = 0;               ///< m², the share of contact area; 0 where a vertex or an edge touches
-  double normal_stiffness = 0;   ///< N/m
-  double shear_stiffness = 0;    ///< N/m
-  double hardening = 1;          ///< by which the normal stiffness has been raised
+  int smooth_faces[2]{};                ///< of both surfaces, on which it lies (−1 at a sharp edge)
+  int joint = 0;                        ///< index into the joint laws
+  Vec3 position = Vec3::Zero();         ///< m, on the first body
+  Vec3 normal = Vec3::Zero();           ///< unit, from the second body to the first
+  double gap = 0;                       ///< m, at the start of the step
+  double initial_interference = 0;      ///< m, penetration in which the contact was found first: `gap` leaves it out
+  double size = 0;                      ///< m, local mesh size: what lengths are measured against
+  double area = 0;                      ///< m², its part of the contact area; 0 where a vertex or an edge touches
+  double normal_stiffness = 0;          ///< N/m
+  double shear_stiffness = 0;           ///< N/m
+  double penalty_scaling = 1;           ///< by which the normal stiffness has been raised
   std::optional<double> restitution{};  ///< of the joint
   double friction = 0;                  ///< tan φ that holds now (residual once broken)
   double cohesion = 0;                  ///< N, c·A while bonded, else 0
@@ -52,7 +52,7 @@ struct ContactPoint {
   ContactMode mode = ContactMode::open;
 };
 
-/// All contact points of a step, flat; and sorted by what their law calls for, so that what is off is absent.
+/// All contact points of a step, and lists of them by what their law calls for.
 struct ContactSet {
   std::vector<ContactPoint> points;
   std::vector<int> nodes;       ///< global node numbers of all stencils
@@ -60,10 +60,10 @@ struct ContactSet {
 
   std::vector<int> loose;    ///< numbers of the points without a bond, ascending
   std::vector<int> bonded;   ///< … of those with one
-  std::vector<int> sheared;  ///< … of those that can bear shear: with friction, or with cohesion of a bond
+  std::vector<int> sheared;  ///< … of those that can carry shear: with friction, or with cohesion of a bond
 
   void clear();
-  /// Fills the lists from the points. What detect() gives is sorted out already.
+  /// Fills the lists from the points. For what detect() gives this has been done.
   void sort_out();
 };
 

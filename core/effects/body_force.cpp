@@ -5,17 +5,17 @@ namespace talus {
 double BodyForce::energy(const Increment& d) const {
   double sum = 0;
   for (const Element& element : set_.elements)
-    for (const int freedom : element.freedoms) sum -= element.mass / 4 * gravity_.dot(d.segment<3>(3 * freedom));
+    for (const int dof_block : element.dof_blocks) sum -= element.mass / 4 * gravity_.dot(d.segment<3>(3 * dof_block));
   for (const int r : set_.turning)
-    sum -= set_.rigid[r].mass * gravity_.dot(d.segment<3>(3 * set_.nodes.freedom[set_.rigid[r].centre]));
+    sum -= set_.rigid[r].mass * gravity_.dot(d.segment<3>(3 * set_.nodes.dof_block[set_.rigid[r].centre]));
   return sum;
 }
 
-void BodyForce::add_gradient(const Increment&, Eigen::VectorXd& sum) const {
+void BodyForce::add_gradient(const Increment&, Arms, Eigen::VectorXd& sum) const {
   for (const Element& element : set_.elements)
-    for (const int freedom : element.freedoms) sum.segment<3>(3 * freedom) -= element.mass / 4 * gravity_;
+    for (const int dof_block : element.dof_blocks) sum.segment<3>(3 * dof_block) -= element.mass / 4 * gravity_;
   for (const int r : set_.turning)
-    sum.segment<3>(3 * set_.nodes.freedom[set_.rigid[r].centre]) -= set_.rigid[r].mass * gravity_;
+    sum.segment<3>(3 * set_.nodes.dof_block[set_.rigid[r].centre]) -= set_.rigid[r].mass * gravity_;
 }
 
 double BodyForce::stored_energy() const {

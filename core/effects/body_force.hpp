@@ -10,10 +10,10 @@ class BodyForce final : public Effect {
  public:
   /// `gravity` [m/s²].
   BodyForce(const BodySet& set, const Vec3& gravity) : set_(set), gravity_(gravity) {}
-  std::string_view name() const override { return "body force"; }
+  EffectKind kind() const override { return EffectKind::body_force; }
   EnergyAccount account() const override { return EnergyAccount::potential; }
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   double stored_energy() const override;  ///< above the reference positions
 
  private:

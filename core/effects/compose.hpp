@@ -2,22 +2,24 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "effects/inertia.hpp"
 #include "effects/normal_contact.hpp"
 #include "effects/shear_contact.hpp"
 #include "model/project.hpp"
+#include "model/solver_tolerances.hpp"
 
 namespace talus {
 
-/// An effect of METHOD §1, whether the scene calls for it, and why or why not.
+/// Whether a scene calls for an effect, and why or why not.
 struct EffectStatus {
-  std::string name;
+  EffectKind kind = EffectKind::elasticity;
   bool active = false;
   std::string reason;
 };
 
-/// Which effects a scene calls for in any of its stages; costs no solving.
+/// Every kind once, in the order in which effects are added up: whether a stage calls for it. Costs no solving.
 std::vector<EffectStatus> called_effects(const Project& project, const BlockSystem& system);
 
 /// The effects of a stage. What is not called for is not here.
@@ -33,6 +35,6 @@ struct Composition {
 
 /// `set` and `links` outlive the composition. Throws InputError for a load or a constraint outside its block.
 Composition compose(const Project& project, const BlockSystem& system, int stage, BodySet& set,
-                    const ContactLinks& links);
+                    const ContactLinks& links, const EffectTolerances& tolerances = {});
 
 }  // namespace talus

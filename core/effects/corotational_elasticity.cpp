@@ -17,7 +17,7 @@ Mat3 piola_stress(const Elastic& elastic, const Mat3& f, const Mat3& r) {
   return 2 * elastic.mu * (f - r) + elastic.lambda * trace * r;
 }
 
-/// What the exact Hessian has beyond that of linear elasticity in the rotated frame, as a form in the axial vector
+/// The exact Hessian less that of linear elasticity in the rotated frame, as a form in the axial vector
 /// a = axial(X − Xᵀ), X = Rᵀ dF: aᵀ [μI − c (tr S I − S)⁻¹] a with c = 2μ − λ tr E; its positive part.
 Mat3 twist_stiffness(const Elastic& elastic, const Mat3& stretch) {
   const double trace = stretch.trace(), c = 2 * elastic.mu - elastic.lambda * (trace - 3);
@@ -78,7 +78,7 @@ ElementSums::Forces CorotationalElasticity::forces(int e, const Increment& d) co
   return forces;
 }
 
-void CorotationalElasticity::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+void CorotationalElasticity::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const {
   sums_.add_gradient(
       set_.linear, [&](int e) { return forces(e, d); }, sum);
 }

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "bodies/element_sums.hpp"
 #include "effects/effect.hpp"
-#include "effects/element_sums.hpp"
 
 namespace talus {
 
-/// Strain energy of linear rock, measured from the undeformed shape in the rotated frame (METHOD §2). With the
+/// Strain energy of linear rock, measured from the undeformed shape in the rotated frame (docs/theory.md). With the
 /// deformation gradient F = R S of an element and E = S − I:
 ///   Π = Σ_e V [μ E:E + λ/2 (tr E)²]  [J],   P = ∂Π/∂F = R [2μE + λ tr(E) I]
 /// A block that only turns neither grows nor gains stress. In dynamic steps whose forces are taken at the end, P acts
@@ -16,14 +16,14 @@ namespace talus {
 class CorotationalElasticity final : public Effect {
  public:
   explicit CorotationalElasticity(const BodySet& set) : set_(set), sums_(set) {}
-  std::string_view name() const override { return "elasticity"; }
+  EffectKind kind() const override { return EffectKind::elasticity; }
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool quadratic() const override { return false; }
   bool smooth() const override { return true; }
   void begin_step(const StepContext& step) override;
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
   double stored_energy() const override;
   void add_stress(std::vector<Voigt>& stress) const override;

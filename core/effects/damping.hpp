@@ -12,14 +12,14 @@ class Damping final : public Effect {
  public:
   /// `rates`: one a body [1/s].
   Damping(const BodySet& set, std::vector<double> rates) : set_(set), rates_(std::move(rates)) {}
-  std::string_view name() const override { return "damping"; }
+  EffectKind kind() const override { return EffectKind::damping; }
   EnergyAccount account() const override { return EnergyAccount::damping; }
   bool constant() const override { return set_.turning.empty(); }
   void begin_step(const StepContext& step) override { length_ = step.length; }
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
-  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
+  void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   double dissipated(const Increment& d) const override { return 2 * energy(d); }
 
  private:

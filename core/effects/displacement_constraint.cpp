@@ -30,8 +30,8 @@ double DisplacementConstraints::energy(const Increment& d) const {
   return sum;
 }
 
-void DisplacementConstraints::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
-  for (int i = 0; i < moves_.size(); ++i) moves_.add_force(i, d, points_[i].stiffness * excess(i, d), sum);
+void DisplacementConstraints::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const {
+  for (int i = 0; i < moves_.size(); ++i) moves_.add_force(i, d, points_[i].stiffness * excess(i, d), arms, sum);
 }
 
 void DisplacementConstraints::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
@@ -43,8 +43,8 @@ void DisplacementConstraints::add_hessian(const Increment& d, SymmetricBlocks& s
   }
 }
 
-void DisplacementConstraints::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
-  for (int i = 0; i < moves_.size(); ++i) moves_.add_turning(i, d, points_[i].stiffness * excess(i, d), sum);
+void DisplacementConstraints::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
+  for (int i = 0; i < moves_.size(); ++i) moves_.add_turning(i, d, points_[i].stiffness * excess(i, d), arms, sum);
 }
 
 }  // namespace talus

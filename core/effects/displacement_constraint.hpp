@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "bodies/attachments.hpp"
 #include "bodies/block_motion.hpp"
-#include "effects/attachments.hpp"
 #include "effects/effect.hpp"
 
 namespace talus {
@@ -23,15 +23,15 @@ class DisplacementConstraints final : public Effect {
  public:
   DisplacementConstraints(const BodySet& set, std::vector<HeldPoint> points)
       : set_(set), points_(std::move(points)), moves_(set) {}
-  std::string_view name() const override { return "displacement constraint"; }
+  EffectKind kind() const override { return EffectKind::displacement_constraint; }
   EnergyAccount account() const override { return EnergyAccount::constraint; }
   bool quadratic() const override { return !moves_.any_turns(); }
   bool constant() const override { return !moves_.any_turns(); }
   void begin_step(const StepContext& step) override;
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
-  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
+  void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
 
  private:
   /// u − u_c at the end of the step [m]; zero in free components.

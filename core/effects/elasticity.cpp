@@ -17,11 +17,11 @@ double Elasticity::energy(const Increment& d) const {
   return sum;
 }
 
-void Elasticity::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+void Elasticity::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const {
   for (std::size_t e = 0; e < set_.elements.size(); ++e) {
     const Voigt stress = new_stress(e, d);
     for (int a = 0; a < 4; ++a)
-      sum.segment<3>(3 * set_.elements[e].freedoms[a]) += corner_force(set_.shapes[e], stress, a);
+      sum.segment<3>(3 * set_.elements[e].dof_blocks[a]) += corner_force(set_.shapes[e], stress, a);
   }
 }
 
@@ -31,7 +31,7 @@ void Elasticity::add_hessian(const Increment&, SymmetricBlocks& sum) const {
     const Elastic& elastic = set_.bodies[element.body].elastic;
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b <= a; ++b)
-        sum.add(element.freedoms[a], element.freedoms[b], stiffness_block(set_.shapes[e], elastic, a, b));
+        sum.add(element.dof_blocks[a], element.dof_blocks[b], stiffness_block(set_.shapes[e], elastic, a, b));
   }
 }
 

@@ -10,12 +10,12 @@ namespace talus {
 class Elasticity final : public Effect {
  public:
   explicit Elasticity(BodySet& set) : set_(set) {}
-  std::string_view name() const override { return "elasticity"; }
+  EffectKind kind() const override { return EffectKind::elasticity; }
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool smooth() const override { return true; }
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
   double stored_energy() const override;

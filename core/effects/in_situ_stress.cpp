@@ -10,7 +10,8 @@ namespace talus {
 
 namespace {
 
-Mat3 positive_part(const Mat3& stress) {
+/// The part of a stress that pulls.
+Mat3 tension_of(const Mat3& stress) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stress);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
 }
@@ -40,7 +41,7 @@ InSituStresses::InSituStresses(const Project& project, const BlockSystem& system
   for (std::size_t e = 0; e < before.size(); ++e) {
     const int number = set.elements[e].number;
     stress_[number] = tensor(before[e]);
-    pulling_[number] = positive_part(stress_[number]);
+    pulling_[number] = tension_of(stress_[number]);
   }
 }
 
@@ -60,16 +61,16 @@ double InSituStresses::energy(const Increment& d) const {
 double InSituStresses::stored_energy() const { return energy(Increment::Zero(set_.unknowns())); }
 
 void InSituStresses::begin_step(const StepContext& step) {
-  end_share_ = step.dynamic_factor == 0 || step.integration.alpha_f > 0 ? 1 : 0.5;
+  end_fraction_ = step.dynamic_factor == 0 || step.integration.alpha_f > 0 ? 1 : 0.5;
 }
 
-void InSituStresses::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
-  at_ = end_share_ * d;
+void InSituStresses::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const {
+  at_ = end_fraction_ * d;
   for (std::size_t e = 0; e < set_.elements.size(); ++e) {
     const ElementShape& shape = set_.shapes[e];
     const Mat3 p =
         shape.volume * deformation_gradient(set_, set_.elements[e], shape, at_) * stress_[set_.elements[e].number];
-    for (int a = 0; a < 4; ++a) sum.segment<3>(3 * set_.elements[e].freedoms[a]) += p * shape.gradient[a];
+    for (int a = 0; a < 4; ++a) sum.segment<3>(3 * set_.elements[e].dof_blocks[a]) += p * shape.gradient[a];
   }
 }
 
@@ -78,8 +79,8 @@ void InSituStresses::add_hessian(const Increment&, SymmetricBlocks& sum) const {
     const ElementShape& shape = set_.shapes[e];
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b <= a; ++b)
-        sum.add(set_.elements[e].freedoms[a], set_.elements[e].freedoms[b],
-                end_share_ * shape.volume *
+        sum.add(set_.elements[e].dof_blocks[a], set_.elements[e].dof_blocks[b],
+                end_fraction_ * shape.volume *
                     shape.gradient[a].dot(pulling_[set_.elements[e].number] * shape.gradient[b]) * Mat3::Identity());
   }
 }

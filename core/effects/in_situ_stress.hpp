@@ -11,13 +11,13 @@ namespace talus {
 class InSituStresses final : public Effect {
  public:
   explicit InSituStresses(const Project& project, const BlockSystem& system, const BodySet& set);
-  std::string_view name() const override { return "initial stress"; }
+  EffectKind kind() const override { return EffectKind::initial_stress; }
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool smooth() const override { return true; }
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
   void begin_step(const StepContext& step) override;
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
   double stored_energy() const override;
   void add_stress(std::vector<Voigt>& stress) const override;
@@ -25,7 +25,7 @@ class InSituStresses final : public Effect {
  private:
   const BodySet& set_;
   /// Of the increment, at which the deformation bears the stress along: ½ does the work of Π exactly.
-  double end_share_ = 1;
+  double end_fraction_ = 1;
   mutable Increment at_;                ///< m, there
   std::vector<Mat3> stress_, pulling_;  ///< Pa, by Element::number: σ₀ and its positive part
 };

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effects/consistent_mass.hpp"
-#include "effects/nodal_motion.hpp"
+#include "bodies/consistent_mass.hpp"
+#include "bodies/nodal_motion.hpp"
 #include "effects/rigid_inertia.hpp"
 
 namespace talus {
@@ -28,7 +28,7 @@ double Inertia::energy(const Increment& d) const {
 
 void Inertia::add_couplings(std::vector<std::pair<int, int>>& couplings) const { set_.add_couplings(couplings); }
 
-void Inertia::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+void Inertia::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const {
   const double alpha_m = step_.integration.alpha_m;
   for (const Element& element : set_.elements) {
     Corners a;
@@ -46,7 +46,7 @@ void Inertia::add_hessian(const Increment&, SymmetricBlocks& sum) const {
   add_rigid_mass(set_, step_, sum);
 }
 
-void Inertia::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
+void Inertia::add_unsymmetric(const Increment& d, Arms, UnsymmetricBlocks& sum) const {
   add_rigid_turning(set_, step_, d, sum);
 }
 

@@ -13,15 +13,15 @@ namespace talus {
 class Inertia final : public Effect {
  public:
   explicit Inertia(BodySet& set) : set_(set) {}
-  std::string_view name() const override { return "inertia"; }
+  EffectKind kind() const override { return EffectKind::inertia; }
   EnergyAccount account() const override { return EnergyAccount::kinetic; }
   bool constant() const override { return set_.turning.empty(); }
   void begin_step(const StepContext& step) override { step_ = step; }
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
-  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
+  void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
   double stored_energy() const override { return kinetic_energy(set_); }
 

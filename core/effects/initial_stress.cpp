@@ -10,10 +10,10 @@ double InitialStress::energy(const Increment& d) const {
   return sum;
 }
 
-void InitialStress::add_gradient(const Increment&, Eigen::VectorXd& sum) const {
+void InitialStress::add_gradient(const Increment&, Arms, Eigen::VectorXd& sum) const {
   for (std::size_t e = 0; e < set_.elements.size(); ++e)
     for (int a = 0; a < 4; ++a)
-      sum.segment<3>(3 * set_.elements[e].freedoms[a]) += corner_force(set_.shapes[e], set_.stress[e], a);
+      sum.segment<3>(3 * set_.elements[e].dof_blocks[a]) += corner_force(set_.shapes[e], set_.stress[e], a);
 }
 
 }  // namespace talus

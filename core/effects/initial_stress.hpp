@@ -9,11 +9,11 @@ namespace talus {
 class InitialStress final : public Effect {
  public:
   explicit InitialStress(const BodySet& set) : set_(set) {}
-  std::string_view name() const override { return "initial stress"; }
+  EffectKind kind() const override { return EffectKind::initial_stress; }
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool smooth() const override { return true; }
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
 
  private:
   const BodySet& set_;

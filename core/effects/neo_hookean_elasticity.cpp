@@ -11,9 +11,6 @@ namespace talus {
 
 namespace {
 
-/// An element keeps this share of its volume in an iteration.
-constexpr double kept_volume = 0.1;
-
 /// Green's strain ½(FᵀF − I).
 Mat3 green_strain(const Mat3& f) { return 0.5 * (f.transpose() * f - Mat3::Identity()); }
 
@@ -39,17 +36,17 @@ Mat3 positive_part(const Mat3& s) {
 /// Where shear would give way, it is left out.
 Elastic not_negative(const Elastic& elastic) { return {elastic.lambda, std::max(0.0, elastic.mu)}; }
 
-/// The first share in 0…1 at which det(I + share·a) is down to kept_volume; 1 where it is never. Walks there by steps
-/// that its steepest slope allows, so that none leads past it.
-double share_that_keeps_volume(const Mat3& a) {
+/// The first fraction in 0…1 at which det(I + fraction·a) is down to kept_volume; 1 where it is never. Walks there by
+/// steps that its steepest slope allows, so that none leads past it.
+double fraction_that_keeps_volume(const Mat3& a, double kept_volume) {
   const double trace = a.trace(), minors = 0.5 * (trace * trace - a.cwiseProduct(a.transpose()).sum());
   const double last = a.determinant();
   const double steepest = std::abs(trace) + 2 * std::abs(minors) + 3 * std::abs(last);
-  double share = 0;
-  while (share < 1) {
-    const double left = 1 + share * (trace + share * (minors + share * last)) - kept_volume;
-    if (left < 0.01 * kept_volume) return share;
-    share += left / steepest;
+  double fraction = 0;
+  while (fraction < 1) {
+    const double left = 1 + fraction * (trace + fraction * (minors + fraction * last)) - kept_volume;
+    if (left < 0.01 * kept_volume) return fraction;
+    fraction += left / steepest;
   }
   return 1;
 }
@@ -97,7 +94,7 @@ ElementSums::Forces NeoHookeanElasticity::forces(int e, const Increment& d) cons
   return forces;
 }
 
-void NeoHookeanElasticity::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+void NeoHookeanElasticity::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const {
   sums_.add_gradient(
       set_.neo_hookean, [&](int e) { return forces(e, d); }, sum);
 }
@@ -134,32 +131,32 @@ void NeoHookeanElasticity::add_hessian(const Increment& d, SymmetricBlocks& sum)
       set_.neo_hookean, [&](int e) { return stiffness(e, d); }, sum);
 }
 
-void NeoHookeanElasticity::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
+void NeoHookeanElasticity::add_unsymmetric(const Increment& d, Arms, UnsymmetricBlocks& sum) const {
   if (!mean_) return;
   for (const int e : set_.neo_hookean) {
     const State state = state_of(e, d);
     const std::array<Vec3, 4>& gradient = set_.shapes[e].gradient;
-    const std::array<int, 4>& freedoms = set_.elements[e].freedoms;
+    const std::array<int, 4>& dof_blocks = set_.elements[e].dof_blocks;
     const Mat3 turn = bearer(e, state.f) * state.f.inverse();
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 4; ++b) {
         Mat3 block = turn * stiffness_block(state.now, state.elastic, a, b) -
                      stiffness_block(state.now, not_negative(state.elastic), a, b);
         block.diagonal().array() += gradient[a].dot(state.push * gradient[b]);
-        sum.add(freedoms[a], freedoms[b], block);
+        sum.add(dof_blocks[a], dof_blocks[b], block);
       }
   }
 }
 
-double NeoHookeanElasticity::longest_share(const Increment& d, const Increment& change) const {
-  double share = 1;
+double NeoHookeanElasticity::longest_step_fraction(const Increment& d, const Increment& change) const {
+  double fraction = 1;
   for (const int e : set_.neo_hookean) {
     const Element& element = set_.elements[e];
     const Mat3 f = deformation_gradient(set_, element, set_.shapes[e], d);
     const Mat3 slope = change_of_gradient(set_, element, set_.shapes[e], change);
-    share = std::min(share, share_that_keeps_volume(f.inverse() * slope));
+    fraction = std::min(fraction, fraction_that_keeps_volume(f.inverse() * slope, tolerances_.kept_volume));
   }
-  return share;
+  return fraction;
 }
 
 void NeoHookeanElasticity::add_stress(std::vector<Voigt>& stress) const {

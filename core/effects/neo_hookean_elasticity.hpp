@@ -1,7 +1,8 @@
 #pragma once
 
+#include "bodies/element_sums.hpp"
 #include "effects/effect.hpp"
-#include "effects/element_sums.hpp"
+#include "model/solver_tolerances.hpp"
 
 namespace talus {
 
@@ -12,12 +13,13 @@ namespace talus {
 /// In dynamic steps whose forces are taken at the end, P = ½(F₀ + F₁) S₁, whose work over the step is ½ S₁:(C₁ − C₀).
 /// That is never less than what Π gains while Π is convex in C, which is where J ≤ exp(μ/λ); and S is symmetric, so
 /// that angular momentum is kept. (Compare Simo & Tarnow 1992, who take S such that no energy goes at all.) The Hessian
-/// is that of P = F S with what pulls of S, and without the rest, which may be negative; what the tangent of ½(F₀ + F₁)
-/// S₁ is beyond that goes to the unsymmetric part.
+/// is that of P = F S with what pulls of S, and without the rest, which may be negative; the rest of the tangent of
+/// ½(F₀ + F₁) S₁ is the unsymmetric part.
 class NeoHookeanElasticity final : public Effect {
  public:
-  explicit NeoHookeanElasticity(const BodySet& set) : set_(set), sums_(set) {}
-  std::string_view name() const override { return "neo-Hookean elasticity"; }
+  explicit NeoHookeanElasticity(const BodySet& set, const EffectTolerances& tolerances = {})
+      : set_(set), tolerances_(tolerances), sums_(set) {}
+  EffectKind kind() const override { return EffectKind::neo_hookean_elasticity; }
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool quadratic() const override { return false; }
   bool smooth() const override { return true; }
@@ -25,11 +27,11 @@ class NeoHookeanElasticity final : public Effect {
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
   /// Infinite where an element is turned inside out.
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
-  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
-  /// Nine tenths of an element's volume may go at a time.
-  double longest_share(const Increment& d, const Increment& change) const override;
+  void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
+  /// An element may lose nine tenths of its volume at a time.
+  double longest_step_fraction(const Increment& d, const Increment& change) const override;
   double stored_energy() const override;
   void add_stress(std::vector<Voigt>& stress) const override;
 
@@ -47,6 +49,7 @@ class NeoHookeanElasticity final : public Effect {
   ElementSums::Stiffness stiffness(int element, const Increment& d) const;
   double energy_of(int element, const Mat3& gradient) const;
   const BodySet& set_;
+  EffectTolerances tolerances_;
   ElementSums sums_;
   bool mean_ = false;  ///< forces act along ½(F₀ + F₁)
 };

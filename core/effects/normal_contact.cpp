@@ -13,11 +13,11 @@ double NormalContact::energy(const Increment& d) const {
   return sum;
 }
 
-void NormalContact::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+void NormalContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const {
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
     const double force = normal_force(point, links_.gap(i, d));
-    if (force != 0) links_.moves().add_force(i, d, -force * point.normal, sum);
+    if (force != 0) links_.moves().add_force(i, d, -force * point.normal, arms, sum);
   }
 }
 
@@ -30,24 +30,24 @@ void NormalContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const 
   }
 }
 
-void NormalContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
+void NormalContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
   if (!links_.moves().any_turns()) return;
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
     const double force = normal_force(point, links_.gap(i, d));
-    if (force != 0) links_.moves().add_turning(i, d, -force * point.normal, sum);
+    if (force != 0) links_.moves().add_turning(i, d, -force * point.normal, arms, sum);
     if (resists_elastically(point, links_.gap(i, d)))
-      links_.moves().add_lever_difference(i, d, point.normal_stiffness * point.normal * point.normal.transpose(), sum);
+      links_.moves().add_lever_difference(i, d, point.normal_stiffness * point.normal * point.normal.transpose(), arms,
+                                          sum);
   }
 }
 
-void NormalContact::join_meeting(const Increment& d, const Eigen::VectorXd& step, DisjointSets& together) const {
-  constexpr double apart = 1e-6;  // of the mesh size: open by more than a tangent takes for closed
+void NormalContact::join_touching(const Increment& d, const Eigen::VectorXd& change, DisjointSets& together) const {
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
-    const double least = links_.gap(i, d) + links_.moves().farthest_against(i, d, point.normal, step);
-    const bool may_push = point.bonded || least < apart * point.size || normal_force(point, least) > 0;
-    if (may_push) links_.moves().join_freedoms(i, together);
+    const double least = links_.gap(i, d) + links_.moves().farthest_against(i, d, point.normal, change);
+    const bool may_push = point.bonded || least < tolerances_.search_gap * point.size || normal_force(point, least) > 0;
+    if (may_push) links_.moves().join_dof_blocks(i, together);
   }
 }
 

@@ -1,40 +1,44 @@
 #pragma once
 
-#include "effects/contact_law.hpp"
-#include "effects/contact_links.hpp"
+#include "contact/contact_law.hpp"
+#include "contact/contact_links.hpp"
 #include "effects/effect.hpp"
+#include "model/solver_tolerances.hpp"
 
 namespace talus {
 
 /// Springs against penetration, paper (29)–(31): with d_n = −(gap + n·u)
 ///   Π = Σ ½ k_n d_n²  where d_n > 0  [J]
-/// and of points that a bond holds also in tension up to its strength, linear beyond. Points with and without a bond
-/// are two effects: where no joint bonds, the other one is not there.
+/// and of points that a bond holds also in tension up to its strength, and no further. Points with and without a bond
+/// are two effects: where no joint bonds, the second is absent.
 class NormalContact final : public Effect {
  public:
   enum class Points { loose, bonded };
 
-  NormalContact(const ContactLinks& links, Points points)
+  NormalContact(const ContactLinks& links, Points points, const EffectTolerances& tolerances = {})
       : links_(links),
+        tolerances_(tolerances),
         bonded_(points == Points::bonded),
         points_(bonded_ ? links.contacts().bonded : links.contacts().loose) {}
-  std::string_view name() const override { return bonded_ ? "cohesion and tension" : "normal contact"; }
+  EffectKind kind() const override { return bonded_ ? EffectKind::cohesion_and_tension : EffectKind::normal_contact; }
   EnergyAccount account() const override { return EnergyAccount::contact; }
   bool quadratic() const override { return false; }
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
-  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
-  /// The Hessian takes contacts that are open by less than this share of their size for closed.
-  void count_as_closed(double share) { touching_ = share; }
-  /// Joins the freedoms of points that may push while each freedom goes its own share, 0 to 1, of `step` on from D.
-  void join_meeting(const Increment& d, const Eigen::VectorXd& step, DisjointSets& together) const;
+  void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
+  /// The Hessian takes contacts that are open by less than this fraction of their size for closed.
+  void count_as_closed(double fraction) { touching_ = fraction; }
+  /// Joins the degree-of-freedom blocks of points that may push while each of these goes on from D by a fraction of its
+  /// own, 0 to 1, of `change`.
+  void join_touching(const Increment& d, const Eigen::VectorXd& change, DisjointSets& together) const;
   void accept(const Increment& d) override;
   double stored_energy() const override { return stored_; }
   double work_on_held(const Increment& d) const override;
 
  private:
   const ContactLinks& links_;
+  EffectTolerances tolerances_;
   bool bonded_;
   const std::vector<int>& points_;
   double touching_ = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bodies/attachments.hpp"
 #include "bodies/block_motion.hpp"
-#include "effects/attachments.hpp"
 #include "effects/effect.hpp"
 
 namespace talus {
@@ -19,12 +19,12 @@ struct LoadedPoint {
 class PointLoads final : public Effect {
  public:
   PointLoads(const BodySet& set, std::vector<LoadedPoint> loads) : loads_(std::move(loads)), moves_(set) {}
-  std::string_view name() const override { return "point load"; }
+  EffectKind kind() const override { return EffectKind::point_load; }
   EnergyAccount account() const override { return EnergyAccount::potential; }
   void begin_step(const StepContext& step) override;
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
-  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
+  void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override { potential_ += energy(d); }
   double stored_energy() const override { return potential_; }  ///< minus the work done since the start
 

@@ -1,6 +1,6 @@
 #include "effects/rigid_inertia.hpp"
 
-#include "effects/nodal_motion.hpp"
+#include "bodies/nodal_motion.hpp"
 
 namespace talus {
 
@@ -25,8 +25,8 @@ void add_rigid_inertia(const BodySet& set, const StepContext& step, const Increm
   for (const int r : set.turning) {
     const RigidBody& body = set.rigid[r];
     const Vec3 a0 = start_acceleration(set, step, body.centre), a1 = end_acceleration(set, step, body.centre, d);
-    sum.segment<3>(3 * set.nodes.freedom[body.centre]) += body.mass * ((1 - alpha_m) * a1 + alpha_m * a0);
-    sum.segment<3>(3 * body.rotation_freedom) +=
+    sum.segment<3>(3 * set.nodes.dof_block[body.centre]) += body.mass * ((1 - alpha_m) * a1 + alpha_m * a0);
+    sum.segment<3>(3 * body.rotation_dof_block) +=
         ((1 - alpha_m) * end_moment(body, step, d) + alpha_m * step.dynamic_factor * body.moment) / body.radius;
   }
 }
@@ -36,9 +36,9 @@ void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks
   const double scale = (1 - integration.alpha_m) / (integration.beta * step.length * step.length);
   for (const int r : set.turning) {
     const RigidBody& body = set.rigid[r];
-    const int centre = set.nodes.freedom[body.centre];
+    const int centre = set.nodes.dof_block[body.centre];
     sum.add(centre, centre, scale * body.mass * Mat3::Identity());
-    sum.add(body.rotation_freedom, body.rotation_freedom, turning_scale(body, step) * body.inertia_now());
+    sum.add(body.rotation_dof_block, body.rotation_dof_block, turning_scale(body, step) * body.inertia_now());
   }
 }
 
@@ -47,7 +47,7 @@ void add_rigid_turning(const BodySet& set, const StepContext& step, const Increm
     const RigidBody& body = set.rigid[r];
     const Vec3 theta = body.theta(d);
     if (theta.isZero(0)) continue;
-    sum.add(body.rotation_freedom, body.rotation_freedom,
+    sum.add(body.rotation_dof_block, body.rotation_dof_block,
             turning_scale(body, step) * (body.momentum_slope(theta) - body.inertia_now()));
   }
 }

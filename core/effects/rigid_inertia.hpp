@@ -2,7 +2,7 @@
 
 #include "effects/effect.hpp"
 
-/// Inertia of rigid bodies (beyond the paper), for any integrator of TimeIntegration's family. The centroid moves as a
+/// Inertia of rigid bodies (not in the paper), for any integrator of TimeIntegration's family. The centroid moves as a
 /// point of the body's mass. Turning, the integrator is applied to the angular momentum L as a whole,
 ///   L₁ = L₀ + Δ[(1 − γ) Ȧ₀ + γ Ȧ₁],   Jθ + ½ φ × Jθ = Δ L₀ + Δ²[(½ − β) Ȧ₀ + β Ȧ₁],
 /// with Ȧ its rate, the moment of all forces, θ the rotation of the step and φ its Cayley vector
@@ -10,9 +10,9 @@
 /// exact.
 namespace talus {
 
-/// The forces and moments that the increment `d` asks for, on the left of the balance [N].
+/// The forces and moments that the increment `d` asks for, on the left of the equation of motion [N].
 void add_rigid_inertia(const BodySet& set, const StepContext& step, const Increment& d, Eigen::VectorXd& sum);
-/// Their derivative at d = 0 and what it has beyond that at `d` [N/m].
+/// Their derivative at d = 0, and the derivative at `d` less that [N/m].
 void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks& sum);
 void add_rigid_turning(const BodySet& set, const StepContext& step, const Increment& d, UnsymmetricBlocks& sum);
 

@@ -16,9 +16,9 @@ void ShearContact::update_strength(const Increment& d) {
     strength_[i] = shear_strength(links_.point(i), normal_force(links_.point(i), links_.gap(i, d)));
 }
 
-void ShearContact::join_strong(DisjointSets& together) const {
+void ShearContact::join_with_strength(DisjointSets& together) const {
   for (const int i : points_)
-    if (strength_[i] > 0) links_.moves().join_freedoms(i, together);
+    if (strength_[i] > 0) links_.moves().join_dof_blocks(i, together);
 }
 
 Vec3 ShearContact::force(int i, const Increment& d) const {
@@ -37,9 +37,9 @@ double ShearContact::energy(const Increment& d) const {
   return sum;
 }
 
-void ShearContact::add_gradient(const Increment& d, Eigen::VectorXd& sum) const {
+void ShearContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const {
   for (const int i : points_)
-    if (strength_[i] > 0) links_.moves().add_force(i, d, -force(i, d), sum);
+    if (strength_[i] > 0) links_.moves().add_force(i, d, -force(i, d), arms, sum);
 }
 
 void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
@@ -62,13 +62,13 @@ Mat3 ShearContact::spring_at(int i, const Increment& d) const {
 }
 
 bool ShearContact::let_slide(const Increment& d) {
-  constexpr double found_anew = 1e-3;  // share of the strength: the gap is measured where the point is now
   slides_on_.assign(links_.contacts().points.size(), false);
   bool any = false;
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
     const double strength = strength_[i];
-    const bool slid = point.mode == ContactMode::slip && point.shear_start.norm() > (1 - found_anew) * strength;
+    const bool slid =
+        point.mode == ContactMode::slip && point.shear_start.norm() > (1 - tolerances_.slides_on) * strength;
     if (strength == 0 || !slid || spring_force(i, d).norm() <= strength) continue;
     slides_on_[i] = any = true;
   }
@@ -76,13 +76,13 @@ bool ShearContact::let_slide(const Increment& d) {
   return any;
 }
 
-void ShearContact::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
+void ShearContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
     if (strength_[i] == 0) continue;
     if (links_.moves().any_turns()) {
-      links_.moves().add_turning(i, d, -force(i, d), sum);
-      links_.moves().add_lever_difference(i, d, spring_at(i, d), sum);
+      links_.moves().add_turning(i, d, -force(i, d), arms, sum);
+      links_.moves().add_lever_difference(i, d, spring_at(i, d), arms, sum);
     }
     const Vec3 trial = spring_force(i, d);
     const double length = trial.norm();
@@ -98,11 +98,14 @@ void ShearContact::accept(const Increment& d) {
 }
 
 double ShearContact::slip(int i, const Increment& d) const {
-  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
+  const double roundings = tolerances_.slip_roundings * std::numeric_limits<double>::epsilon();
   const ContactPoint& point = links_.point(i);
   const double spring = spring_force(i, d).norm(), excess = spring - force(i, d).norm();
-  const double way = excess / point.shear_stiffness;
-  return excess > 1e-12 * spring && way > roundings * (point.position.cwiseAbs().maxCoeff() + point.size) ? way : 0;
+  const double path = excess / point.shear_stiffness;
+  return excess > tolerances_.least_excess * spring &&
+                 path > roundings * (point.position.cwiseAbs().maxCoeff() + point.size)
+             ? path
+             : 0;
 }
 
 double ShearContact::dissipated(const Increment& d) const {

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "effects/contact_law.hpp"
-#include "effects/contact_links.hpp"
+#include "contact/contact_law.hpp"
+#include "contact/contact_links.hpp"
 #include "effects/effect.hpp"
+#include "model/solver_tolerances.hpp"
 
 namespace talus {
 
@@ -18,26 +19,27 @@ namespace talus {
 class ShearContact final : public Effect {
  public:
   /// Looks at the points that resist shear alone.
-  explicit ShearContact(const ContactLinks& links) : links_(links), points_(links.contacts().sheared) {}
-  std::string_view name() const override { return "shear contact"; }
+  explicit ShearContact(const ContactLinks& links, const EffectTolerances& tolerances = {})
+      : links_(links), tolerances_(tolerances), points_(links.contacts().sheared) {}
+  EffectKind kind() const override { return EffectKind::shear_contact; }
   EnergyAccount account() const override { return EnergyAccount::contact; }
   bool quadratic() const override { return false; }
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override;
+  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
-  /// The Hessian takes contacts that are open by less than this share of their size for closed and sticking.
-  void count_as_closed(double share) { touching_ = share; }
-  /// Points that slid at the end of the last step, and are beyond their strength at `d`, slide to the tangent although
-  /// they are on the border of sticking. Whether there are any. None any more by `stick`.
+  /// The Hessian takes contacts that are open by less than this fraction of their size for closed and sticking.
+  void count_as_closed(double fraction) { touching_ = fraction; }
+  /// Until `stick` is called, the tangent takes points for sliding that slid at the end of the last step and are above
+  /// their strength at `d`, although they are on the border of sticking. True if there are any.
   bool let_slide(const Increment& d);
   void stick() { slides_on_.clear(); }
-  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const override;
+  void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
   double stored_energy() const override { return stored_; }
   double dissipated(const Increment& d) const override;
   double work_on_held(const Increment& d) const override;
 
-  /// The points are others now, and D is zero: what the springs hold is theirs.
+  /// Contacts were found anew and D is zero: the stored energy becomes that of their springs.
   void resume(const Increment& zero) {
     update_strength(zero);
     accept(zero);
@@ -45,14 +47,15 @@ class ShearContact final : public Effect {
 
   /// Takes the strength of every point from the normal forces at D, paper (36).
   void update_strength(const Increment& d);
-  /// Joins the freedoms of points with a strength: while strengths are held, one that has opened since shears on.
-  void join_strong(DisjointSets& together) const;
+  /// Joins the degree-of-freedom blocks of points with a strength: while strengths are held, one that has opened since
+  /// shears on.
+  void join_with_strength(DisjointSets& together) const;
   /// Force on the first body that the spring would bear if the contact could not slide, τ* [N].
   Vec3 spring_force(int point, const Increment& d) const;
   /// Shear force on the first body at D [N].
   Vec3 force(int point, const Increment& d) const;
-  /// Path slipped in the step at D, over all the spring's excess [m]; 0 where it is no more than coordinates are
-  /// rounded by: what stands at its strength does not slide.
+  /// Length slipped in the step at D [m], the excess of the spring's force over its stiffness; 0 where that is within
+  /// the rounding of coordinates.
   double slip(int point, const Increment& d) const;
   double strength(int point) const { return strength_[point]; }
 
@@ -64,6 +67,7 @@ class ShearContact final : public Effect {
   Mat3 spring_at(int point, const Increment& d) const;
 
   const ContactLinks& links_;
+  EffectTolerances tolerances_;
   const std::vector<int>& points_;
   std::vector<double> strength_;  ///< N, a point of the contact set; zero where it does not resist shear
   std::vector<bool> slides_on_;   ///< a point of the contact set; empty: none

@@ -27,7 +27,7 @@ struct JsonText {
 };
 
 /// Parses JSON with // and /* */ comments. Throws InputError with line and column for what is not JSON (also for
-/// NaN, Infinity and numbers beyond a double's range), for a key given twice, and for nesting deeper than 64.
+/// NaN, Infinity and numbers outside a double's range), for a key given twice, and for nesting deeper than 64.
 JsonText parse_json_text(std::string text);
 
 /// The first offset at or after `offset` that is neither white space nor comment.

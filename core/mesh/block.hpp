@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// One piece of rock, cut and meshed. Its nodes are its own: blocks share none.
+/// A block of rock, cut and meshed. Blocks have no nodes in common.
 struct Block {
   std::string name;
   int solid = 0;     ///< index into Project::solids

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/block.hpp"
+
 namespace talus {
 
 double mesh_size(std::span<const Vec3> nodes, std::span<const SurfaceTriangle> surface) {

@@ -2,9 +2,11 @@
 
 #include <span>
 
-#include "mesh/block.hpp"
+#include "mesh/tet_mesh.hpp"
 
 namespace talus {
+
+struct BlockSystem;
 
 /// m, √(2 · mean triangle area): what penetration and the error of time integration are held to.
 double mesh_size(std::span<const Vec3> nodes, std::span<const SurfaceTriangle> surface);

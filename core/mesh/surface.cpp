@@ -59,13 +59,13 @@ void join_edges(const std::vector<HalfEdge>& halves, Surface& surface) {
   }
 }
 
-void flood_patches(const std::vector<Vec3>& normals, Surface& surface) {
+void flood_smooth_faces(const std::vector<Vec3>& normals, Surface& surface) {
   const double flat = std::cos(radians(flat_angle));
-  surface.patch.assign(surface.triangles.size(), -1);
+  surface.smooth_face.assign(surface.triangles.size(), -1);
   std::vector<int> open;
   for (int seed = 0; seed < static_cast<int>(surface.triangles.size()); ++seed) {
-    if (surface.patch[seed] >= 0) continue;
-    surface.patch[seed] = surface.patch_count;
+    if (surface.smooth_face[seed] >= 0) continue;
+    surface.smooth_face[seed] = surface.smooth_face_count;
     open.assign(1, seed);
     while (!open.empty()) {
       const int triangle = open.back();
@@ -73,32 +73,32 @@ void flood_patches(const std::vector<Vec3>& normals, Surface& surface) {
       for (int e : surface.triangle_edges[triangle]) {
         const auto& sides = surface.edges[e].triangles;
         const int other = sides[0] == triangle ? sides[1] : sides[0];
-        if (surface.patch[other] >= 0 || !(normals[triangle].dot(normals[other]) > flat)) continue;
-        surface.patch[other] = surface.patch_count;
+        if (surface.smooth_face[other] >= 0 || !(normals[triangle].dot(normals[other]) > flat)) continue;
+        surface.smooth_face[other] = surface.smooth_face_count;
         open.push_back(other);
       }
     }
-    ++surface.patch_count;
+    ++surface.smooth_face_count;
   }
 }
 
 void find_rings_and_corners(std::span<const Vec3> nodes, Surface& surface) {
   surface.ring.resize(nodes.size());
-  std::vector<std::vector<Vec3>> creases(nodes.size());
+  std::vector<std::vector<Vec3>> sharp_edges(nodes.size());
   for (const SurfaceEdge& e : surface.edges) {
     const auto [a, b] = e.nodes;
     surface.ring[a].push_back(b);
     surface.ring[b].push_back(a);
-    if (surface.patch[e.triangles[0]] == surface.patch[e.triangles[1]]) continue;
+    if (surface.smooth_face[e.triangles[0]] == surface.smooth_face[e.triangles[1]]) continue;
     const Vec3 along = (nodes[b] - nodes[a]).normalized();
-    creases[a].push_back(along);
-    creases[b].push_back(-along);
+    sharp_edges[a].push_back(along);
+    sharp_edges[b].push_back(-along);
   }
   const double straight = -std::cos(radians(flat_angle));
   surface.corner.resize(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const bool passes = creases[i].size() == 2 && creases[i][0].dot(creases[i][1]) < straight;
-    surface.corner[i] = !creases[i].empty() && !passes;
+    const bool passes = sharp_edges[i].size() == 2 && sharp_edges[i][0].dot(sharp_edges[i][1]) < straight;
+    surface.corner[i] = !sharp_edges[i].empty() && !passes;
   }
 }
 
@@ -122,7 +122,7 @@ Surface make_surface(std::span<const Vec3> nodes, std::vector<SurfaceTriangle> t
   }
   if (!(volume > 0)) throw std::invalid_argument("surface is inside out, or it encloses nothing");
   surface.size = mesh_size(nodes, surface.triangles);
-  flood_patches(normals, surface);
+  flood_smooth_faces(normals, surface);
   find_rings_and_corners(nodes, surface);
   return surface;
 }

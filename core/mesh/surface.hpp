@@ -14,16 +14,16 @@ struct SurfaceEdge {
   std::array<int, 2> triangles;
 };
 
-/// A block's surface with what contact asks of it: edges, flat patches, rings, corners. Made once from the undeformed
+/// A block's surface with what contact asks of it: edges, smooth faces, rings, corners. Made once from the undeformed
 /// mesh; positions are given to whoever needs them. Node numbers are the block's own.
 struct Surface {
   std::vector<SurfaceTriangle> triangles;
   std::vector<std::array<int, 3>> triangle_edges;  ///< edge opposite to each of the triangle's nodes
   std::vector<SurfaceEdge> edges;
-  std::vector<int> patch;  ///< a triangle: flat patch it belongs to (edges of less than 2° are crossed)
-  int patch_count = 0;
+  std::vector<int> smooth_face;  ///< a triangle: the one it belongs to; they end at edges of 2° and more
+  int smooth_face_count = 0;
   std::vector<std::vector<int>> ring;  ///< a node: its neighbours along surface edges
-  std::vector<bool> corner;            ///< a node where creases do not pass straight through
+  std::vector<bool> corner;            ///< a node where sharp edges do not pass straight through
   double size = 0;                     ///< m, √(2 · mean triangle area)
 };
 

@@ -29,7 +29,7 @@ void check(const Joint& joint, const Place& place) {
     require_finite(*joint.restitution, place / "restitution");
     require(*joint.restitution >= 0 && *joint.restitution <= 1, place / "restitution",
             "the restitution must be between 0 and 1, is " + number_text(*joint.restitution),
-            "give the share of its speed that a block leaves an impact with, or leave it out");
+            "give the fraction of its speed with which a block leaves an impact, or leave it out");
   }
   if (joint.normal_stiffness) {
     require_positive(*joint.normal_stiffness, place / "normal_stiffness", "normal stiffness", "Pa/m");

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace talus {
 
@@ -18,11 +19,29 @@ std::string number_text(double value) {
   return text;
 }
 
+std::string significant(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+std::string decimals(double value, int digits) {
+  const double unit = std::pow(10.0, digits);
+  if (std::abs(value) * unit < 0.5) value = 0;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
 std::string count_text(long count) {
   std::string text = std::to_string(count);
   const std::size_t first_digit = count < 0 ? 1 : 0;
   for (std::size_t at = text.size(); at > first_digit + 3;) text.insert(at -= 3, " ");
   return text;
+}
+
+std::string counted_text(long count, const char* one, const char* many) {
+  return count_text(count) + " " + (count == 1 ? one : many);
 }
 
 }  // namespace talus

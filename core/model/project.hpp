@@ -61,7 +61,7 @@ struct Joint {
   std::optional<double> residual_friction_angle;  ///< degrees; friction_angle when absent
   std::optional<double> normal_stiffness;         ///< Pa/m; automatic when absent
   std::optional<double> shear_stiffness;          ///< Pa/m
-  std::optional<double> restitution;  ///< speed of parting over that of meeting, 0 to 1; absent: as springs do
+  std::optional<double> restitution;  ///< speed of parting over speed of approach, 0 to 1; absent: as springs do
   bool operator==(const Joint&) const = default;
 };
 

@@ -6,7 +6,7 @@
 /// How a scene is solved: what accuracy costs in time is decided here.
 namespace talus {
 
-/// METHOD §2: measured from the undeformed shape in the rotated frame, or summed up step by step as the paper does.
+/// Measured from the undeformed shape in the rotated frame, or summed up step by step as the paper does.
 enum class Strain { corotational, incremental };
 
 /// Newmark's method with γ = 1, β = 9/16; the paper's, γ = 1, β = ½; Chung & Hulbert's generalised-α.
@@ -51,7 +51,7 @@ struct SolverSettings {
   Integrator integrator = Integrator::newmark;
   double spectral_radius = 0.8;  ///< of generalized_alpha at infinite frequency, 0 … 1
   ContactModel contact = ContactModel::area;
-  double contact_stiffness = 10;  ///< normal penalty in units of E*/h (METHOD §3), dimensionless
+  double contact_stiffness = 10;  ///< normal penalty in units of E*/h (docs/contact.md), dimensionless
   /// Of the mesh size: augmented Lagrangian rounds in static stages, harder springs in dynamic ones until it is met.
   /// Empty: springs as they are in static stages, 5e-4 in dynamic ones, where no joint has a normal stiffness of its
   /// own.

@@ -7,7 +7,7 @@
 
 namespace talus {
 
-/// Checks the rules that go beyond the file's schema: ranges, names that must be unique or must exist, closed
+/// Checks the rules that the file's schema does not hold: ranges, names that must be unique or must exist, closed
 /// polyhedra. Throws InputError for the first broken rule, with a JSON pointer as place.
 void validate(const Project& project);
 

@@ -48,14 +48,14 @@ std::string words_of(const MotionClass& motion, const MotionNames& names) {
   return std::string(to_string(motion.mode));
 }
 
-Json json(const Vec3& direction) {
+Json attitude_json(const Vec3& direction) {
   if (direction.isZero()) return nullptr;
   const LineAttitude attitude = attitude_of(direction);
   return {{"trend", attitude.trend}, {"plunge", attitude.plunge}};
 }
 
 /// Without those that are not there.
-Json json(const std::array<int, 2>& numbers, const std::vector<std::string>& names) {
+Json names_json(const std::array<int, 2>& numbers, const std::vector<std::string>& names) {
   Json list = Json::array();
   for (const int number : numbers)
     if (const std::string name = name_of(number, names); !name.empty()) list.push_back(name);
@@ -96,14 +96,14 @@ std::string motion_json(const MotionClass& motion, const MotionNames& names) {
   Json object = {{"mode", to_string(motion.mode)},
                  {"text", motion_text(motion, names)},
                  {"came_to_rest", motion.came_to_rest},
-                 {"joints", json(motion.joints, names.joints)},
-                 {"against", json(motion.against, names.blocks)},
+                 {"joints", names_json(motion.joints, names.joints)},
+                 {"against", names_json(motion.against, names.blocks)},
                  {"trend", nullptr},
                  {"plunge", nullptr},
-                 {"line", json(motion.line)},
-                 {"axis", json(motion.axis)},
+                 {"line", attitude_json(motion.line)},
+                 {"axis", attitude_json(motion.axis)},
                  {"rotation_share", motion.rotation_share}};
-  if (const Json direction = json(motion.direction); direction.is_object()) object.update(direction);
+  if (const Json direction = attitude_json(motion.direction); direction.is_object()) object.update(direction);
   return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -35,7 +35,7 @@ struct MotionClass {
   std::array<int, 2> joints{-1, -1};   ///< of the planes it slides on, or the one it topples or turns on
   std::array<int, 2> against{-1, -1};  ///< blocks on the other side of these planes; the first one for a block carried
   Vec3 direction = Vec3::Zero();       ///< unit, of the centroid's displacement
-  Vec3 line = Vec3::Zero();            ///< unit, of the two planes' intersection, the way the block goes
+  Vec3 line = Vec3::Zero();            ///< unit, of the two planes' intersection, in the direction the block goes
   Vec3 axis = Vec3::Zero();            ///< unit, that the block turns about, right-handed
   double rotation_share = 0;           ///< 0 … 1, of the travel that turning makes beside sliding
   bool operator==(const MotionClass&) const = default;

@@ -9,6 +9,7 @@
 #include "results/result_file.hpp"
 #include "results/stored_contact.hpp"
 #include "results/superblock.hpp"
+#include "results/vtu.hpp"
 
 namespace talus {
 
@@ -18,7 +19,6 @@ using hdf5::Table;
 
 namespace {
 
-constexpr std::uint8_t vtk_tetra = 10;
 constexpr hsize_t number_chunk = 512;   // frames a piece of the small tables
 constexpr hsize_t contact_chunk = 256;  // contacts a piece
 constexpr hsize_t motion_chunk = 256;   // classes of motion a piece

@@ -7,8 +7,8 @@
 
 #include "base/vector.hpp"
 #include "model/project.hpp"
+#include "results/convergence_trouble.hpp"
 #include "results/motion_class.hpp"
-#include "results/struggle.hpp"
 
 namespace talus {
 
@@ -17,9 +17,10 @@ struct Phases {
   double detect = 0, assemble = 0, factor = 0, solve = 0, update = 0, write = 0;
 };
 
-/// Energies in J. What effects hold, what was dissipated, and what time integration has eaten (summed up effect by
-/// effect: work of its force over the step, less what it holds and dissipates), less the work of constraints, is the
-/// energy that the run began with, but for the remainder: forces that do not balance, and round-off.
+/// Energies in J: stored in effects, dissipated, and lost to time integration. Their sum, less the work of constraints,
+/// is the energy that the run began with, up to the remainder, which residual forces and round-off leave.
+/// `integration_loss` is summed up effect by effect: the work of its force over a step, less what it stores and
+/// dissipates.
 struct EnergyLedger {
   double kinetic = 0, elastic = 0, potential = 0, contact = 0;
   double friction_dissipated = 0, damping_dissipated = 0, constraint_work = 0, integration_loss = 0;
@@ -32,7 +33,7 @@ struct StepReport {
   int stage = 0;
   double time = 0, time_step = 0;                   ///< s, at the end of the step and its length
   int iterations = 0;                               ///< open–close iterations, of all attempts
-  int cuts = 0;                                     ///< how often the step was cut before it settled
+  int cuts = 0;                                     ///< how often the step was cut before it converged
   int contacts = 0, open = 0, stick = 0, slip = 0;  ///< of blocks that are awake
   int asleep = 0;                                   ///< blocks that sleep at the end of the step
   double max_penetration = 0;                       ///< m
@@ -111,11 +112,16 @@ struct RunWork {
   long dense_factorisations = 0;  ///< … and those of small systems
   long linear_solves = 0;         ///< of one independent system each
   long gmres_iterations = 0;
-  int systems = 0,
-      largest_system = 0;  ///< independent ones at the end, and the freedoms of the largest, each of three unknowns
+  /// Independent ones at the end, and the degree-of-freedom blocks of the largest, each of three unknowns.
+  int systems = 0, largest_system = 0;
   long block_steps_asleep = 0;  ///< steps that blocks slept through, in all
   long wakings = 0;             ///< blocks that something woke by touching it
   long stress_recoveries = 0;   ///< blocks' stresses that were computed, for frames and monitors
+  // Limits that were reached, after which the run went on with what there was:
+  long correction_limits = 0;      ///< steps that used all their rounds of correction
+  long impact_sweep_limits = 0;    ///< steps that used all their sweeps of impulses
+  long gmres_limits = 0;           ///< linear solves that used all their iterations
+  long failed_factorisations = 0;  ///< interior-point attempts without an LU factor: singular, or not enough memory
 };
 
 struct ExpectationOutcome {
@@ -139,7 +145,7 @@ struct RunReport {
   Phases phases;
   std::vector<EffectOutcome> effects;
   RunWork work;
-  std::vector<Struggle> struggles;  ///< the hardest places, the hardest first
+  std::vector<ConvergenceTrouble> troubles;  ///< the hardest places, the hardest first
   std::vector<Event> events;
   std::vector<ExpectationOutcome> expect;
 };

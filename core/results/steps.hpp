@@ -5,7 +5,7 @@
 
 #include "results/run_report.hpp"
 
-/// steps.csv: what every step reports (METHOD §6), one row a step.
+/// steps.csv: what every step reports (docs/manual.md), one row a step.
 namespace talus {
 
 std::vector<std::string> steps_header();

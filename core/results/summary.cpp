@@ -76,19 +76,23 @@ void for_each_field(Either<RunWork> auto& work, auto field) {
   field("block_steps_asleep", work.block_steps_asleep);
   field("wakings", work.wakings);
   field("stress_recoveries", work.stress_recoveries);
+  field("correction_limits", work.correction_limits);
+  field("impact_sweep_limits", work.impact_sweep_limits);
+  field("gmres_limits", work.gmres_limits);
+  field("failed_factorisations", work.failed_factorisations);
 }
 
 /// Those that are numbers, words or yes and no.
-void for_each_plain_field(Either<Struggle> auto& struggle, auto field) {
-  field("joint", struggle.joint);
-  field("time", struggle.time);
-  field("step", struggle.step);
-  field("relative_penetration", struggle.relative_penetration);
-  field("iterations", struggle.iterations);
-  field("most_iterations", struggle.most_iterations);
-  field("cuts", struggle.cuts);
-  field("ended_run", struggle.ended_run);
-  field("advice", struggle.advice);
+void for_each_plain_field(Either<ConvergenceTrouble> auto& trouble, auto field) {
+  field("joint", trouble.joint);
+  field("time", trouble.time);
+  field("step", trouble.step);
+  field("relative_penetration", trouble.relative_penetration);
+  field("iterations", trouble.iterations);
+  field("most_iterations", trouble.most_iterations);
+  field("cuts", trouble.cuts);
+  field("ended_run", trouble.ended_run);
+  field("advice", trouble.advice);
 }
 
 void for_each_field(Either<Event> auto& event, auto field) {
@@ -108,14 +112,14 @@ Json json(const Thing& thing) {
   return object;
 }
 
-Json json(const Struggle& struggle) {
+Json json(const ConvergenceTrouble& trouble) {
   Json object = {{"blocks", Json::array()},
-                 {"cause", to_string(struggle.cause)},
-                 {"position", json(struggle.position)},
-                 {"rest_position", json(struggle.rest_position)}};
-  for (const std::string& block : struggle.blocks)
+                 {"cause", to_string(trouble.cause)},
+                 {"position", json(trouble.position)},
+                 {"rest_position", json(trouble.rest_position)}};
+  for (const std::string& block : trouble.blocks)
     if (!block.empty()) object["blocks"].push_back(block);
-  for_each_plain_field(struggle, [&](const char* name, const auto& value) { object[name] = value; });
+  for_each_plain_field(trouble, [&](const char* name, const auto& value) { object[name] = value; });
   return object;
 }
 
@@ -190,28 +194,30 @@ void for_each_item(const Json& object, const char* name, int most, const auto& t
     if (number < most) take_item(number++, item);
 }
 
-void take(const Json& object, Struggle& struggle) {
-  for_each_plain_field(struggle, [&](const char* name, auto& value) { take(object, name, value); });
+void take(const Json& object, ConvergenceTrouble& trouble) {
+  for_each_plain_field(trouble, [&](const char* name, auto& value) { take(object, name, value); });
   std::string word;
   take(object, "cause", word);
-  for (const StruggleCause cause :
-       {StruggleCause::many_iterations, StruggleCause::found_late, StruggleCause::not_settled, StruggleCause::inverted})
-    if (word == to_string(cause)) struggle.cause = cause;
+  for (const TroubleCause cause : {TroubleCause::many_iterations, TroubleCause::missed_contact,
+                                   TroubleCause::not_converged, TroubleCause::inverted})
+    if (word == to_string(cause)) trouble.cause = cause;
+  if (word == "found-late") trouble.cause = TroubleCause::missed_contact;  // old words
+  if (word == "not-settled") trouble.cause = TroubleCause::not_converged;
   for_each_item(object, "blocks", 2, [&](int i, const Json& block) {
-    if (block.is_string()) struggle.blocks[static_cast<std::size_t>(i)] = block;
+    if (block.is_string()) trouble.blocks[static_cast<std::size_t>(i)] = block;
   });
   for (const auto& [name, place] :
-       {std::pair("position", &struggle.position), std::pair("rest_position", &struggle.rest_position)})
+       {std::pair("position", &trouble.position), std::pair("rest_position", &trouble.rest_position)})
     for_each_item(object, name, 3, [place = place](int i, const Json& number) {
       if (number.is_number()) (*place)[i] = number;
     });
 }
 
-void take(const Json& object, const char* name, std::vector<Struggle>& struggles) {
+void take(const Json& object, const char* name, std::vector<ConvergenceTrouble>& troubles) {
   const auto found = object.find(name);
   if (found == object.end() || !found->is_array()) return;
   for (const Json& entry : *found)
-    if (entry.is_object()) take(entry, struggles.emplace_back());
+    if (entry.is_object()) take(entry, troubles.emplace_back());
 }
 
 std::optional<RunStatus> status_named(const Json& summary) {
@@ -240,7 +246,7 @@ std::string summary_json(const RunReport& report) {
                         {"effects", json(report.effects)},
                         {"work", json(report.work)},
                         {"phases", json(report.phases)},
-                        {"struggles", json(report.struggles)},
+                        {"convergence_trouble", json(report.troubles)},
                         {"events", json(report.events)},
                         {"expect", json(report.expect)}};
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -264,7 +270,7 @@ std::optional<RunReport> read_summary(const std::filesystem::path& file) {
   take(summary, "effects", report.effects);
   take(summary, "work", report.work);
   take(summary, "phases", report.phases);
-  take(summary, "struggles", report.struggles);
+  take(summary, summary.contains("struggles") ? "struggles" : "convergence_trouble", report.troubles);  // the old name
   take(summary, "events", report.events);
   return report;
 }

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "mesh/block.hpp"
 #include "results/field.hpp"
 
 namespace talus {
 
 namespace {
 
-constexpr std::uint8_t vtk_tetra = 10;
 
 /// The arrays of a file: their declarations, and their bytes, each behind its length, for the end of the file.
 class AppendedData {

@@ -5,19 +5,6 @@
 
 namespace talus {
 
-namespace {
-
-/// A bond that has opened by more than this share of the mesh size is broken.
-constexpr double opening_tolerance = 2e-4;
-/// A contact that goes too deep gets a spring so many times as stiff …
-constexpr double hardening_factor = 10;
-/// … and not because of what is in already: its spring must give by more than this share of the tolerance …
-constexpr double springy = 0.02;
-/// … and no more than this: beyond it, what rounding does to a gap would be a force.
-constexpr double hardest = 1e6;
-
-}  // namespace
-
 void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, const Composition& composition,
                            const Increment& d, bool keep_multipliers) {
   samples_.clear();
@@ -28,7 +15,7 @@ void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, cons
     const double gap = links.gap(i, d), normal = normal_force(point, gap);
     const Vec3 shear = composition.shear ? composition.shear->force(i, d) : Vec3(Vec3::Zero());
     const double slip = composition.shear ? composition.shear->slip(i, d) : 0;
-    const bool pulled_off = point.bonded && gap > opening_tolerance * point.size;
+    const bool pulled_off = point.bonded && gap > tolerances_.bond_opening * point.size;
     const bool yields = point.bonded && point.tension > 0 && normal <= -point.tension;
     const bool touches = normal > 0 || (point.bonded && !pulled_off);
     point.mode = !touches ? ContactMode::open : slip > 0 ? ContactMode::slip : ContactMode::stick;
@@ -43,8 +30,8 @@ void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, cons
                         shear,
                         point.area});
     if (!touches) continue;
-    max_penetration_ = std::max(max_penetration_, point.overlap - gap);
-    max_relative_penetration_ = std::max(max_relative_penetration_, (point.overlap - gap) / point.size);
+    max_penetration_ = std::max(max_penetration_, point.initial_interference - gap);
+    max_relative_penetration_ = std::max(max_relative_penetration_, (point.initial_interference - gap) / point.size);
   }
 }
 
@@ -58,23 +45,24 @@ void ContactOutcomes::add_to(StepReport& report) const {
   report.max_relative_penetration = std::max(report.max_relative_penetration, max_relative_penetration_);
 }
 
-bool harden(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance,
-            std::span<const Joint> as_given) {
+bool scale_penalty(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance,
+                   std::span<const Joint> as_given, const ContactOutcomeTolerances& tolerances) {
   bool any = false;
   for (int i = 0; i < links.moves().size(); ++i) {
     ContactPoint& point = contacts.points[i];
     const double gap = links.gap(i, d), limit = tolerance * point.size;
-    const bool too_deep = point.overlap - gap > limit && gap < point.gap && -gap > springy * limit;
-    if (!too_deep || point.bonded || point.hardening >= hardest) continue;
+    const bool too_deep =
+        point.initial_interference - gap > limit && gap < point.gap && -gap > tolerances.least_compression * limit;
+    if (!too_deep || point.bonded || point.penalty_scaling >= tolerances.largest_penalty_scaling) continue;
     if (!as_given.empty() && as_given[point.joint].normal_stiffness) continue;
     if (point.gap < 0) {
-      const double left = point.gap / hardening_factor;  // at which the harder spring pushes as much
-      point.overlap += left - point.gap;
+      const double left = point.gap / tolerances.penalty_factor;  // at which the stiffer spring pushes as much
+      point.initial_interference += left - point.gap;
       point.gap = left;
     }
-    point.hardening *= hardening_factor;
-    point.normal_stiffness *= hardening_factor;
-    point.shear_stiffness *= hardening_factor;
+    point.penalty_scaling *= tolerances.penalty_factor;
+    point.normal_stiffness *= tolerances.penalty_factor;
+    point.shear_stiffness *= tolerances.penalty_factor;
     any = true;
   }
   return any;

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "effects/compose.hpp"
+#include "model/solver_tolerances.hpp"
 #include "results/frame.hpp"
 #include "results/run_report.hpp"
 
@@ -11,8 +12,10 @@ namespace talus {
 /// What the contact points come to at the increment of a step that is taken.
 class ContactOutcomes {
  public:
-  /// `links` are those of `contacts`. `keep_multipliers`: the augmented Lagrangian goes on with those of this step, so
-  /// that what does not move is pushed as before. Sets the modes of the points.
+  explicit ContactOutcomes(const ContactOutcomeTolerances& tolerances = {}) : tolerances_(tolerances) {}
+
+  /// `links` are those of `contacts`. `keep_multipliers`: the next step of the augmented Lagrangian begins with those
+  /// of this step, so that what does not move is pushed as before. Sets the modes of the points.
   void take(ContactSet& contacts, const ContactLinks& links, const Composition& composition, const Increment& d,
             bool keep_multipliers);
 
@@ -22,6 +25,7 @@ class ContactOutcomes {
   void add_to(StepReport& report) const;
 
  private:
+  ContactOutcomeTolerances tolerances_;
   std::vector<ContactOutcome> outcomes_;
   std::vector<ContactSample> samples_;
   double max_penetration_ = 0, max_relative_penetration_ = 0;  ///< m; of the local mesh size
@@ -30,19 +34,21 @@ class ContactOutcomes {
 /// A contact of blocks that sleep, as it was when they fell asleep.
 ContactSample sample_of(const RestingContact& contact);
 
-/// By how much a point penetrates at D, or pushes across a gap, at most: of its mesh size. A multiplier that is left
-/// too large would push blocks apart that touched with less, and make energy.
+/// The largest penetration at D, or gap that a point pushes across, of its mesh size. A multiplier that is left too
+/// large would push blocks apart that touched with less, and make energy.
 double multiplier_error(const ContactLinks& links, const Increment& d);
 
-/// A round of the augmented Lagrangian (Simo & Laursen 1992): what each point bears at D it bears from now on without
-/// penetration, λ ← max(0, λ − k_n gap).
+/// A round of the augmented Lagrangian (Simo & Laursen 1992): the force of each point at D becomes its multiplier, so
+/// that it is borne without penetration, λ ← max(0, λ − k_n gap).
 void adapt_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d);
 
-/// Hardens points, against shear too, that penetrate by more than `tolerance` of their mesh size at D and by more than
-/// at the start of the step (the penalty × 10 of Shi's programs): the force at the start stays what it is, what it is
-/// deep by then stays out of account. Not where that alone is too deep, and the spring hardly gives. Where `as_given`
-/// has joints, points of one with a normal stiffness of its own keep that. Whether any was hardened.
-bool harden(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance,
-            std::span<const Joint> as_given);
+/// Penalty scaling: springs of points that penetrate by more than `tolerance` of their mesh size at D, and by more than
+/// at the start of the step, become ten times as stiff, in shear too (as in Shi's programs). The force at the start of
+/// the step stays as it is; the penetration that this force no longer needs becomes initial interference, which bears
+/// nothing. Left alone are bonded points, and points that are deep by initial interference alone, whose spring hardly
+/// gives. Where `as_given` has joints, points of a joint with a normal stiffness of its own keep that. Whether any
+/// spring was scaled.
+bool scale_penalty(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance,
+                   std::span<const Joint> as_given, const ContactOutcomeTolerances& tolerances = {});
 
 }  // namespace talus

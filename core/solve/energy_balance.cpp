@@ -22,14 +22,14 @@ void EnergyBalance::begin_stage(const Composition& composition) {
   entries_.clear();
   for (const auto& effect : composition.effects) {
     const auto same =
-        std::find_if(before.begin(), before.end(), [&](const Entry& e) { return e.name == effect->name(); });
-    Entry entry{std::string(effect->name()), effect->stored_energy()};
+        std::find_if(before.begin(), before.end(), [&](const Entry& e) { return e.kind == effect->kind(); });
+    Entry entry{effect->kind(), effect->stored_energy()};
     if (before.empty()) {
       column(effect->account()) += entry.stored;
       given_ += entry.stored;
     } else if (same != before.end() && effect->account() == EnergyAccount::contact) {
       entry.stored = same->stored;  // springs go on from one stage to the next
-    } else if (same != before.end() && effect->name() != "point load") {
+    } else if (same != before.end() && effect->kind() != EffectKind::point_load) {
       column(effect->account()) += entry.stored - same->stored;  // of blocks that are held from now on, or let go
       ledger_.integration_loss -= entry.stored - same->stored;
     }

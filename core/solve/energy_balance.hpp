@@ -25,7 +25,7 @@ class EnergyBalance {
 
  private:
   struct Entry {
-    std::string name;
+    EffectKind kind;
     double stored = 0;  ///< J
   };
   double& column(EnergyAccount account);

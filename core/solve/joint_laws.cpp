@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "mesh/block.hpp"
 
 namespace talus {
 

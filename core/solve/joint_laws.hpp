@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "contact/contact_point.hpp"
-#include "mesh/block.hpp"
 
 namespace talus {
+
+struct BlockSystem;
+struct Project;
 
 /// Strength and stiffness of the project's joints as contact sees them, in Project::joints' order.
 /// A project without joints gets one law without friction.

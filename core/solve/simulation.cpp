@@ -1,72 +1,56 @@
 #include "solve/simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "solve/contact_search.hpp"
 #include "solve/simulation_state.hpp"
-#include "solve/stopwatch.hpp"
-#include "solve/turning_contacts.hpp"
+#include "solve/stage_start.hpp"
+#include "solve/step_checks.hpp"
+#include "solve/step_corrections.hpp"
 
+/// A time step from top to bottom. `Simulation::step` takes a fixed or an adaptive one; both try steps of some length
+/// until one is good, and accept it. A trial detects contacts, sets the step up, guesses, converges and checks.
 namespace talus {
 
 namespace {
 
-/// A step that does not settle is cut by this factor, and grows back by it …
-constexpr double cut_factor = 3;
-/// … but is never shorter than this share of the stage's step: then the run has not converged.
-constexpr double shortest_share = 0.01;
-/// Contacts are sought within this many times the way that a node can make in the step …
-constexpr double reach_factor = 2.5;
-/// … and this share of the smallest mesh size, so that touching faces are found at rest.
-constexpr double reach_share = 1e-3;
-/// Rounds of the augmented Lagrangian in a step; each brings penetration down by about the contact's over the rock's
-/// stiffness.
-constexpr int augmentation_limit = 10;
-/// Of the mesh size: in dynamic stages contacts whose stiffness nobody has given go no deeper.
-constexpr double usual_tolerance = 5e-4;
-/// Of the stage's step: one that is shorter is taken though blocks turn into each other in it.
-constexpr double long_enough = 0.03;
-/// A static stage is in equilibrium no sooner than after this many steps.
-constexpr int fewest_static_steps = 2;
+// In the order in which they come:
+void take_fixed_step(SimulationState& s, StepReport& report);
+void take_adaptive_step(SimulationState& s, StepReport& report);
+bool try_step(SimulationState& s, double start, double length, StepReport& report);
+void set_times(SimulationState& s, double start, double length);
+void set_up(SimulationState& s);
+OpenCloseResult converge(SimulationState& s);
+bool check(SimulationState& s, const OpenCloseResult& result, StepReport& report);
+bool retry_with_more_inertia(SimulationState& s, bool good);
+void cut(SimulationState& s, StepReport& report);
+void accept(SimulationState& s, StepReport& report);
+void remember_step(SimulationState& s, StepReport& report);
+void move_bodies(SimulationState& s, StepReport& report);
+void end_static_stage_in_equilibrium(SimulationState& s, StepReport& report);
+StepMeasure measure(const SimulationState& s, int iterations);
 
 }  // namespace
 
-Simulation::Simulation(const Project& project, const BlockSystem& system)
-    : state_(std::make_unique<State>(project, system)) {
-  begin_stage();
-}
-Simulation::~Simulation() = default;
-
-bool Simulation::finished() const { return !converged() || state_->clock.finished(); }
-bool Simulation::stage_ended() const { return state_->clock.stage_ended(); }
-int Simulation::stage() const {
-  const StageClock& clock = state_->clock;
-  return clock.stage_ended() ? clock.stage() - 1 : clock.stage();
-}
-double Simulation::time() const { return state_->clock.time(); }
-double Simulation::end_time() const { return state_->clock.end(); }
-long Simulation::total_steps() const { return state_->clock.total_steps(); }
-const BodySet& Simulation::bodies() const { return state_->bodies; }
-
 StepReport Simulation::step() {
-  State& s = *state_;
-  if (s.clock.stage_begins() && s.step > 0) begin_stage();
+  SimulationState& s = *state_;
+  if (s.clock.stage_begins() && s.step > 0) begin_stage(s);
   StepReport report;
-  struggles_.clear();
   report.step = ++s.step;
   report.stage = s.clock.stage();
+  s.troubles.begin_step(s.step);
   const double start = s.clock.time();
   const SolveTimes before = s.open_close.times();
   const double detect_before = s.detect_seconds;
   if (s.adaptive())
-    take_adaptive_step(report);
+    take_adaptive_step(s, report);
   else
-    take_fixed_step(report);
+    take_fixed_step(s, report);
   ++s.stage_steps;
-  end_static_stage_in_equilibrium(report);
+  end_static_stage_in_equilibrium(s, report);
   report.time = s.clock.time();
   report.time_step = report.time - start;
-  const SolveTimes& now = s.open_close.times();
+  const SolveTimes now = s.open_close.times();
   report.phases = {s.detect_seconds - detect_before, now.assemble - before.assemble, now.factor - before.factor,
                    now.solve - before.solve,         now.update - before.update,     0};
   s.outcomes.add_to(report);
@@ -75,235 +59,195 @@ StepReport Simulation::step() {
   return report;
 }
 
-void Simulation::take_fixed_step(StepReport& report) {
-  State& s = *state_;
+namespace {
+
+/// The step of the stage, in parts that are shorter where need be.
+void take_fixed_step(SimulationState& s, StepReport& report) {
+  const StepTolerances& t = s.tolerances.step;
   const double length = s.clock.next_length();
   double left = length;
-  while (left > 1e-9 * length) {
+  while (left > t.time_rounding * length) {
     const double trial = std::min(left, s.trial_length);
-    if (try_step(s.clock.time() + length - left, trial, report)) {
-      accept(report);
+    if (try_step(s, s.clock.time() + length - left, trial, report)) {
+      accept(s, report);
       left -= trial;
-      s.trial_length = std::min(trial * cut_factor, length);
-    } else if (trial / cut_factor < shortest_share * length) {
-      return give_up();
+      s.trial_length = std::min(trial * t.cut_factor, length);
+    } else if (trial / t.cut_factor < t.shortest_step * length) {
+      s.troubles.note_end_of_run();
+      return;
     } else {
-      s.trial_length = trial / cut_factor;
-      note_cut(report);
+      s.trial_length = trial / t.cut_factor;
+      cut(s, report);
     }
   }
   s.clock.advance();
 }
 
-void Simulation::take_adaptive_step(StepReport& report) {
-  State& s = *state_;
+/// One step of the length that its control chooses.
+void take_adaptive_step(SimulationState& s, StepReport& report) {
   for (;;) {
     const double length = std::min(s.control.length(), s.clock.left());
     const int before = report.iterations;
-    const bool settled = try_step(s.clock.time(), length, report);
-    const StepMeasure measure = settled ? measure_step(report.iterations - before) : StepMeasure{};
-    if (settled && s.control.acceptable(measure, length)) {
-      accept(report);
-      s.control.taken(measure, length);
+    const bool good = try_step(s, s.clock.time(), length, report);
+    const StepMeasure measured = good ? measure(s, report.iterations - before) : StepMeasure{};
+    if (good && s.control.acceptable(measured, length)) {
+      accept(s, report);
+      s.control.accept(measured, length);
       s.clock.advance_by(length);
       return;
     }
-    if (!settled && !s.control.may_be_shorter(length)) return give_up();
-    s.control.refused(measure, length);
-    if (settled)
+    if (!good && !s.control.may_be_shorter(length)) {
+      s.troubles.note_end_of_run();
+      return;
+    }
+    s.control.refuse(measured, length);
+    if (good)
       ++report.cuts;
     else
-      note_cut(report);
+      cut(s, report);
   }
 }
 
-StepMeasure Simulation::measure_step(int iterations) const {
-  const State& s = *state_;
-  StepMeasure measure;
-  measure.iterations = iterations;
-  for (int n = 0; n < s.bodies.nodes.movable; ++n)
-    measure.displacement = std::max(measure.displacement, s.increment.segment<3>(3 * n).norm());
-  if (s.composition.inertia && s.context.dynamic_factor > 0)
-    measure.time_error = s.composition.inertia->time_error(s.increment);
-  return measure;
+/// Tries a step of `length` from `start` [s] without accepting it: finds its increment. Whether it may be accepted.
+bool try_step(SimulationState& s, double start, double length, StepReport& report) {
+  for (;;) {
+    set_times(s, start, length);
+    if (!s.anything_moves()) return true;
+    detect_contacts(s, length);
+    if (!s.anything_moves()) return true;  // the last ones have fallen asleep
+    set_up(s);
+    s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
+    const OpenCloseResult result = converge(s);
+    const bool good = check(s, result, report);
+    if (!retry_with_more_inertia(s, good)) return good;
+  }
 }
 
-void Simulation::end_static_stage_in_equilibrium(StepReport& report) {
-  State& s = *state_;
-  if (!converged() || s.clock.stage_ended()) return;
+void set_times(SimulationState& s, double start, double length) {
+  s.context.time = start;
+  s.context.length = length;
+  if (!s.dynamic()) s.context.integration.beta = s.integration.beta / s.pseudo_transient.inertia_fraction();
+  s.motion->begin_step(s.bodies, start + length);
+}
+
+void set_up(SimulationState& s) {
+  for (const auto& effect : s.composition.effects) effect->begin_step(s.context);
+  s.open_close.begin_step(s.context);
+  if (!s.accelerations_wanted) return;
+  s.bodies.give_accelerations(s.open_close.start_accelerations(s.context));
+  s.accelerations_wanted = false;
+}
+
+/// Converges, corrects what that shows to be wrong, and converges again, until nothing is.
+OpenCloseResult converge(SimulationState& s) {
+  OpenCloseResult result = s.open_close.converge(s.increment);
+  for (int round = 0; result.converged; ++round) {
+    if (round == s.tolerances.step.correction_limit) {
+      ++s.correction_limits;
+      break;
+    }
+    if (!correct_contacts(s) && !correct_accelerations(s)) break;
+    const OpenCloseResult last = s.open_close.converge(s.increment);
+    result = {.converged = last.converged,
+              .iterations = result.iterations + last.iterations,
+              .residual = last.residual,
+              .force_scale = last.force_scale,
+              .worst_dof_block = std::max(result.worst_dof_block, last.worst_dof_block)};
+  }
+  return result;
+}
+
+/// Whether the step has converged to something that may be accepted. Notes trouble.
+bool check(SimulationState& s, const OpenCloseResult& result, StepReport& report) {
+  report.iterations += result.iterations;
+  report.unbalanced_force = result.residual;
+  const int node = result.worst_dof_block < 0 ? -1 : s.bodies.node_of(result.worst_dof_block);
+  const auto note = [&](TroubleCause cause, int at) { s.troubles.note(cause, at, s.context, result.iterations); };
+  if (!result.converged) {
+    note(TroubleCause::not_converged, node);
+    return false;
+  }
+  if (const int element = inverted_element(s); element >= 0) {
+    note(TroubleCause::inverted, s.bodies.elements[element].nodes[0]);
+    return false;
+  }
+  if (const auto contact = missed_contact(s)) {
+    s.troubles.note_missed_contact(*contact, s.context, result.iterations);
+    return false;
+  }
+  if (node >= 0) note(TroubleCause::many_iterations, node);
+  return true;
+}
+
+/// Whether a static step kept too little inertia and is to be tried again.
+bool retry_with_more_inertia(SimulationState& s, bool good) {
+  if (s.dynamic()) return false;
+  const double displacement = measure(s, 0).displacement;
+  if (!s.pseudo_transient.needs_retry(good, displacement)) return false;
+  s.pseudo_transient.restore_inertia(good, displacement);
+  return true;
+}
+
+void cut(SimulationState& s, StepReport& report) {
+  ++report.cuts;
+  s.troubles.note_cut();
+}
+
+void accept(SimulationState& s, StepReport& report) {
+  const bool may_hit = s.impacts && s.dynamic() && s.anything_moves();
+  if (may_hit) s.impacts->note_speeds(s.contacts, s.context);
+  s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
+  if (s.anything_moves()) remember_step(s, report);
+  move_bodies(s, report);
+  const double by_impacts = may_hit ? s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes()) : 0;
+  if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
+  if (s.dynamic()) s.falls_asleep = s.sleep.after_step(s.bodies, s.contacts, s.context.length);
+  report.energy = s.anything_moves()
+                      ? s.energy.after_step(s.composition, s.open_close.residual().works(), s.increment, by_impacts)
+                      : s.energy.ledger();
+  s.first_guess.remember(s.increment, s.context.length);
+}
+
+/// What effects, contacts and accelerations remember of the step; the bodies have not moved yet.
+void remember_step(SimulationState& s, StepReport& report) {
+  const StepMeasure measured = measure(s, 0);
+  report.time_error = std::max(report.time_error, measured.time_error);
+  if (!s.dynamic()) s.pseudo_transient.accept(measured.displacement, s.open_close.residual().static_residual());
+  for (const auto& effect : s.composition.effects) effect->accept(s.increment);
+  s.detector.accept(s.contacts, s.outcomes.outcomes());
+  s.acceleration_reset.note_contact_forces(s.bodies, s.contacts, s.outcomes.outcomes());
+  if (s.dynamic() && s.context.integration.carries_acceleration()) s.acceleration_reset.drop_after_blows(s.bodies);
+}
+
+void move_bodies(SimulationState& s, StepReport& report) {
+  s.bodies.move(s.increment);
+  for (const int b : s.bodies.moving)
+    report.max_displacement = std::max(report.max_displacement, s.bodies.bodies[b].largest_displacement);
+  for (const auto* moved : {&s.bodies.moving, &s.bodies.driven})
+    for (const int b : *moved)
+      if (const double displacement = s.bodies.bodies[b].largest_displacement; displacement > 0)
+        s.detector.moved(b, displacement);
+  s.bodies.carry_velocities();
+}
+
+void end_static_stage_in_equilibrium(SimulationState& s, StepReport& report) {
+  if (s.troubles.run_ended() || s.clock.stage_ended()) return;
   const Stage& stage = s.project.stages[s.clock.stage()];
-  if (!stage.until_equilibrium || stage.kind != StageKind::static_ || s.stage_steps < fewest_static_steps) return;
-  if (s.bodies.nodes.movable > 0 && s.open_close.balance().imbalance() > stage.equilibrium_tolerance) return;
+  if (!stage.until_equilibrium || s.dynamic() || s.stage_steps < s.tolerances.step.fewest_static_steps) return;
+  if (s.anything_moves() && s.open_close.residual().static_residual() > stage.equilibrium_tolerance) return;
   report.equilibrium = true;
   s.clock.end_stage();
 }
 
-void Simulation::seek_contacts(double length) {
-  State& s = *state_;
-  double prescribed = 0;
-  for (const int b : s.bodies.driven)
-    prescribed = std::max(prescribed, s.bodies.nodes.prescribed[s.bodies.bodies[b].first_node].norm());
-  const double way =
-      s.context.dynamic_factor * s.bodies.top_speed() * length + 0.5 * s.project.gravity.norm() * length * length;
-  const double reach = reach_factor * (way + prescribed);
-  s.context.reach = reach + s.smallest_size;
-  s.reach = reach + reach_share * s.smallest_size;
-  s.detector.detect(s.bodies.nodes.position, s.reach, s.contacts);
-  s.links.connect();
+StepMeasure measure(const SimulationState& s, int iterations) {
+  StepMeasure measured;
+  measured.iterations = iterations;
+  for (int n = 0; n < s.bodies.nodes.movable; ++n)
+    measured.displacement = std::max(measured.displacement, s.increment.segment<3>(3 * n).norm());
+  if (s.composition.inertia && s.dynamic()) measured.time_error = s.composition.inertia->time_error(s.increment);
+  return measured;
 }
 
-void Simulation::detect(double length) {
-  State& s = *state_;
-  const Stopwatch watch(s.detect_seconds);
-  const bool fell_asleep = s.falls_asleep;
-  if (fell_asleep) let_sleep_and_wake();
-  seek_contacts(length);
-  bool changed = fell_asleep;
-  while (s.sleep.wake_touched(s.bodies, s.contacts)) {  // what wakes may touch what sleeps
-    let_sleep_and_wake();
-    seek_contacts(length);
-    changed = true;
-  }
-  if (changed) account_for_the_awake();
-  if (s.pattern_generation == s.detector.coupling_generation()) return;
-  s.pattern_generation = s.detector.coupling_generation();
-  std::vector<std::pair<int, int>> couplings;
-  std::vector<int> freedoms, others;
-  for (const auto& [i, j] : s.detector.coupled_nodes()) {
-    s.bodies.freedoms_of(i, freedoms);
-    s.bodies.freedoms_of(j, others);
-    for (const int a : freedoms)
-      for (const int b : others)
-        if (a != b) couplings.emplace_back(a, b);
-  }
-  s.open_close.set_pattern(s.bodies.nodes.movable, std::move(couplings));
-}
-
-const ContactSet& Simulation::look_for_contacts() {
-  State& s = *state_;
-  if (s.bodies.nodes.movable > 0) seek_contacts(s.adaptive() ? s.control.length() : s.clock.next_length());
-  return s.contacts;
-}
-
-int Simulation::inverted_element() const {
-  const State& s = *state_;
-  const auto found = std::find_if(s.bodies.elements.begin(), s.bodies.elements.end(), [&](const Element& element) {
-    Corners corners = s.bodies.corner_increments(element, s.increment);
-    for (int i = 0; i < 4; ++i) corners[i] += s.bodies.nodes.position[element.nodes[i]];
-    return !(element_shape(corners).volume > 0);
-  });
-  return found == s.bodies.elements.end() ? -1 : static_cast<int>(found - s.bodies.elements.begin());
-}
-
-bool Simulation::settle(StepReport& report) {
-  State& s = *state_;
-  Settling result = s.open_close.settle(s.increment);
-  int iterations = result.iterations, hard = result.worst_freedom;
-  const auto to_be_taken_anew = [&] {
-    const bool blows = s.context.dynamic_factor > 0 && s.context.integration.holds_on_to_blows();
-    return press_apart() || (blows && s.shocks.slacken(s.bodies, s.context, s.increment));
-  };
-  for (int round = 0; result.settled && round < augmentation_limit && to_be_taken_anew(); ++round) {
-    result = s.open_close.settle(s.increment);
-    iterations += result.iterations;
-    hard = std::max(hard, result.worst_freedom);
-  }
-  report.iterations += iterations;
-  report.unbalanced_force = result.residual;
-  const int node = hard < 0 ? -1 : s.bodies.node_of(hard);
-  const int inverted = result.settled ? inverted_element() : -1;
-  if (!result.settled)
-    note_struggle(StruggleCause::not_settled, node, iterations);
-  else if (inverted >= 0)
-    note_struggle(StruggleCause::inverted, s.bodies.elements[inverted].nodes[0], iterations);
-  else if (find_late_contact(iterations))
-    return false;
-  else if (node >= 0)
-    note_struggle(StruggleCause::many_iterations, node, iterations);
-  return result.settled && inverted < 0;
-}
-
-bool Simulation::find_late_contact(int iterations) {
-  State& s = *state_;
-  const double longest = s.project.stages[s.clock.stage()].time_step;
-  if (s.context.dynamic_factor == 0 || s.context.length < long_enough * longest) return false;
-  const double tolerance = s.project.solver.penetration_tolerance.value_or(usual_tolerance);
-  const Stopwatch watch(s.detect_seconds);
-  const auto late =
-      s.late_contacts.seek(s.detector, s.links, s.increment, s.reach, tolerance, tolerance * s.smallest_size);
-  if (late) note_late_contact(*late, iterations);
-  return late.has_value();
-}
-
-bool Simulation::press_apart() {
-  State& s = *state_;
-  const std::optional<double>& asked = s.project.solver.penetration_tolerance;
-  // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
-  if (s.context.dynamic_factor > 0) {
-    const double tolerance = asked.value_or(usual_tolerance);
-    const auto start = [&](int node) { return s.bodies.nodes.position[node]; };
-    const auto end = [&](int node) { return Vec3(start(node) + s.bodies.node_increment(node, s.increment)); };
-    const auto turned = [&](int point) { return s.detector.turned(point, start, end); };
-    return follow_turning(s.contacts, s.links, turned, s.increment, tolerance) ||
-           harden(s.contacts, s.links, s.increment, tolerance, asked ? std::span<const Joint>() : s.project.joints);
-  }
-  if (!asked || multiplier_error(s.links, s.increment) <= *asked) return false;
-  adapt_multipliers(s.contacts, s.links, s.increment);
-  return true;
-}
-
-bool Simulation::try_step(double start, double length, StepReport& report) {
-  State& s = *state_;
-  s.context.time = start;
-  s.context.length = length;
-  if (s.context.dynamic_factor == 0) s.context.integration.beta = s.integration.beta / s.fading.share();
-  s.motion->begin_step(s.bodies, start + length);
-  if (s.bodies.nodes.movable == 0) return true;
-  detect(length);
-  if (s.bodies.nodes.movable == 0) return true;
-  for (const auto& effect : s.composition.effects) effect->begin_step(s.context);
-  s.open_close.begin_step(s.context);
-  if (s.accelerations_wanted) {
-    s.bodies.give_accelerations(s.open_close.start_accelerations(s.context));
-    s.accelerations_wanted = false;
-  }
-  s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
-  const bool settled = settle(report);
-  if (s.context.dynamic_factor > 0) return settled;
-  const double way = measure_step(0).displacement;
-  if (!s.fading.led_astray(settled, way)) return settled;
-  s.fading.restore(settled, way);
-  return try_step(start, length, report);
-}
-
-void Simulation::accept(StepReport& report) {
-  State& s = *state_;
-  const bool may_hit = s.impacts && s.context.dynamic_factor > 0 && s.bodies.nodes.movable > 0;
-  if (may_hit) s.impacts->note_speeds(s.contacts, s.context);
-  s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
-  if (s.bodies.nodes.movable > 0) {
-    const StepMeasure measure = measure_step(0);
-    report.time_error = std::max(report.time_error, measure.time_error);
-    if (s.context.dynamic_factor == 0) s.fading.taken(measure.displacement, s.open_close.balance().imbalance());
-    for (const auto& effect : s.composition.effects) effect->accept(s.increment);
-    s.detector.accept(s.contacts, s.outcomes.outcomes());
-    s.shocks.look(s.bodies, s.contacts, s.outcomes.outcomes());
-    if (s.context.dynamic_factor > 0 && s.context.integration.holds_on_to_blows()) s.shocks.forget(s.bodies);
-  }
-  s.bodies.move(s.increment);
-  for (const int b : s.bodies.moving)
-    report.max_displacement = std::max(report.max_displacement, s.bodies.bodies[b].way);
-  for (const auto* moved : {&s.bodies.moving, &s.bodies.driven})
-    for (const int b : *moved)
-      if (const double way = s.bodies.bodies[b].way; way > 0) s.detector.moved(b, way);
-  s.bodies.carry_velocities();
-  const double by_impacts = may_hit ? s.impacts->take(s.contacts, s.context, s.outcomes.outcomes()) : 0;
-  if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
-  if (s.context.dynamic_factor > 0) s.falls_asleep = s.sleep.settle(s.bodies, s.contacts, s.context.length);
-  report.energy = s.bodies.nodes.movable > 0
-                      ? s.energy.after_step(s.composition, s.open_close.balance().works(), s.increment, by_impacts)
-                      : s.energy.ledger();
-  s.first_guess.remember(s.increment, s.context.length);
-}
+}  // namespace
 
 }  // namespace talus

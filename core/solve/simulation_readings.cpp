@@ -1,32 +1,41 @@
 #include <algorithm>
 
+#include "solve/contact_search.hpp"
+#include "solve/simulation.hpp"
 #include "solve/simulation_state.hpp"
+#include "solve/stage_start.hpp"
 
-/// What can be read of a simulation between steps.
+/// How a simulation begins, and what can be read of it between steps.
 namespace talus {
 
-std::vector<Voigt> Simulation::present_stress() const {
-  const State& s = *state_;
-  s.stress_recoveries += static_cast<long>(s.bodies.moving.size());
-  std::vector<Voigt> stress(s.bodies.elements.size(), Voigt::Zero());
-  for (const auto& effect : s.composition.effects) effect->add_stress(stress);
-  return stress;
+Simulation::Simulation(const Project& project, const BlockSystem& system, const Tolerances& tolerances)
+    : state_(std::make_unique<SimulationState>(project, system, tolerances)) {
+  begin_stage(*state_);
 }
+Simulation::~Simulation() = default;
 
-std::vector<Voigt> Simulation::stress_of(int index, const std::vector<Voigt>& stress) const {
-  const Body& body = state_->bodies.bodies[index];
-  if (body.fixed) return state_->bodies.stress_of_held(index);
-  const auto first = stress.begin() + body.first_element;
-  return {first, first + body.element_count};
+bool Simulation::finished() const { return !converged() || state_->clock.finished(); }
+bool Simulation::stage_ended() const { return state_->clock.stage_ended(); }
+bool Simulation::converged() const { return !state_->troubles.run_ended(); }
+std::string Simulation::failure() const { return converged() ? "" : failure_text(troubles().back()); }
+const std::vector<ConvergenceTrouble>& Simulation::troubles() const { return state_->troubles.all(); }
+int Simulation::stage() const {
+  const StageClock& clock = state_->clock;
+  return clock.stage_ended() ? clock.stage() - 1 : clock.stage();
 }
+double Simulation::time() const { return state_->clock.time(); }
+double Simulation::end_time() const { return state_->clock.end(); }
+long Simulation::total_steps() const { return state_->clock.total_steps(); }
+const BodySet& Simulation::bodies() const { return state_->bodies; }
 
-Voigt Simulation::stress_at(const MaterialPoint& point, const std::vector<Voigt>& stress) const {
-  const std::vector<Voigt> own = stress_of(point.body, stress);
-  return own.size() == 1 ? own.front() : own.at(static_cast<std::size_t>(point.tetrahedron));
+const ContactSet& Simulation::look_for_contacts() {
+  SimulationState& s = *state_;
+  if (s.anything_moves()) seek_contacts(s, s.adaptive() ? s.control.length() : s.clock.next_length());
+  return s.contacts;
 }
 
 Frame Simulation::frame(int index) const {
-  const State& s = *state_;
+  const SimulationState& s = *state_;
   Frame frame;
   frame.index = index;
   frame.time = time();
@@ -34,11 +43,11 @@ Frame Simulation::frame(int index) const {
   const NodeSet& nodes = s.bodies.nodes;
   for (int n = 0; n < nodes.of_blocks; ++n) frame.displacement.push_back(nodes.position[n] - nodes.reference[n]);
   frame.velocity.assign(nodes.velocity.begin(), nodes.velocity.begin() + nodes.of_blocks);
-  const std::vector<Voigt> stress = present_stress();
+  const std::vector<Voigt> stress = s.stress.all();
   for (std::size_t b = 0; b < s.bodies.bodies.size(); ++b) {
     const Body& body = s.bodies.bodies[b];
     const std::size_t tetrahedra = s.system.blocks[b].mesh.tetrahedra.size();
-    std::vector<Voigt> own = stress_of(static_cast<int>(b), stress);
+    std::vector<Voigt> own = s.stress.of_body(static_cast<int>(b), stress);
     own.resize(tetrahedra, body.kind == BodyKind::affine && !own.empty() ? own.front() : Voigt(Voigt::Zero()));
     frame.stress.insert(frame.stress.end(), own.begin(), own.end());
   }
@@ -55,32 +64,33 @@ std::vector<ContactSample> Simulation::contacts() const {
 }
 
 HistoryRow Simulation::history() const {
-  const State& s = *state_;
+  const SimulationState& s = *state_;
   HistoryRow row;
   row.time = time();
   row.stage = stage();
   const NodeSet& nodes = s.bodies.nodes;
   const auto watched = [](const Monitor& monitor) { return monitor.stress; };
   const bool any = std::any_of(s.project.monitors.begin(), s.project.monitors.end(), watched);
-  const std::vector<Voigt> stress = any ? present_stress() : std::vector<Voigt>();
+  const std::vector<Voigt> stress = any ? s.stress.all() : std::vector<Voigt>();
   for (std::size_t i = 0; i < s.monitors.size(); ++i) {
     const MaterialPoint& point = s.monitors[i];
     MonitorSample sample{point.at(nodes.position) - point.at(nodes.reference), point.at(nodes.velocity), {}};
-    if (s.project.monitors[i].stress) sample.stress = stress_at(point, stress);
+    if (s.project.monitors[i].stress) sample.stress = s.stress.at(point, stress);
     row.monitors.push_back(sample);
   }
   return row;
 }
 
 std::vector<EffectOutcome> Simulation::effects() const {
-  const State& s = *state_;
-  auto work = s.open_close.balance().effect_work();
+  const SimulationState& s = *state_;
+  auto work = s.open_close.residual().effect_work();
   if (s.impacts)
-    work["rebound"] = {.seconds = s.impacts->seconds(), .built = 1, .evaluations = s.impacts->evaluations()};
+    work[EffectKind::rebound] = {.seconds = s.impacts->seconds(), .built = 1, .evaluations = s.impacts->evaluations()};
   std::vector<EffectOutcome> outcomes;
   for (const EffectStatus& status : called_effects(s.project, s.system)) {
-    EffectOutcome& outcome = outcomes.emplace_back(EffectOutcome{status.name, status.active, status.reason});
-    const auto spent = work.find(status.name);
+    EffectOutcome& outcome =
+        outcomes.emplace_back(EffectOutcome{std::string(to_string(status.kind)), status.active, status.reason});
+    const auto spent = work.find(status.kind);
     if (spent == work.end()) continue;
     outcome.seconds = spent->second.seconds;
     outcome.built = spent->second.built;
@@ -91,7 +101,7 @@ std::vector<EffectOutcome> Simulation::effects() const {
 }
 
 RunWork Simulation::work() const {
-  const State& s = *state_;
+  const SimulationState& s = *state_;
   const ContactWork& contact = s.detector.work();
   const LinearWork& linear = s.open_close.linear_work();
   RunWork work;
@@ -107,7 +117,11 @@ RunWork Simulation::work() const {
   work.largest_system = linear.largest_system;
   work.block_steps_asleep = s.block_steps_asleep;
   work.wakings = s.sleep.wakings();
-  work.stress_recoveries = s.stress_recoveries;
+  work.correction_limits = s.correction_limits;
+  work.impact_sweep_limits = s.impacts ? s.impacts->sweep_limits() : 0;
+  work.gmres_limits = linear.gmres_limits;
+  work.failed_factorisations = s.open_close.interior_point().failed_factorisations();
+  work.stress_recoveries = s.stress.count();
   return work;
 }
 

@@ -19,8 +19,8 @@ std::vector<Surface> surfaces_of(const BlockSystem& system) {
 std::vector<ContactBody> contact_bodies(const BodySet& set, const std::vector<Surface>& surfaces) {
   std::vector<ContactBody> bodies;
   for (std::size_t b = 0; b < set.bodies.size(); ++b)
-    bodies.push_back(
-        {&surfaces[b], set.bodies[b].first_node, set.bodies[b].fixed, set.bodies[b].young, set.bodies[b].one_piece()});
+    bodies.push_back({&surfaces[b], set.bodies[b].first_node, set.bodies[b].fixed, set.bodies[b].young,
+                      set.bodies[b].single_body()});
   return bodies;
 }
 
@@ -30,17 +30,12 @@ std::vector<double> sizes_of(const std::vector<Surface>& surfaces) {
   return sizes;
 }
 
-ContactSettings contact_settings(const Project& project) {
+ContactSettings contact_settings(const Project& project, const ContactTolerances& tolerances) {
   ContactSettings settings;
+  settings.tolerances = tolerances;
   settings.model = project.solver.contact;
   settings.stiffness = project.solver.contact_stiffness;
   settings.motion_told = true;
-  return settings;
-}
-
-OpenCloseSettings open_close_settings(const Project& project) {
-  OpenCloseSettings settings;
-  settings.iteration_limit = project.solver.open_close_limit;
   return settings;
 }
 
@@ -64,19 +59,26 @@ double half_height(const BodySet& bodies) {
 
 }  // namespace
 
-Simulation::State::State(const Project& p, const BlockSystem& s)
+SimulationState::SimulationState(const Project& p, const BlockSystem& s, const Tolerances& t)
     : project(p),
       system(s),
+      tolerances(t.solver),
       bodies(p, s),
-      clock(p.stages),
       surfaces(surfaces_of(s)),
       smallest_size(smallest_mesh_size(bodies, surfaces)),
-      detector(contact_bodies(bodies, surfaces), joint_laws(p), pair_joints(p, s), contact_settings(p)),
-      open_close(open_close_settings(p)),
-      control(p.solver.adaptive, half_height(bodies), smallest_size),
-      sleep(sizes_of(surfaces), p.solver.sleep_tolerance) {
+      detector(contact_bodies(bodies, surfaces), joint_laws(p), pair_joints(p, s), contact_settings(p, t.contact)),
+      outcomes(t.solver.contact_outcome),
+      clock(p.stages, t.solver.step.time_rounding),
+      control(p.solver.adaptive, half_height(bodies), smallest_size, t.solver.step_control),
+      open_close(t.solver, p.solver.open_close_limit),
+      first_guess(t.solver.first_guess),
+      pseudo_transient(t.solver.pseudo_transient),
+      acceleration_reset(bodies, t.solver.acceleration_reset),
+      sleep(sizes_of(surfaces), p.solver.sleep_tolerance, t.solver.sleep),
+      stress(bodies, composition),
+      troubles(p, s, bodies, contacts) {
   for (const Monitor& monitor : p.monitors) {
-    const double tolerance = 1e-6 * std::cbrt(s.solids_volume);
+    const double tolerance = t.solver.effects.point_outside_block * std::cbrt(s.solids_volume);
     monitors.push_back(material_point(s, monitor.block, monitor.at, tolerance, "monitor '" + monitor.name + "'"));
   }
   bodies.stress = stress_before(p, s, bodies);

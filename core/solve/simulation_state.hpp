@@ -1,65 +1,87 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
-#include "contact/contact_detector.hpp"
+#include "contact/detection/contact_detector.hpp"
+#include "contact/detection/missed_contacts.hpp"
+#include "mesh/surface.hpp"
+#include "model/tolerances.hpp"
 #include "solve/contact_outcomes.hpp"
+#include "solve/dynamics/acceleration_reset.hpp"
+#include "solve/dynamics/impacts.hpp"
+#include "solve/dynamics/prescribed_motion.hpp"
+#include "solve/dynamics/pseudo_transient.hpp"
+#include "solve/dynamics/sleep.hpp"
+#include "solve/dynamics/stage_clock.hpp"
+#include "solve/dynamics/step_control.hpp"
 #include "solve/energy_balance.hpp"
-#include "solve/fading_inertia.hpp"
-#include "solve/first_guess.hpp"
-#include "solve/impacts.hpp"
-#include "solve/late_contacts.hpp"
-#include "solve/open_close.hpp"
-#include "solve/prescribed_motion.hpp"
-#include "solve/shocks.hpp"
-#include "solve/simulation.hpp"
-#include "solve/sleep.hpp"
-#include "solve/stage_clock.hpp"
+#include "solve/equilibrium/first_guess.hpp"
+#include "solve/equilibrium/open_close.hpp"
+#include "solve/stress_recovery.hpp"
+#include "solve/trouble_log.hpp"
 
 namespace talus {
 
-/// What a simulation is made of. Only the files of Simulation see it.
-struct Simulation::State {
-  State(const Project& p, const BlockSystem& s);
+/// What a simulation is made of, and where it stands. Only the files that carry out its steps see it.
+struct SimulationState {
+  SimulationState(const Project& project, const BlockSystem& system, const Tolerances& tolerances);
 
   bool adaptive() const { return project.solver.time_step_control == TimeStepControl::adaptive; }
   bool augmented() const { return project.solver.penetration_tolerance.has_value(); }
+  bool dynamic() const { return context.dynamic_factor > 0; }  ///< is the stage?
+  bool anything_moves() const { return bodies.nodes.movable > 0; }
 
   const Project& project;
   const BlockSystem& system;
+  const SolverTolerances tolerances;
+
+  // Bodies and their contacts.
   BodySet bodies;
-  StageClock clock;
   std::vector<Surface> surfaces;
-  double smallest_size;  ///< m
+  double smallest_size;  ///< m, mesh size of blocks that may move
   ContactDetector detector;
   ContactSet contacts;
   ContactLinks links{bodies, contacts};
   ContactOutcomes outcomes;
-  Composition composition;
-  OpenClose open_close;
-  std::optional<Impacts> impacts;  ///< where some joint takes speed from them
-  FirstGuess first_guess;
-  StepControl control;
-  FadingInertia fading;  ///< of static stages
-  Shocks shocks{bodies};
-  LateContacts late_contacts{bodies};
-  Sleep sleep;
-  std::vector<RestingContact> resting;  ///< contacts of sleepers
-  EnergyBalance energy;
-  std::optional<PrescribedMotion> motion;
-  std::vector<MaterialPoint> monitors;
-  std::vector<bool> held;
+  std::vector<RestingContact> resting;       ///< contacts of sleepers
+  std::uint64_t pattern_generation = ~0ull;  ///< of the contacts that the equations' pattern was made for
+
+  // The stage.
+  StageClock clock;
+  std::vector<bool> held;       ///< bodies that the stage holds
   TimeIntegration integration;  ///< of the stage
+  Composition composition;      ///< its effects
+  std::optional<PrescribedMotion> motion;
+  bool velocities_given = false;  ///< the initial ones, with the first dynamic stage
+  int stage_steps = 0;
+
+  // A step: its stages in the order of simulation.cpp.
+  StepControl control;
+  double trial_length = 1e300;  ///< s, what the next fixed step is tried with
   StepContext context;          ///< of the step that is tried
+  double reach = 0;             ///< m, up to which gaps matter in it
   Increment increment;
-  double trial_length = 1e300;  ///< s, what the next step is tried with
-  std::uint64_t pattern_generation = ~0ull;
-  bool velocities_given = false, accelerations_wanted = false, falls_asleep = false;
+  OpenClose open_close;
+  FirstGuess first_guess;
+  PseudoTransientContinuation pseudo_transient;  ///< of static stages
+  AccelerationReset acceleration_reset;
+  MissedContacts missed_contacts{bodies};
+  std::optional<Impacts> impacts;  ///< where some joint takes speed from them
+  Sleep sleep;
+  bool accelerations_wanted = false;  ///< the next step is to begin with those of OpenClose
+  bool falls_asleep = false;          ///< some body does, before the next step
+
+  // What is told of it.
+  EnergyBalance energy;
+  StressRecovery stress;
+  TroubleLog troubles;
+  std::vector<MaterialPoint> monitors;
+  int step = 0;
   double detect_seconds = 0;
-  double reach = 0;  ///< m, up to which gaps matter in the step that is tried
-  int step = 0, stage_steps = 0;
   long block_steps_asleep = 0;
-  mutable long stress_recoveries = 0;  ///< looking at stress is counted, and changes nothing
+  long correction_limits = 0;  ///< steps that used all their rounds of correction
 };
 
 }  // namespace talus

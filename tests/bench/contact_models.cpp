@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "base/units.hpp"
-#include "cases/block_scene.hpp"
-#include "cases/wedge_cases.hpp"
+#include "model/stages.hpp"
+#include "verification/known_answers/support/scene.hpp"
+#include "verification/known_answers/wedges/wedge_cases.hpp"
 
 namespace talus {
 namespace {
@@ -30,7 +31,7 @@ struct Trial {
 };
 
 Stage moving(double time_step, double duration) {
-  Stage stage = motion(time_step, duration);
+  Stage stage = dynamic_stage(time_step, duration);
   stage.name = "slide";
   return stage;
 }
@@ -50,7 +51,7 @@ CaseScene ground_and_cube(double friction_angle) {
 
 void push(CaseScene& scene, const Vec3& velocity, double duration) {
   scene.project.velocities.push_back({"cube", velocity, Vec3::Zero()});
-  scene.project.stages = {settling(2e-3, 20), moving(2e-3, duration)};
+  scene.project.stages = {static_stage(2e-3, 20), moving(2e-3, duration)};
 }
 
 Trial over_a_mesh() {
@@ -114,7 +115,7 @@ Trial column() {
   t.scene.project.gravity = Vec3(0, 0, -g);
   t.scene.add_block("ground", box_mesh({0, 0, -1}, {3, 3, 0}, 4, 4, 1), BodyKind::fixed);
   for (int i = 0; i < 5; ++i) add_cube(t.scene, "cube " + std::to_string(i + 1), Vec3(1, 1, i), i % 2);
-  t.scene.project.stages = {settling(2e-3, 50), moving(2e-3, 0.6)};
+  t.scene.project.stages = {static_stage(2e-3, 50), moving(2e-3, 0.6)};
   return t;
 }
 

@@ -25,7 +25,8 @@ class Digest {
     for (const ContactPoint& p : contacts.points) {
       add(&p.key, sizeof p.key);
       for (const Vec3& v : {p.position, p.normal, p.shear_start}) add(v.data(), 3 * sizeof(double));
-      const std::array numbers = {p.gap, p.overlap, p.area, p.normal_stiffness, p.friction, p.cohesion, p.multiplier};
+      const std::array numbers = {
+          p.gap, p.initial_interference, p.area, p.normal_stiffness, p.friction, p.cohesion, p.multiplier};
       add(numbers.data(), sizeof numbers);
       add(&p.joint, sizeof p.joint);
     }

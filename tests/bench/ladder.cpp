@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "bench/step_costs.hpp"
-#include "cases/block_scene.hpp"
+#include "model/stages.hpp"
+#include "verification/known_answers/support/recorded_run.hpp"
 
 namespace talus {
 namespace {
@@ -31,7 +32,7 @@ void add(CaseScene& scene, const Vec3& min, const Vec3& sides, const Rung& rung)
 CaseScene slope(double dip, const Rung& rung) {
   CaseScene scene = rock_scene(30);
   tilt(scene, dip);
-  add_fixed_box(scene, "slope", Vec3(-1, -1, -1), Vec3(40, 3, 0));
+  scene.add_fixed_box("slope", Vec3(-1, -1, -1), Vec3(40, 3, 0));
   for (int i = 0; i < 32; ++i) add(scene, Vec3(i % 8, i / 8 % 2, i / 16), Vec3::Ones(), rung);
   return scene;
 }
@@ -40,7 +41,7 @@ CaseScene slope(double dip, const Rung& rung) {
 CaseScene scattered(double dip, const Rung& rung) {
   CaseScene scene = rock_scene(30);
   tilt(scene, dip);
-  add_fixed_box(scene, "slope", Vec3(-1, -1, -1), Vec3(40, 7, 0));
+  scene.add_fixed_box("slope", Vec3(-1, -1, -1), Vec3(40, 7, 0));
   for (int i = 0; i < 32; ++i) add(scene, Vec3(1.5 * (i % 8), 1.5 * (i / 8), 0), Vec3::Ones(), rung);
   return scene;
 }
@@ -49,7 +50,7 @@ CaseScene scattered(double dip, const Rung& rung) {
 CaseScene columns(double dip, double room, const Rung& rung) {
   CaseScene scene = rock_scene(35);
   tilt(scene, dip);
-  add_fixed_box(scene, "slope", Vec3(-1, -1, -1), Vec3(40, 2, 0));
+  scene.add_fixed_box("slope", Vec3(-1, -1, -1), Vec3(40, 2, 0));
   for (int i = 0; i < 16; ++i) add(scene, Vec3((1 + room) * i, 0, 0), Vec3(1, 1, 4), rung);
   return scene;
 }
@@ -61,7 +62,7 @@ struct Result {
 
 Result measure(CaseScene scene, double duration) {
   scene.project.solver.sleep_tolerance = 0;
-  scene.project.stages = {settling(0.01, settling_steps), motion(0.01, duration)};
+  scene.project.stages = {static_stage(0.01, settling_steps), dynamic_stage(0.01, duration)};
   Simulation simulation(scene.project, scene.system);
   for (int i = 0; i < settling_steps; ++i) simulation.step();
   StepCosts costs(simulation);
@@ -99,7 +100,7 @@ void climb(const char* title, double duration, const std::function<CaseScene(con
   for (std::size_t r = 0; r < rungs.size(); ++r)
     std::printf("| %s | %s |\n", rungs[r].name, results[r].costs.by_effect().c_str());
   std::printf(
-      "\n| bodies | mean way, m | longest | largest turn, degrees | farthest from the finest, m |\n"
+      "\n| bodies | mean displacement, m | longest | largest turn, degrees | farthest from the finest, m |\n"
       "|---|---|---|---|---|\n");
   for (std::size_t r = 0; r < rungs.size(); ++r) print_motion(rungs[r].name, results[r].blocks, results.back().blocks);
   std::fflush(stdout);

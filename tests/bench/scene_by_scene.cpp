@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "bench/step_costs.hpp"
-#include "cases/block_scene.hpp"
-#include "solve/run.hpp"
+#include "model/stages.hpp"
+#include "run/run.hpp"
+#include "verification/known_answers/support/scene.hpp"
 
 namespace talus {
 namespace {
@@ -44,9 +45,9 @@ CaseScene scene_of(const Calls& calls) {
     scene.add_block(name, box_mesh(corner, corner + Vec3::Ones(), 1, 1, 1), BodyKind::affine);
     scene.project.interfaces.push_back({{"plane", name}, "rough"});
   }
-  Stage settle = settling(time_step, settling_steps);
+  Stage settle = static_stage(time_step, settling_steps);
   settle.blocks = {{"block", BodyKind::fixed}};
-  Stage move = motion(time_step, time_step * (falling_asleep + measured));
+  Stage move = dynamic_stage(time_step, time_step * (falling_asleep + measured));
   move.blocks = {{"block", calls.body}};
   scene.project.stages = {settle, move};
   return scene;

@@ -9,7 +9,7 @@
 namespace talus::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -111,7 +111,7 @@ TEST_F(BadInput, JointThatIsNotDefined) {
 
 TEST_F(BadInput, CutThatMisses) {
   project_["cuts"] = {{{"joint", "J1"}, {"dip", 0}, {"dip_direction", 0}, {"through", {0, 0, 50}}}};
-  expect_refused(project_, "cut");
+  expect_refused(project_, "cut 1 (J1): misses every solid");
 }
 
 TEST_F(BadInput, TimeStepOfZero) {

@@ -295,7 +295,7 @@ TEST_F(Commands, VerifyRunsTheNamedCases) {
   EXPECT_GT(result["cases"][0]["seconds"], 0);
 }
 
-TEST_F(Commands, VerifyRunsWithBlocksInOnePieceWhereNoStrainIsAskedFor) {
+TEST_F(Commands, VerifyRunsWithRigidBlocksWhereNoStrainIsAskedFor) {
   const Ending rigid = talus_cli({"verify", "block_slides", "--body", "rigid", "--json"});
   EXPECT_EQ(rigid.exit_code, 0) << rigid.err;
   EXPECT_EQ(Json::parse(rigid.out)["cases"].size(), 1U);
@@ -368,35 +368,47 @@ TEST_F(Commands, VerifyNamesTheCasesThereAre) {
   EXPECT_THAT(ending.err, HasSubstr("free_fall"));
 }
 
-TEST_F(Commands, VerifyRunsScenesOfStabilityARowEach) {
-  const Ending ending = talus_cli({"verify", "--stability", "incline_1_degree_slides", "--repeat"});
+TEST_F(Commands, VerifyRunsHardCasesARowEach) {
+  const Ending ending = talus_cli({"verify", "--hard-cases", "incline_1_degree_slides", "--repeat"});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_THAT(ending.out, testing::ContainsRegex("incline_1_degree_slides +completed +.* yes\n"));
   EXPECT_THAT(ending.out, HasSubstr("1 of 1 scenes passed"));
-  const Ending json = talus_cli({"verify", "--stability", "incline_1_degree_slides", "--json"});
+  const Ending json = talus_cli({"verify", "--hard-cases", "incline_1_degree_slides", "--json"});
   const Json scene = Json::parse(json.out)["scenes"][0];
   EXPECT_EQ(scene["group"], "thresholds");
   EXPECT_EQ(scene["faults"].size(), 0U);
   EXPECT_GT(scene["penetration"], 0);
 }
 
-TEST_F(Commands, VerifyWritesScenesOfStabilityIntoAPage) {
+TEST_F(Commands, VerifyWritesHardCasesIntoAPage) {
   write_text(*folder / "page.md", "# Prose\n<!-- talus-cli verify: begin -->\n<!-- talus-cli verify: end -->\n");
-  const Ending ending = talus_cli({"verify", "--stability", "incline_1_degree_slides", "--markdown", place("page.md")});
+  const Ending ending =
+      talus_cli({"verify", "--hard-cases", "incline_1_degree_slides", "--markdown", place("page.md")});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_THAT(text_of(place("page.md")), HasSubstr("### thresholds\n\n| Scene | What | Must come to |"));
   EXPECT_THAT(text_of(place("page.md")), HasSubstr("| incline_1_degree_slides | Block on 30°, rigid"));
 }
 
-TEST_F(Commands, VerifyListsTheScenesOfStabilityAndTheirGroups) {
-  const Ending ending = talus_cli({"verify", "--stability", "--list", "--group", "thresholds"});
+TEST_F(Commands, OldNamesOfOptionsAreStillRead) {
+  const Ending ending = talus_cli({"verify", "--stability", "incline_1_degree_slides", "--nudge", "1", "--json"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  const Json scenes = Json::parse(ending.out)["scenes"];
+  ASSERT_EQ(scenes.size(), 2U);
+  EXPECT_EQ(scenes[1]["scene"], "incline_1_degree_slides+1");
+  EXPECT_GE(scenes[0]["interpenetration"], 0);
+  for (const char* option : {"--struggles", "--trouble"})
+    EXPECT_EQ(talus_cli({"render", results(), "--out", place("t.png"), "--size", "80x60", option}).exit_code, 0);
+}
+
+TEST_F(Commands, VerifyListsTheHardCasesAndTheirGroups) {
+  const Ending ending = talus_cli({"verify", "--hard-cases", "--list", "--group", "thresholds"});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_THAT(ending.out, testing::ContainsRegex("incline_1_degree_slides +thresholds +always +Block on 30°"));
-  const Ending unknown = talus_cli({"verify", "--stability", "--group", "geese"});
+  const Ending unknown = talus_cli({"verify", "--hard-cases", "--group", "geese"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("group 'geese'"));
-  EXPECT_EQ(talus_cli({"verify", "--group", "thresholds"}).exit_code, 2) << "only known with --stability";
-  EXPECT_EQ(talus_cli({"verify", "--stability", "--scale", "2"}).exit_code, 2);
+  EXPECT_EQ(talus_cli({"verify", "--group", "thresholds"}).exit_code, 2) << "only known with --hard-cases";
+  EXPECT_EQ(talus_cli({"verify", "--hard-cases", "--scale", "2"}).exit_code, 2);
 }
 
 TEST(Help, OfEveryCommandNamesItsOptions) {

@@ -114,6 +114,9 @@ TEST_F(Study, ThatIsInterruptedEndsItsRunsAndSaysHowToGoOn) {
   const Ending ending = cli.wait();
   EXPECT_EQ(ending.exit_code, 1);
   EXPECT_THAT(ending.err, HasSubstr("the same command goes on"));
+  const auto made = runs();
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  EXPECT_EQ(runs(), made) << "a run went on";
 }
 
 TEST_F(Study, ShowsARunThatDoesNotConvergeAsARow) {

@@ -1,12 +1,13 @@
-#include "widgets/accuracy_panel.hpp"
+#include "widgets/study/accuracy_panel.hpp"
 
 #include <QAction>
+#include <QLineEdit>
 #include <QTest>
 
 #include "io/project_file.hpp"
 #include "listed_runs.hpp"
 #include "studied_window.hpp"
-#include "widgets/theme.hpp"
+#include "widgets/kit/theme.hpp"
 
 namespace talus {
 namespace {
@@ -43,7 +44,7 @@ TEST_F(AccuracyPanelTest, APointThatIsClickedSelectsItsRunAndGivesItsSetting) {
   study(file);
   window->open(file);
   AccuracyPanel& panel = opened();
-  const AccuracyStudy& made = workspace->study()->study;
+  const AccuracyStudy& made = session->project.study()->study;
   ASSERT_EQ(table(panel, "runs").rowCount(), static_cast<int>(made.rows.size()));
   EXPECT_EQ(table(panel, "runs").currentRow(), 0) << "the project's own";
   EXPECT_FALSE(button(panel, "Use this setting").isEnabled());
@@ -58,13 +59,13 @@ TEST_F(AccuracyPanelTest, APointThatIsClickedSelectsItsRunAndGivesItsSetting) {
   rest(50);
   keepPicture(panel, "accuracy.png");
 
-  const Project before = workspace->document().project();
+  const Project before = session->project.document().project();
   ASSERT_TRUE(button(panel, "Use this setting").isEnabled());
   click(button(panel, "Use this setting"));
-  EXPECT_EQ(workspace->document().project(), under(made.rows[static_cast<std::size_t>(run)].setting, before));
+  EXPECT_EQ(session->project.document().project(), under(made.rows[static_cast<std::size_t>(run)].setting, before));
   EXPECT_FALSE(button(panel, "Use this setting").isEnabled());
-  workspace->document().undoStack().undo();
-  EXPECT_EQ(workspace->document().project(), before);
+  session->project.document().undoStack().undo();
+  EXPECT_EQ(session->project.document().project(), before);
 }
 
 TEST_F(AccuracyPanelTest, ChoosesTheCheapestRunWithinATarget) {
@@ -81,7 +82,7 @@ TEST_F(AccuracyPanelTest, ChoosesTheCheapestRunWithinATarget) {
   };
   ask("1000%");
   const int cheapest = table(panel, "runs").currentRow();
-  const auto& rows = workspace->study()->study.rows;
+  const auto& rows = session->project.study()->study.rows;
   for (const AccuracyRow& row : rows)
     EXPECT_LE(rows[static_cast<std::size_t>(cheapest)].run->cpu_seconds, row.run->cpu_seconds);
   EXPECT_TRUE(says(panel, QStringLiteral("is the cheapest within")));
@@ -132,7 +133,7 @@ TEST_F(AccuracyPanelTest, ShowsAnAccuracyJsonThatCameAlone) {
   const auto alone = folder / "from another machine.json";
   std::filesystem::rename(folder / "cube.accuracy" / "accuracy.json", alone);
   std::filesystem::remove_all(folder / "cube.accuracy");
-  workspace->lookForStudy();
+  session->project.lookForStudy();
   AccuracyPanel& panel = opened();
   panel.load(alone);
   EXPECT_TRUE(says(panel, QStringLiteral("Sliding cube: what accuracy costs")));

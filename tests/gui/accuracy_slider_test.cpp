@@ -1,4 +1,4 @@
-#include "widgets/accuracy_slider.hpp"
+#include "widgets/study/accuracy_slider.hpp"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "listed_runs.hpp"
-#include "render/log_axis.hpp"
+#include "render/charts/log_axis.hpp"
 #include "studied_window.hpp"
-#include "widgets/theme.hpp"
+#include "widgets/kit/theme.hpp"
 
 namespace talus {
 namespace {
@@ -27,7 +27,7 @@ TEST_F(AccuracySliderTest, MakesAStudyThatCanBeStoppedAndGoneOnWith) {
   qputenv("TALUS_CLI", TALUS_CLI);
   const auto file = slidingCube(20);
   openAndMesh(file);
-  workspace->goTo(Step::solve);
+  session->display.goTo(WorkflowPage::solve);
   EXPECT_FALSE(slider().isEnabled());
   EXPECT_TRUE(says(QStringLiteral("not known yet")));
   rest(2500);
@@ -45,11 +45,11 @@ TEST_F(AccuracySliderTest, MakesAStudyThatCanBeStoppedAndGoneOnWith) {
   EXPECT_TRUE(says(QStringLiteral("runs have ended")));
   keepPicture(*window, "accuracy_slider_study.png");
   theme::install(true);
-  workspace->setDark(true);
+  session->display.setDark(true);
   rest(200);
   keepPicture(*window, "accuracy_slider_study_dark.png");
   theme::install(false);
-  workspace->setDark(false);
+  session->display.setDark(false);
   rest(100);
   expectNoWait([&](const Watchdog&) {
     if (says(QStringLiteral("not known yet"))) click(button(panel(), "Study accuracy"));
@@ -61,8 +61,8 @@ TEST_F(AccuracySliderTest, MakesAStudyThatCanBeStoppedAndGoneOnWith) {
   EXPECT_GE(runs(), 2) << "what has ended is kept";
 
   click(button(panel(), "Study accuracy"));
-  ASSERT_TRUE(wait([&] { return slider().isEnabled(); })) << workspace->problems().size();
-  EXPECT_TRUE(workspace->study()->study.complete());
+  ASSERT_TRUE(wait([&] { return slider().isEnabled(); })) << session->messages.problems().size();
+  EXPECT_TRUE(session->project.study()->study.complete());
   for (const char* name : {"accuracy.csv", "accuracy.json", "accuracy.png"})
     EXPECT_TRUE(std::filesystem::exists(study_folder_of(file) / name)) << name;
   EXPECT_TRUE(says(QStringLiteral("error ")));
@@ -72,7 +72,7 @@ TEST_F(AccuracySliderTest, IsDraggedFromDraftToReference) {
   const auto file = slidingCube(100);
   study(file);
   openAndMesh(file);
-  workspace->goTo(Step::solve);
+  session->display.goTo(WorkflowPage::solve);
   rest(300);
   QSlider& one = slider();
   ASSERT_TRUE(one.isEnabled());
@@ -83,7 +83,7 @@ TEST_F(AccuracySliderTest, IsDraggedFromDraftToReference) {
   QTest::mouseMove(&one, QPoint(one.width() - 2, middle));
   QTest::mouseRelease(&one, Qt::LeftButton, {}, QPoint(one.width() - 2, middle));
   EXPECT_EQ(one.value(), one.maximum());
-  const AccuracyStudy& made = workspace->study()->study;
+  const AccuracyStudy& made = session->project.study()->study;
   const AccuracyRow& finest = made.rows[static_cast<std::size_t>(best_by_cost(made).back())];
   EXPECT_TRUE(says(QString::fromStdString(error_text(*finest.error))));
 }
@@ -92,9 +92,9 @@ TEST_F(AccuracySliderTest, GoesFromDraftToReferenceAndChangesTheProjectAsOneStep
   const auto file = slidingCube(100);
   study(file);
   openAndMesh(file);
-  workspace->goTo(Step::solve);
-  const Project before = workspace->document().project();
-  const AccuracyStudy& study = workspace->study()->study;
+  session->display.goTo(WorkflowPage::solve);
+  const Project before = session->project.document().project();
+  const AccuracyStudy& study = session->project.study()->study;
   const std::vector<int> best = best_by_cost(study);
   ASSERT_GE(best.size(), 2u);
   ASSERT_TRUE(slider().isEnabled());
@@ -113,24 +113,24 @@ TEST_F(AccuracySliderTest, GoesFromDraftToReferenceAndChangesTheProjectAsOneStep
   rest(2500);
   keepPicture(*window, "accuracy_slider.png");
   theme::install(true);
-  workspace->setDark(true);
+  session->display.setDark(true);
   rest(300);
   keepPicture(*window, "accuracy_slider_dark.png");
   theme::install(false);
   click(button(panel(), "Use"));
-  EXPECT_EQ(workspace->document().project(), wanted);
+  EXPECT_EQ(session->project.document().project(), wanted);
   EXPECT_TRUE(says(QStringLiteral("as the project is now")));
   EXPECT_FALSE(button(panel(), "Use").isEnabled());
-  workspace->document().undoStack().undo();
-  EXPECT_EQ(workspace->document().project(), before);
+  session->project.document().undoStack().undo();
+  EXPECT_EQ(session->project.document().project(), before);
 
   Joint joint = before.joints[0];
   joint.friction_angle = 25;
-  workspace->document().changeJoint(0, joint);
+  session->project.document().changeJoint(0, joint);
   EXPECT_FALSE(slider().isEnabled());
   EXPECT_TRUE(says(QStringLiteral("before it was changed")));
   EXPECT_FALSE(button(panel(), "Study again").isEnabled()) << "a study is made of the file";
-  workspace->save();
+  session->project.save();
   EXPECT_TRUE(button(panel(), "Study again").isEnabled());
   rest(50);
   keepPicture(*window, "accuracy_slider_again.png");

@@ -1,12 +1,12 @@
-#include "widgets/cost_ahead.hpp"
+#include "widgets/run/cost_ahead.hpp"
 
 #include <QLabel>
 #include <QRegularExpression>
 
 #include "listed_runs.hpp"
-#include "render/log_axis.hpp"
+#include "render/charts/log_axis.hpp"
 #include "studied_window.hpp"
-#include "widgets/theme.hpp"
+#include "widgets/kit/theme.hpp"
 
 namespace talus {
 namespace {
@@ -23,17 +23,17 @@ class CostAheadTest : public StudiedWindow {
 
 TEST_F(CostAheadTest, IsSaidOnceThereAreBlocksAndAnewWhenTheProjectChanges) {
   window->open(slidingCube(100000));
-  workspace->goTo(Step::solve);
+  session->display.goTo(WorkflowPage::solve);
   EXPECT_TRUE(said().contains(QStringLiteral("once its blocks are cut")));
-  workspace->mesh();
-  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
+  session->run.mesh();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
   EXPECT_EQ(said(), QStringLiteral("This run: estimating…"));
   rest(500);  // the first drawing compiles shaders
-  Joint joint = workspace->document().project().joints[0];
+  Joint joint = session->project.document().project().joints[0];
   expectNoWait([&](const Watchdog&) {
     ASSERT_TRUE(waitForTheEstimate()) << said().toStdString();
     joint.friction_angle += 1;
-    workspace->document().changeJoint(0, joint);
+    session->project.document().changeJoint(0, joint);
     EXPECT_EQ(said(), QStringLiteral("This run: estimating…"));
   });
   ASSERT_TRUE(waitForTheEstimate());
@@ -43,16 +43,16 @@ TEST_F(CostAheadTest, IsSaidOnceThereAreBlocksAndAnewWhenTheProjectChanges) {
   rest(100);
   keepPicture(*window, "cost_ahead.png");
   theme::install(true);
-  workspace->setDark(true);
+  session->display.setDark(true);
   rest(300);
   keepPicture(*window, "cost_ahead_dark.png");
   theme::install(false);
 
   joint.friction_angle = 25;
-  workspace->document().changeJoint(0, joint);
+  session->project.document().changeJoint(0, joint);
   EXPECT_EQ(said(), QStringLiteral("This run: estimating…"));
   joint.friction_angle = 26;
-  workspace->document().changeJoint(0, joint);
+  session->project.document().changeJoint(0, joint);
   ASSERT_TRUE(waitForTheEstimate());
 }
 
@@ -60,24 +60,24 @@ TEST_F(CostAheadTest, HasItsErrorFromTheStudyOfTheProject) {
   const auto file = slidingCube(100);
   study(file);
   openAndMesh(file);
-  ASSERT_TRUE(workspace->study());
-  workspace->goTo(Step::solve);
+  ASSERT_TRUE(session->project.study());
+  session->display.goTo(WorkflowPage::solve);
   ASSERT_TRUE(waitForTheEstimate());
-  const auto error = workspace->study()->study.rows[0].error;
+  const auto error = session->project.study()->study.rows[0].error;
   ASSERT_TRUE(error);
   EXPECT_TRUE(said().contains(QString::fromStdString("error about " + error_text(*error)))) << said().toStdString();
 }
 
 TEST_F(CostAheadTest, MakesRoomForTheRun) {
   openAndMesh(slidingCube());
-  workspace->goTo(Step::solve);
+  session->display.goTo(WorkflowPage::solve);
   const auto* ahead = window->findChild<CostAhead*>();
   EXPECT_TRUE(ahead->job().isBusy());
-  workspace->solve();
+  session->solve();
   EXPECT_FALSE(ahead->isVisible());
-  ASSERT_TRUE(wait([&] { return workspace->steps().size() > 5 && !ahead->job().isBusy(); }));
-  workspace->job().stop();
-  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
+  ASSERT_TRUE(wait([&] { return session->run.steps().size() > 5 && !ahead->job().isBusy(); }));
+  session->run.job().stop();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void DrivenWindow::SetUp() {
 
 void DrivenWindow::openWindow() {
   window = std::make_unique<MainWindow>();
-  workspace = &window->workspace();
+  session = &window->session();
   window->resize(1280, 800);
   window->show();
   rest(50);
@@ -107,10 +107,10 @@ void DrivenWindow::rest(int ms) {
 
 void DrivenWindow::openAndMesh(const std::filesystem::path& file) {
   window->open(file);
-  ASSERT_TRUE(workspace->document().isOpen());
-  workspace->mesh();
-  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
-  ASSERT_NE(workspace->system(), nullptr);
+  ASSERT_TRUE(session->project.document().isOpen());
+  session->run.mesh();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
+  ASSERT_NE(session->project.system(), nullptr);
   rest(50);
 }
 

@@ -9,8 +9,10 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "widgets/main_window.hpp"
-#include "widgets/viewport.hpp"
+#include "jobs/solver_job.hpp"
+#include "results/frame.hpp"
+#include "widgets/view/viewport.hpp"
+#include "widgets/window/main_window.hpp"
 
 namespace talus {
 
@@ -84,7 +86,7 @@ class DrivenWindow : public ::testing::Test {
 
   std::filesystem::path folder;
   std::unique_ptr<MainWindow> window;
-  Workspace* workspace = nullptr;
+  Session* session = nullptr;
 };
 
 }  // namespace talus

@@ -12,8 +12,8 @@
 #include "base/error.hpp"
 #include "driven_window.hpp"
 #include "listed_runs.hpp"
-#include "widgets/known_answers.hpp"
-#include "widgets/theme.hpp"
+#include "widgets/kit/theme.hpp"
+#include "widgets/verification/known_answers.hpp"
 
 namespace talus {
 namespace {

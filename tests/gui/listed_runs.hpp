@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "widgets/run_list.hpp"
+#include "widgets/verification/run_list.hpp"
 
 /// The parts of a list of runs, as a user finds them.
 namespace talus {

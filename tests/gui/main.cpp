@@ -4,8 +4,8 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "widgets/render_surface.hpp"
-#include "widgets/theme.hpp"
+#include "widgets/kit/theme.hpp"
+#include "widgets/view/render_surface.hpp"
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);

@@ -4,8 +4,8 @@
 
 #include "driven_window.hpp"
 #include "listed_runs.hpp"
-#include "widgets/number_field.hpp"
-#include "widgets/property_panel.hpp"
+#include "widgets/kit/number_field.hpp"
+#include "widgets/setup/property_panel.hpp"
 
 namespace talus {
 namespace {
@@ -31,19 +31,19 @@ class PropertyPanelTest : public DrivenWindow {
          "joints": {"J1": {"friction_angle": 20, "cohesion": 0}}, "blocks": [{"name": "cube", "body": "tetrahedra"}]}],
       "solver": {"integrator": "generalized-alpha", "spectral_radius": 0.9, "contact": "facet-wise",
                  "time_step_control": "adaptive", "adaptive": {"iterations": 6}}})");
-    ASSERT_TRUE(workspace.open(file));
+    ASSERT_TRUE(session.open(file));
   }
 
   /// All that stands in the panel once a thing is selected, row by row.
   std::string shown(const Item& item) {
-    workspace.selection().select(item);
+    session.project.selection().select(item);
     QStringList words;
     for (const auto* label : panel.findChildren<QLabel*>()) words << label->text();
     return words.join(u'|').toStdString();
   }
 
-  Workspace workspace{solverSteps()};
-  PropertyPanel panel{workspace};
+  Session session;
+  PropertyPanel panel{session.project, session.playback, session.messages};
 };
 
 void expectWords(const std::string& shown, std::initializer_list<const char*> expected) {
@@ -68,46 +68,46 @@ TEST_F(PropertyPanelTest, ShowsHowAStageEndsAndWhatItChanges) {
 }
 
 TEST_F(PropertyPanelTest, ABodyIsChosenAndTakenBack) {
-  ASSERT_EQ(workspace.document().project().solids[1].name, "cube");
-  workspace.selection().select({Item::Kind::solid, 1});
+  ASSERT_EQ(session.project.document().project().solids[1].name, "cube");
+  session.project.selection().select({Item::Kind::solid, 1});
   auto* box = panel.findChild<QComboBox*>();
   ASSERT_NE(box, nullptr);
   EXPECT_EQ(box->currentText().toStdString(), "tetrahedra");
   // The stages hold the cube and let it go as tetrahedra.
   emit box->activated(box->findText(QStringLiteral("rigid")));
-  EXPECT_EQ(workspace.document().project().solids[1].body, BodyKind::tetrahedra);
-  ASSERT_EQ(workspace.problems().size(), 1u);
-  EXPECT_NE(workspace.problems()[0].problem.indexOf(QStringLiteral("cannot become 'tetrahedra'")), -1);
+  EXPECT_EQ(session.project.document().project().solids[1].body, BodyKind::tetrahedra);
+  ASSERT_EQ(session.messages.problems().size(), 1u);
+  EXPECT_NE(session.messages.problems()[0].problem.indexOf(QStringLiteral("cannot become 'tetrahedra'")), -1);
   EXPECT_EQ(box->currentText().toStdString(), "tetrahedra");
   emit box->activated(box->findText(QStringLiteral("auto")));
-  EXPECT_EQ(workspace.document().project().solids[1].body, BodyKind::automatic);
-  workspace.document().undoStack().undo();
-  EXPECT_EQ(workspace.document().project().solids[1].body, BodyKind::tetrahedra);
+  EXPECT_EQ(session.project.document().project().solids[1].body, BodyKind::automatic);
+  session.project.document().undoStack().undo();
+  EXPECT_EQ(session.project.document().project().solids[1].body, BodyKind::tetrahedra);
 }
 
 TEST_F(PropertyPanelTest, SaysWhatAutoBecameAndMeshesAnewAfterAChange) {
-  ASSERT_TRUE(workspace.open(write("cube.talus", R"({
+  ASSERT_TRUE(session.open(write("cube.talus", R"({
       "talus": 1, "materials": {"rock": {"density": 2600, "young": 25e9, "poisson": 0.24}},
       "solids": [{"name": "cube", "material": "rock", "body": "auto", "box": {"min": [1, 1, 1], "max": [2, 2, 2]}}],
       "stages": [{"name": "fall", "type": "dynamic", "time_step": 0.01, "steps": 2}]})")));
-  workspace.mesh();
-  ASSERT_TRUE(wait([&] { return workspace.systemIsCurrent() && !workspace.job().isBusy(); }));
+  session.run.mesh();
+  ASSERT_TRUE(wait([&] { return session.project.systemIsCurrent() && !session.run.job().isBusy(); }));
   expectWords(shown({Item::Kind::block, 0}),
               {"Body|rigid", "chosen: hard rock: the model's weight strains it by 1e-6"});
-  const size_t coarse = workspace.system()->blocks[0].mesh.nodes.size();
-  Solid changed = workspace.document().project().solids[0];
+  const size_t coarse = session.project.system()->blocks[0].mesh.nodes.size();
+  Solid changed = session.project.document().project().solids[0];
   changed.body = BodyKind::tetrahedra;
-  workspace.document().changeSolid(0, changed);
-  EXPECT_FALSE(workspace.systemIsCurrent());
-  workspace.solve();
-  ASSERT_TRUE(wait([&] { return !workspace.job().isBusy(); }));
-  EXPECT_TRUE(workspace.systemIsCurrent());
-  EXPECT_GT(workspace.system()->blocks[0].mesh.nodes.size(), 10 * coarse);
+  session.project.document().changeSolid(0, changed);
+  EXPECT_FALSE(session.project.systemIsCurrent());
+  session.solve();
+  ASSERT_TRUE(wait([&] { return !session.run.job().isBusy(); }));
+  EXPECT_TRUE(session.project.systemIsCurrent());
+  EXPECT_GT(session.project.system()->blocks[0].mesh.nodes.size(), 10 * coarse);
 }
 
 TEST_F(DrivenWindow, TheRestitutionOfAJointIsEditedAsAShareOfSpeed) {
   window->open(slidingCube());
-  workspace->selection().select({Item::Kind::joint, 0});
+  session->project.selection().select({Item::Kind::joint, 0});
   const auto restitutionField = [&]() -> NumberField* {
     for (auto* candidate : window->findChildren<NumberField*>())
       if (candidate->accessibleName().startsWith(QStringLiteral("Restitution"))) return candidate;
@@ -122,7 +122,7 @@ TEST_F(DrivenWindow, TheRestitutionOfAJointIsEditedAsAShareOfSpeed) {
     QTest::keyClicks(field, QLatin1String(number));
     QTest::keyClick(field, Qt::Key_Return);
   };
-  const auto restitution = [&] { return workspace->document().project().joints[0].restitution; };
+  const auto restitution = [&] { return session->project.document().project().joints[0].restitution; };
   EXPECT_TRUE(field->text().isEmpty());
   EXPECT_EQ(field->placeholderText(), QStringLiteral("by stiffness"));
   type("1.5");
@@ -147,7 +147,7 @@ TEST_F(DrivenWindow, TheRestitutionOfAJointIsEditedAsAShareOfSpeed) {
 
 TEST_F(DrivenWindow, OneGoesOnTypingAfterANumberWasAccepted) {
   window->open(slidingCube());
-  workspace->selection().select({Item::Kind::joint, 0});
+  session->project.selection().select({Item::Kind::joint, 0});
   const auto field = [&](const char* name) -> NumberField* {
     for (auto* one : window->findChildren<NumberField*>())
       if (one->accessibleName() == QString::fromUtf8(name)) return one;
@@ -160,12 +160,12 @@ TEST_F(DrivenWindow, OneGoesOnTypingAfterANumberWasAccepted) {
   QTest::keyClicks(field("Friction angle φ"), QStringLiteral("25"));
   QTest::keyClick(field("Friction angle φ"), Qt::Key_Return);
   rest(50);
-  EXPECT_EQ(workspace->document().project().joints[0].friction_angle, 25);
+  EXPECT_EQ(session->project.document().project().joints[0].friction_angle, 25);
   EXPECT_EQ(QApplication::focusWidget(), field("Friction angle φ")) << "Return stays";
   QTest::keyClicks(field("Friction angle φ"), QStringLiteral("26"));
   QTest::keyClick(field("Friction angle φ"), Qt::Key_Tab);
   rest(50);
-  EXPECT_EQ(workspace->document().project().joints[0].friction_angle, 26);
+  EXPECT_EQ(session->project.document().project().joints[0].friction_angle, 26);
   EXPECT_EQ(QApplication::focusWidget(), field("Cohesion c")) << "Tab goes on";
 }
 

@@ -6,55 +6,56 @@
 #include <QTest>
 
 #include "driven_window.hpp"
-#include "widgets/effect_list.hpp"
-#include "widgets/timeline.hpp"
+#include "widgets/run/effect_list.hpp"
+#include "widgets/view/render_surface.hpp"
+#include "widgets/view/timeline.hpp"
 
 namespace talus {
 namespace {
 
 TEST_F(DrivenWindow, OpensASampleRunsPausesResumesStopsScrubsAndSaves) {
   openAndMesh(slidingCube());
-  EXPECT_EQ(workspace->system()->blocks.size(), 2u);
+  EXPECT_EQ(session->project.system()->blocks.size(), 2u);
 
-  workspace->solve();
-  EXPECT_EQ(workspace->step(), Step::solve);
-  ASSERT_TRUE(wait([&] { return workspace->steps().size() >= 20; }));
+  session->solve();
+  EXPECT_EQ(session->display.page(), WorkflowPage::solve);
+  ASSERT_TRUE(wait([&] { return session->run.steps().size() >= 20; }));
 
-  workspace->job().pause();
+  session->run.job().pause();
   int deliveries = 0;  // the first two may still hold steps made before the pause
-  const auto counting = QObject::connect(&workspace->job(), &SolverJob::newsArrived, [&] { ++deliveries; });
+  const auto counting = QObject::connect(&session->run.job(), &SolverJob::newsArrived, [&] { ++deliveries; });
   ASSERT_TRUE(wait([&] { return deliveries >= 3; }));
   QObject::disconnect(counting);
-  const size_t paused = workspace->steps().size();
+  const size_t paused = session->run.steps().size();
   rest(300);
-  EXPECT_EQ(workspace->steps().size(), paused);
-  workspace->job().oneStep();
-  ASSERT_TRUE(wait([&] { return workspace->steps().size() == paused + 1; }));
+  EXPECT_EQ(session->run.steps().size(), paused);
+  session->run.job().oneStep();
+  ASSERT_TRUE(wait([&] { return session->run.steps().size() == paused + 1; }));
 
-  workspace->job().resume();
-  ASSERT_TRUE(wait([&] { return workspace->steps().size() > paused + 20 && workspace->frameTimes().size() > 4; }));
-  workspace->job().stop();
-  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
-  ASSERT_TRUE(workspace->report().has_value());
-  EXPECT_EQ(workspace->report()->status, RunStatus::stopped);
+  session->run.job().resume();
+  ASSERT_TRUE(wait([&] { return session->run.steps().size() > paused + 20 && session->playback.times().size() > 4; }));
+  session->run.job().stop();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
+  ASSERT_TRUE(session->run.report().has_value());
+  EXPECT_EQ(session->run.report()->status, RunStatus::stopped);
 
-  ASSERT_TRUE(wait([&] { return workspace->step() == Step::results && workspace->frame(); }));
-  EXPECT_FALSE(workspace->isLive());
-  const int last = static_cast<int>(workspace->frameTimes().size()) - 1;
+  ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
+  EXPECT_FALSE(session->playback.isLive());
+  const int last = static_cast<int>(session->playback.times().size()) - 1;
   ASSERT_GT(last, 2);
-  workspace->showFrame(2);
-  ASSERT_TRUE(wait([&] { return workspace->frame()->index == 2; }));
-  EXPECT_DOUBLE_EQ(workspace->time(), workspace->frameTimes()[2]);
+  session->playback.showFrame(2);
+  ASSERT_TRUE(wait([&] { return session->playback.frame()->index == 2; }));
+  EXPECT_DOUBLE_EQ(session->playback.time(), session->playback.times()[2]);
   window->timeline().stepBy(-1);
-  ASSERT_TRUE(wait([&] { return workspace->frame()->index == 1; }));
+  ASSERT_TRUE(wait([&] { return session->playback.frame()->index == 1; }));
 
-  SceneSettings display = workspace->display();
+  SceneSettings display = session->display.settings();
   display.field = field_named("velocity");
-  workspace->setDisplay(display);
+  session->display.set(display);
   window->timeline().goToLast();
-  ASSERT_TRUE(wait([&] { return workspace->frame()->index == last; }));
-  ASSERT_TRUE(workspace->display().range.has_value());
-  EXPECT_GT(workspace->display().range->high, 0.01);  // the cube moves
+  ASSERT_TRUE(wait([&] { return session->playback.frame()->index == last; }));
+  ASSERT_TRUE(session->display.settings().range.has_value());
+  EXPECT_GT(session->display.settings().range->high, 0.01);  // the cube moves
 
   window->savePicture(folder / "picture.png");
   ASSERT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
@@ -62,11 +63,11 @@ TEST_F(DrivenWindow, OpensASampleRunsPausesResumesStopsScrubsAndSaves) {
   EXPECT_EQ(picture.width(), 1920);
 
   window->saveFilm(folder / "film.mp4");
-  EXPECT_FALSE(workspace->whyNotSolve().isEmpty()) << "a run would replace the results that the film reads";
+  EXPECT_FALSE(session->run.whyNotSolve().isEmpty()) << "a run would replace the results that the film reads";
   ASSERT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
   EXPECT_GT(std::filesystem::file_size(folder / "film.mp4"), 2000u);
-  EXPECT_TRUE(workspace->whyNotSolve().isEmpty());
-  EXPECT_TRUE(workspace->problems().empty());
+  EXPECT_TRUE(session->run.whyNotSolve().isEmpty());
+  EXPECT_TRUE(session->messages.problems().empty());
 }
 
 /// All that the list of effects says.
@@ -78,52 +79,53 @@ QStringList saidOfEffects(MainWindow& window) {
 
 TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   openAndMesh(slidingCube(200));
-  ASSERT_TRUE(wait([&] { return !workspace->effectCosts().empty(); }));
+  ASSERT_TRUE(wait([&] { return !session->run.effectCosts().empty(); }));
   EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 12 on"));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("no stage or material asks for it")));
   EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" contact points at the start")).size(), 2);
   EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" tetrahedra")).size(), 3);
-  workspace->solve();
-  ASSERT_TRUE(wait([&] { return workspace->effects().size() == 12 && workspace->isLive(); })) << "as the run goes on";
-  ASSERT_TRUE(wait([&] { return workspace->step() == Step::results && workspace->frame(); }));
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->run.effects().size() == 12 && session->playback.isLive(); }))
+      << "as the run goes on";
+  ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
-  const auto results = workspace->resultsFolder();
+  const auto results = session->playback.folder();
 
   window = std::make_unique<MainWindow>();
-  workspace = &window->workspace();
+  session = &window->session();
   window->resize(1280, 800);
   window->show();
   window->open(results);
-  ASSERT_TRUE(wait([&] { return workspace->frame() != nullptr; }));
-  EXPECT_EQ(workspace->step(), Step::results);
-  EXPECT_EQ(workspace->frameTimes().size(), 21u);  // 0.4 s, one every 0.02 s, and the start
-  EXPECT_EQ(workspace->monitorNames(), std::vector<std::string>{"P1"});
-  ASSERT_TRUE(workspace->report());
-  EXPECT_EQ(workspace->report()->status, RunStatus::completed);
+  ASSERT_TRUE(wait([&] { return session->playback.frame() != nullptr; }));
+  EXPECT_EQ(session->display.page(), WorkflowPage::results);
+  EXPECT_EQ(session->playback.times().size(), 21u);  // 0.4 s, one every 0.02 s, and the start
+  EXPECT_EQ(session->run.monitorNames(), std::vector<std::string>{"P1"});
+  ASSERT_TRUE(session->run.report());
+  EXPECT_EQ(session->run.report()->status, RunStatus::completed);
   EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 12 on"));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
   window->timeline().togglePlay();
   EXPECT_TRUE(window->timeline().isPlaying());
-  ASSERT_TRUE(wait([&] { return workspace->frameNumber() == 20 && !window->timeline().isPlaying(); }, 10000));
+  ASSERT_TRUE(wait([&] { return session->playback.number() == 20 && !window->timeline().isPlaying(); }, 10000));
 }
 
 TEST_F(DrivenWindow, ReopensAProjectWithItsResultsUntilItIsEdited) {
   const auto file = slidingCube(50);
   openAndMesh(file);
-  workspace->solve();
-  ASSERT_TRUE(wait([&] { return workspace->step() == Step::results && workspace->frame(); }));
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
   window->open(file);
-  ASSERT_TRUE(wait([&] { return workspace->frame() != nullptr; }));
-  EXPECT_TRUE(workspace->resultsAreCurrent());
-  Joint joint = workspace->document().project().joints[0];
+  ASSERT_TRUE(wait([&] { return session->playback.frame() != nullptr; }));
+  EXPECT_TRUE(session->playback.isCurrent());
+  Joint joint = session->project.document().project().joints[0];
   joint.friction_angle = 40;
-  workspace->document().changeJoint(0, joint);
-  EXPECT_FALSE(workspace->resultsAreCurrent());
-  workspace->document().save();
+  session->project.document().changeJoint(0, joint);
+  EXPECT_FALSE(session->playback.isCurrent());
+  session->project.document().save();
   window->open(file);
   rest(200);
-  EXPECT_EQ(workspace->step(), Step::geometry);
-  EXPECT_EQ(workspace->frame(), nullptr);
+  EXPECT_EQ(session->display.page(), WorkflowPage::geometry);
+  EXPECT_EQ(session->playback.frame(), nullptr);
 }
 
 TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileASolveRuns) {
@@ -131,11 +133,11 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileASolveRuns) {
   GTEST_SKIP() << "sanitizers make everything several times slower";
 #endif
   openAndMesh(slidingCube(100000));
-  SceneSettings display = workspace->display();
+  SceneSettings display = session->display.settings();
   display.field = field_named("displacement");
-  workspace->setDisplay(display);
-  workspace->solve();
-  ASSERT_TRUE(wait([&] { return workspace->frameTimes().size() > 2; }));
+  session->display.set(display);
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->playback.times().size() > 2; }));
   rest(500);  // the first drawing compiles shaders
   const RenderSurface& surface = window->viewport().surface();
   expectNoWait([&](const Watchdog& watchdog) {
@@ -143,7 +145,7 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileASolveRuns) {
     ASSERT_TRUE(wait([&] { return watchdog.beats() > 400 && surface.drawings() > drawn + 4; }))
         << "the view must follow the run: " << surface.drawings() - drawn << " drawings";
   });
-  EXPECT_TRUE(workspace->job().isBusy());
+  EXPECT_TRUE(session->run.job().isBusy());
 }
 
 TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileJiweishanIsMeshedAndSolved) {
@@ -156,20 +158,20 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileJiweishanIsMeshedAndSolved)
     window->open(file);
     rest(200);
     watchdog.restart();
-    workspace->solve();
-    ASSERT_TRUE(wait([&] { return workspace->steps().size() > 1000; }));
-    EXPECT_TRUE(workspace->job().isBusy());
+    session->solve();
+    ASSERT_TRUE(wait([&] { return session->run.steps().size() > 1000; }));
+    EXPECT_TRUE(session->run.job().isBusy());
   });
 }
 
 TEST_F(DrivenWindow, ClosingStopsTheRunFirst) {
   openAndMesh(slidingCube());
-  workspace->solve();
-  ASSERT_TRUE(wait([&] { return workspace->steps().size() > 5; }));
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->run.steps().size() > 5; }));
   window->close();
   EXPECT_TRUE(window->isVisible());
   ASSERT_TRUE(wait([&] { return !window->isVisible(); }));
-  EXPECT_FALSE(workspace->job().isBusy());
+  EXPECT_FALSE(session->run.job().isBusy());
 }
 
 }  // namespace

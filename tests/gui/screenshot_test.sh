@@ -6,7 +6,7 @@ fail() { echo "$1" >&2; exit 1; }
 export HOME=$folder XDG_CONFIG_HOME=$folder XDG_RUNTIME_DIR=$folder  # Qt warns without the last one
 cp -r "$samples/free_fall" "$folder"
 
-"$talus" --screenshot "$folder/dark.png" --size 1280x720 --theme dark --step mesh "$folder/free_fall/free_fall.talus" ||
+"$talus" --screenshot "$folder/dark.png" --size 1280x720 --theme dark --page mesh "$folder/free_fall/free_fall.talus" ||
   fail "no picture of the sample"
 # Bytes 16 to 24 of a PNG are its width and height.
 [ "$(od -An -tu1 -j16 -N8 "$folder/dark.png" | tr -s ' ')" = " 0 0 5 0 0 0 2 208" ] || fail "the picture is not 1280 x 720"
@@ -16,6 +16,7 @@ expect_2() { "$talus" "$@" 2> "$folder/words"; [ $? = 2 ] || fail "not exit code
 expect_2 --screenshot "$folder/x.png" "$folder/not_there.talus"
 expect_2 --screenshot "$folder/x.png" --size 12 "$folder/free_fall/free_fall.talus"
 expect_2 --screenshot "$folder/x.png" --theme blue "$folder/free_fall/free_fall.talus"
-expect_2 --screenshot "$folder/x.png" --step dance "$folder/free_fall/free_fall.talus"
+expect_2 --screenshot "$folder/x.png" --page dance "$folder/free_fall/free_fall.talus"
+expect_2 --screenshot "$folder/x.png" --step dance "$folder/free_fall/free_fall.talus"  # what --page was called before
 expect_2 --screenshot "$folder/none/x.png" "$folder/free_fall/free_fall.talus"
 [ ! -e "$folder/x.png" ] || fail "a picture was left behind"

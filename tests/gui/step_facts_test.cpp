@@ -1,4 +1,4 @@
-#include "widgets/step_facts.hpp"
+#include "widgets/run/step_facts.hpp"
 
 #include <QLabel>
 #include <QRegularExpression>
@@ -17,20 +17,20 @@ QString fact(const MainWindow& window, const char* name) {
 
 TEST_F(DrivenWindow, SaysOfTheLastStepWhatItCostAndHowGoodItIs) {
   openAndMesh(slidingCube());
-  for (const char* name : {"Pace", "Penetration", "Unbalanced", "Time error", "Remainder", "Step damping"})
+  for (const char* name : {"Pace", "Penetration", "Unbalanced", "Time error", "Remainder", "Numerical damping"})
     EXPECT_EQ(fact(*window, name), QString::fromUtf8("–")) << name;
-  workspace->solve();
-  ASSERT_TRUE(wait([&] { return workspace->steps().size() > 50; }));
-  workspace->job().pause();
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->run.steps().size() > 50; }));
+  session->run.job().pause();
   rest(300);
   keepPicture(*window, "step_facts.png");
   const QRegularExpression percent(QStringLiteral("^[0-9].* % of (mesh size|energy)$"));
-  for (const char* name : {"Penetration", "Time error", "Remainder", "Step damping"})
+  for (const char* name : {"Penetration", "Time error", "Remainder", "Numerical damping"})
     EXPECT_TRUE(percent.match(fact(*window, name)).hasMatch()) << name << ": " << fact(*window, name).toStdString();
   EXPECT_TRUE(fact(*window, "Pace").endsWith(QStringLiteral(" ms a step")));
   EXPECT_TRUE(fact(*window, "Unbalanced").endsWith(QStringLiteral(" kN")));
-  workspace->job().stop();
-  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
+  session->run.job().stop();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "driven_window.hpp"
 #include "io/whole_file.hpp"
 #include "study/accuracy/accuracy_files.hpp"
+#include "study/accuracy/study_record.hpp"
 
 namespace talus {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "widgets/tokens.hpp"
+#include "widgets/kit/tokens.hpp"
 
 namespace talus {
 namespace {

@@ -1,3 +1,4 @@
+#include <QAbstractButton>
 #include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
@@ -6,8 +7,9 @@
 #include <QTreeWidget>
 
 #include "driven_window.hpp"
-#include "widgets/number_field.hpp"
-#include "widgets/theme.hpp"
+#include "widgets/kit/number_field.hpp"
+#include "widgets/kit/theme.hpp"
+#include "widgets/view/render_surface.hpp"
 
 namespace talus {
 namespace {
@@ -22,7 +24,7 @@ QString stripText(const QWidget& window) {
 
 TEST_F(DrivenWindow, SaysWhatIsWrongWithABrokenProject) {
   window->open(write("broken.talus", "{ \"talus\": 1, \"name\": "));
-  EXPECT_FALSE(workspace->document().isOpen());
+  EXPECT_FALSE(session->project.document().isOpen());
   EXPECT_TRUE(stripText(*window).contains(QStringLiteral("broken.talus"))) << stripText(*window).toStdString();
 
   window->open(write("poisson.talus", R"({"talus": 1, "name": "x",
@@ -33,11 +35,11 @@ TEST_F(DrivenWindow, SaysWhatIsWrongWithABrokenProject) {
   EXPECT_TRUE(stripText(*window).contains(QStringLiteral("is_not_there.talus"))) << stripText(*window).toStdString();
 
   window->open(folder);  // a folder without results
-  EXPECT_EQ(workspace->problems().size(), 4u);
-  EXPECT_FALSE(workspace->document().isOpen());
+  EXPECT_EQ(session->messages.problems().size(), 4u);
+  EXPECT_FALSE(session->project.document().isOpen());
 
   window->open(sample("free_fall"));
-  EXPECT_TRUE(workspace->document().isOpen());
+  EXPECT_TRUE(session->project.document().isOpen());
   EXPECT_EQ(stripText(*window), QString());
 }
 
@@ -49,10 +51,10 @@ TEST_F(DrivenWindow, SaysWhatIsWrongWithTheGeometry) {
     "stages": [{"name": "s", "type": "dynamic", "time_step": 0.01, "steps": 2}]})");
   write("hill.step", "this is no STEP file");
   window->open(file);
-  ASSERT_TRUE(workspace->document().isOpen());
-  workspace->mesh();
-  ASSERT_TRUE(wait([&] { return !workspace->job().isBusy(); }));
-  EXPECT_EQ(workspace->system(), nullptr);
+  ASSERT_TRUE(session->project.document().isOpen());
+  session->run.mesh();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
+  EXPECT_EQ(session->project.system(), nullptr);
   EXPECT_TRUE(stripText(*window).contains(QStringLiteral("hill"))) << stripText(*window).toStdString();
 }
 
@@ -63,12 +65,12 @@ TEST_F(DrivenWindow, PicksABlockIntoTheSharedSelection) {
   const int block = window->viewport().pickAt(point)->block;
   auto* area = const_cast<RenderSurface&>(window->viewport().surface()).widget();
   QTest::mouseClick(area, Qt::LeftButton, {}, point.toPoint());
-  EXPECT_EQ(workspace->selection().blocks(), std::vector<int>{block});
+  EXPECT_EQ(session->project.selection().blocks(), std::vector<int>{block});
   auto* tree = window->findChild<QTreeWidget*>();
   ASSERT_NE(tree->currentItem(), nullptr);
-  EXPECT_EQ(tree->currentItem()->text(0), workspace->blockName(block));
+  EXPECT_EQ(tree->currentItem()->text(0), session->project.blockName(block));
   QTest::keyClick(window.get(), Qt::Key_Escape);
-  EXPECT_TRUE(workspace->selection().blocks().empty());
+  EXPECT_TRUE(session->project.selection().blocks().empty());
   EXPECT_EQ(tree->currentItem(), nullptr);
 }
 
@@ -86,7 +88,7 @@ TEST_F(DrivenWindow, TurnsPansAndZoomsToThePointer) {
   const CameraPose turnedPose = *view.pose();
   EXPECT_GT((turnedPose.position - before.position).norm(), 1);
   EXPECT_NEAR((turnedPose.focal_point - before.focal_point).norm(), 0, 1e-9);
-  EXPECT_TRUE(workspace->selection().blocks().empty()) << "a drag is no click";
+  EXPECT_TRUE(session->project.selection().blocks().empty()) << "a drag is no click";
 
   const QPointF pointer = pointOnBlock();
   const auto under = view.pickAt(pointer);
@@ -102,7 +104,7 @@ TEST_F(DrivenWindow, TurnsPansAndZoomsToThePointer) {
 
 TEST_F(DrivenWindow, EditsAJointThroughItsFieldAndTakesItBack) {
   window->open(slidingCube());
-  workspace->selection().select({Item::Kind::joint, 0});
+  session->project.selection().select({Item::Kind::joint, 0});
   NumberField* field = nullptr;
   for (auto* candidate : window->findChildren<NumberField*>())
     if (candidate->accessibleName().startsWith(QStringLiteral("Friction"))) field = candidate;
@@ -116,15 +118,15 @@ TEST_F(DrivenWindow, EditsAJointThroughItsFieldAndTakesItBack) {
   };
   type(QStringLiteral("abc"));
   EXPECT_EQ(field->property("state").toString(), QStringLiteral("error"));
-  EXPECT_EQ(workspace->document().project().joints[0].friction_angle, 10);
+  EXPECT_EQ(session->project.document().project().joints[0].friction_angle, 10);
   type(QStringLiteral("-5"));
   EXPECT_EQ(field->property("state").toString(), QStringLiteral("error"));
-  EXPECT_EQ(workspace->document().project().joints[0].friction_angle, 10);
+  EXPECT_EQ(session->project.document().project().joints[0].friction_angle, 10);
   type(QStringLiteral("22,5"));
-  EXPECT_EQ(workspace->document().project().joints[0].friction_angle, 22.5);
+  EXPECT_EQ(session->project.document().project().joints[0].friction_angle, 22.5);
   EXPECT_TRUE(window->windowTitle().contains(u'*'));
-  workspace->document().undoStack().undo();
-  EXPECT_EQ(workspace->document().project().joints[0].friction_angle, 10);
+  session->project.document().undoStack().undo();
+  EXPECT_EQ(session->project.document().project().joints[0].friction_angle, 10);
   EXPECT_FALSE(window->windowTitle().contains(u'*'));
 }
 
@@ -132,42 +134,75 @@ TEST_F(DrivenWindow, SwitchesTheThemeWhileItRuns) {
   openAndMesh(slidingCube());
   rest(500);
   const QColor light = window->grab().toImage().pixelColor(480, 3);
-  workspace->setDark(true);
+  session->display.setDark(true);
   rest(500);
   const QColor dark = window->grab().toImage().pixelColor(480, 3);
   EXPECT_EQ(light, lightTokens().colours.surface);
   EXPECT_EQ(dark, darkTokens().colours.surface);
-  workspace->setDark(false);
+  session->display.setDark(false);
 }
 
 TEST_F(DrivenWindow, FitsItsSmallestSizeInEveryStep) {
   openAndMesh(slidingCube(40));
-  workspace->solve();
-  ASSERT_TRUE(wait([&] { return workspace->step() == Step::results && workspace->frame(); }));
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
   window->resize(1280, 720);
-  for (const Step step : all_steps) {
-    workspace->goTo(step);
+  for (const WorkflowPage step : all_pages) {
+    session->display.goTo(step);
     rest(50);
-    EXPECT_EQ(window->size(), QSize(1280, 720)) << stepKey(step);  // an over-wide bar would widen it silently
-    EXPECT_LE(window->minimumSizeHint().width(), 1280) << stepKey(step);
-    EXPECT_LE(window->minimumSizeHint().height(), 720) << stepKey(step);
+    EXPECT_EQ(window->size(), QSize(1280, 720)) << pageKey(step);  // an over-wide bar would widen it silently
+    EXPECT_LE(window->minimumSizeHint().width(), 1280) << pageKey(step);
+    EXPECT_LE(window->minimumSizeHint().height(), 720) << pageKey(step);
     for (const auto* button : window->findChildren<QAbstractButton*>()) {
       if (!button->isVisible() || button->text().isEmpty() || button->inherits("QCheckBox")) continue;
       EXPECT_GE(button->width(), button->minimumSizeHint().width())
-          << stepKey(step) << ": " << button->text().toStdString() << " is clipped";
+          << pageKey(step) << ": " << button->text().toStdString() << " is clipped";
       const QPoint corner = button->mapTo(window.get(), QPoint(button->width(), button->height()));
       EXPECT_LE(corner.x(), 1280) << button->text().toStdString();
     }
   }
 }
 
+/// Why the actions of this name cannot be used, as their tooltips say; empty for one that can be.
+QStringList whyNot(const QWidget& window, const char* name) {
+  QStringList reasons;
+  for (const auto* action : window.actions())
+    if (action->text() == QString::fromUtf8(name))
+      reasons << (action->isEnabled() ? QString() : action->toolTip().section(u'\n', 1));
+  return reasons;
+}
+
 TEST_F(DrivenWindow, ADisabledActionSaysWhy) {
+  const QStringList noProject{QStringLiteral("Open a project first")};
+  const QString usable;
+  for (const char* name : {"Save", "Save as…", "Cut and mesh", "Geometry", "Results"})
+    EXPECT_EQ(whyNot(*window, name), noProject) << name;
+  EXPECT_EQ(whyNot(*window, "Solve"), noProject + noProject) << "the page and the run";
+  EXPECT_EQ(whyNot(*window, "Save film…"), QStringList(QStringLiteral("Nothing has been solved yet")));
+  EXPECT_EQ(whyNot(*window, "Fit all"), QStringList(QStringLiteral("There are no blocks yet")));
+  EXPECT_EQ(whyNot(*window, "Stop"), QStringList(QStringLiteral("Nothing runs")));
+  EXPECT_EQ(whyNot(*window, "Open…"), QStringList(usable));
+  int disabled = 0;
   for (const auto* action : window->actions()) {
-    if (action->isEnabled() || action->toolTip().isEmpty()) continue;
-    const bool undoes =
-        action->text().startsWith(QStringLiteral("Undo")) || action->text().startsWith(QStringLiteral("Redo"));
-    EXPECT_TRUE(undoes || action->toolTip().contains(u'\n')) << action->text().toStdString();
+    if (action->isEnabled() || action->text().startsWith(QStringLiteral("Undo")) ||
+        action->text().startsWith(QStringLiteral("Redo")))
+      continue;
+    ++disabled;
+    EXPECT_FALSE(action->toolTip().section(u'\n', 1).isEmpty()) << action->text().toStdString();
   }
+  EXPECT_GT(disabled, 25);
+
+  window->open(slidingCube(40));
+  EXPECT_EQ(whyNot(*window, "Cut and mesh"), QStringList(usable));
+  EXPECT_EQ(whyNot(*window, "Save"), QStringList(QStringLiteral("Nothing has changed since it was saved")));
+  session->run.mesh();
+  EXPECT_EQ(whyNot(*window, "Cut and mesh"), QStringList(QStringLiteral("A run goes on")));
+  EXPECT_EQ(whyNot(*window, "Open…"), QStringList(QStringLiteral("A run goes on: stop it first")));
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
+  EXPECT_EQ(whyNot(*window, "Fit all"), QStringList(usable));
+  EXPECT_EQ(whyNot(*window, "Hide selected blocks"), QStringList(QStringLiteral("Select a block first")));
+  session->project.selection().select({Item::Kind::block, 0});
+  EXPECT_EQ(whyNot(*window, "Hide selected blocks"), QStringList(usable));
 }
 
 }  // namespace

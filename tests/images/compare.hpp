@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "render/image.hpp"
+#include "render/paint/image.hpp"
 
 namespace talus {
 

@@ -14,7 +14,7 @@ extern "C" {
 #include "base/error.hpp"
 #include "images/compare.hpp"
 #include "images/test_scenes.hpp"
-#include "render/movie.hpp"
+#include "render/film/movie.hpp"
 
 namespace talus {
 namespace {
@@ -120,6 +120,7 @@ TEST_F(Film, IsTheSameFileTwice) {
     for (int i = 0; i < 5; ++i) writer.add_frame(plain(64, 48, rgb(static_cast<unsigned>(0x400000 + i * 20))));
     writer.finish();
   }
+  EXPECT_EQ(decode(folder / "a.mp4").frames, 5);
   EXPECT_EQ(bytes(folder / "a.mp4"), bytes(folder / "b.mp4"));
 }
 

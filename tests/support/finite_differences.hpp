@@ -18,7 +18,7 @@ inline void expect_derivatives(const Effect& effect, const Increment& d, double 
   effect.add_hessian(d, hessian);
 
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n), slopes(n), column;
-  effect.add_gradient(d, gradient);
+  effect.add_gradient(d, Arms::end, gradient);
   Eigen::MatrixXd columns(n, n), differences(n, n);
   for (int i = 0; i < n; ++i) {
     Increment plus = d, minus = d;
@@ -26,16 +26,17 @@ inline void expect_derivatives(const Effect& effect, const Increment& d, double 
     minus[i] -= step;
     slopes[i] = (effect.energy(plus) - effect.energy(minus)) / (2 * step);
     Eigen::VectorXd upper = Eigen::VectorXd::Zero(n), lower = Eigen::VectorXd::Zero(n);
-    effect.add_gradient(plus, upper);
-    effect.add_gradient(minus, lower);
+    effect.add_gradient(plus, Arms::end, upper);
+    effect.add_gradient(minus, Arms::end, lower);
     differences.col(i) = (upper - lower) / (2 * step);
     hessian.multiply(Eigen::VectorXd::Unit(n, i), column);
     columns.col(i) = column;
   }
-  EXPECT_GT(gradient.norm(), 0) << effect.name() << " exerts no force here: the comparison would be empty";
-  EXPECT_LT((slopes - gradient).cwiseAbs().maxCoeff(), tolerance * gradient.cwiseAbs().maxCoeff()) << effect.name();
+  EXPECT_GT(gradient.norm(), 0) << to_string(effect.kind()) << " exerts no force here: the comparison would be empty";
+  EXPECT_LT((slopes - gradient).cwiseAbs().maxCoeff(), tolerance * gradient.cwiseAbs().maxCoeff())
+      << to_string(effect.kind());
   const double largest = std::max(columns.cwiseAbs().maxCoeff(), gradient.cwiseAbs().maxCoeff());
-  EXPECT_LT((differences - columns).cwiseAbs().maxCoeff(), tolerance * largest) << effect.name();
+  EXPECT_LT((differences - columns).cwiseAbs().maxCoeff(), tolerance * largest) << to_string(effect.kind());
 }
 
 }  // namespace talus::test

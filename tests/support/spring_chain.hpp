@@ -18,14 +18,14 @@ class SpringChain final : public Effect {
   enum class Stays { through_the_stage, through_the_step };
   SpringChain(Stays stays, int& assembled, EnergyAccount account = EnergyAccount::potential)
       : stays_(stays), assembled_(assembled), account_(account) {}
-  std::string_view name() const override { return "springs"; }
+  EffectKind kind() const override { return EffectKind::elasticity; }
   EnergyAccount account() const override { return account_; }
   bool constant() const override { return stays_ == Stays::through_the_stage; }
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override {
     for (int node = 1; node < chain_nodes; ++node) couplings.emplace_back(node, node - 1);
   }
   double energy(const Increment&) const override { return 0; }
-  void add_gradient(const Increment& d, Eigen::VectorXd& sum) const override {
+  void add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const override {
     SymmetricBlocks stiffness;
     std::vector<std::pair<int, int>> couplings;
     add_couplings(couplings);
@@ -56,10 +56,10 @@ class SpringChain final : public Effect {
 class Load final : public Effect {
  public:
   explicit Load(EnergyAccount account = EnergyAccount::potential) : account_(account) {}
-  std::string_view name() const override { return "load"; }
+  EffectKind kind() const override { return EffectKind::point_load; }
   EnergyAccount account() const override { return account_; }
   double energy(const Increment&) const override { return 0; }
-  void add_gradient(const Increment&, Eigen::VectorXd& sum) const override {
+  void add_gradient(const Increment&, Arms, Eigen::VectorXd& sum) const override {
     sum -= Eigen::VectorXd::LinSpaced(sum.size(), 1, 2);
   }
 

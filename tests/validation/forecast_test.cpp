@@ -1,12 +1,12 @@
-#include "study/forecast.hpp"
+#include "study/forecast/forecast.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/processor_time.hpp"
+#include "base/temporary_folder.hpp"
 #include "geometry/block_builder.hpp"
 #include "io/project_file.hpp"
-#include "solve/run.hpp"
-#include "study/temporary_folder.hpp"
+#include "run/run.hpp"
 
 namespace talus {
 namespace {

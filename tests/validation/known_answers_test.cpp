@@ -2,14 +2,18 @@
 
 #include <algorithm>
 
-#include "study/verify.hpp"
+#include "support/written_tables.hpp"
+#include "verification/known_answers_page.hpp"
+#include "verification/verify.hpp"
 
 // Compiled twice: for the quick cases, and (TALUS_IN_FULL) for all of them with every row of those that are thinned.
 namespace talus {
 namespace {
 
+std::vector<KnownCase> cases_there_are() { return all_cases(std::filesystem::path(TALUS_SOURCE_DIR) / "samples"); }
+
 std::vector<KnownCase> cases_of_this_program(BodyKind body = BodyKind::tetrahedra) {
-  return chosen_cases(all_cases(std::filesystem::path(TALUS_SOURCE_DIR) / "samples"), {}, TALUS_IN_FULL, body);
+  return chosen_cases(cases_there_are(), {}, TALUS_IN_FULL, body);
 }
 
 void expect_passed(const CaseResult& result) {
@@ -21,19 +25,48 @@ void expect_passed(const CaseResult& result) {
   EXPECT_TRUE(result.outcome.passed());
 }
 
+const std::string stale = test::how_to_mend("--all", "known_answers.md");
+
+/// The table is written in full: of a case that is thinned here, only what it is can be compared.
+void expect_written(const KnownCase& known, const CaseResult& result) {
+  static const test::WrittenPage page("known_answers.md");
+  if (!test::has_arithmetic_of_tables()) return;
+  std::string section = page.section(known.name), now = case_section(result);
+  const std::string row = overview_row(result);
+  if (known.thinned && !TALUS_IN_FULL) {
+    for (std::string* text : {&section, &now}) text->resize(std::min(text->size(), text->find("\n\n|")));
+    EXPECT_NE(section, "") << stale;
+  } else {
+    EXPECT_EQ(test::difference(page.row(row.substr(2, row.find(" |", 2) - 2)), row), "") << stale;
+  }
+  EXPECT_EQ(test::difference(section, now), "") << stale;
+}
+
 class KnownAnswer : public testing::TestWithParam<KnownCase> {};
+
+TEST(KnownAnswersTable, HasASectionForEveryCase) {
+  std::vector<std::string> sections, names;
+  for (const std::string& name : test::WrittenPage("known_answers.md").names())
+    if (name.starts_with("### ")) sections.push_back(name);
+  for (const KnownCase& known : cases_there_are()) names.push_back("### " + known.name);
+  EXPECT_EQ(sections, names) << stale;
+}
 
 #if TALUS_IN_FULL
 TEST_P(KnownAnswer, IsComputedInFull) {
   NoProgress progress;
   VerifyOptions options;
   options.run.thorough = true;
-  expect_passed(verify(GetParam(), options, progress));
+  const CaseResult result = verify(GetParam(), options, progress);
+  expect_passed(result);
+  expect_written(GetParam(), result);
 }
 #else
 TEST_P(KnownAnswer, IsComputed) {
   NoProgress progress;
-  expect_passed(verify(GetParam(), {}, progress));
+  const CaseResult result = verify(GetParam(), {}, progress);
+  expect_passed(result);
+  expect_written(GetParam(), result);
 }
 
 TEST_P(KnownAnswer, IsTheSameOnTwoThreadsAndAtATenthOfTheScale) {
@@ -49,8 +82,8 @@ TEST_P(KnownAnswer, IsTheSameOnTwoThreadsAndAtATenthOfTheScale) {
                                    << " of the tolerance (" << repetition.about_zero.quantity << ')';
 }
 
-/// Cases that ask for no strain, with blocks in one piece.
-class KnownAnswerOfOnePiece : public KnownAnswer {};
+/// Cases that ask for no strain, with rigid and affine blocks.
+class KnownAnswerOfSingleBody : public KnownAnswer {};
 
 void expect_passed_with(BodyKind body, const KnownCase& known) {
   NoProgress progress;
@@ -59,8 +92,8 @@ void expect_passed_with(BodyKind body, const KnownCase& known) {
   expect_passed(verify(known, options, progress));
 }
 
-TEST_P(KnownAnswerOfOnePiece, IsComputedWithRigidBlocks) { expect_passed_with(BodyKind::rigid, GetParam()); }
-TEST_P(KnownAnswerOfOnePiece, IsComputedWithAffineBlocks) { expect_passed_with(BodyKind::affine, GetParam()); }
+TEST_P(KnownAnswerOfSingleBody, IsComputedWithRigidBlocks) { expect_passed_with(BodyKind::rigid, GetParam()); }
+TEST_P(KnownAnswerOfSingleBody, IsComputedWithAffineBlocks) { expect_passed_with(BodyKind::affine, GetParam()); }
 #endif
 
 std::string test_name(const testing::TestParamInfo<KnownCase>& one) {
@@ -70,7 +103,8 @@ std::string test_name(const testing::TestParamInfo<KnownCase>& one) {
 }
 
 #if !TALUS_IN_FULL
-INSTANTIATE_TEST_SUITE_P(, KnownAnswerOfOnePiece, testing::ValuesIn(cases_of_this_program(BodyKind::rigid)), test_name);
+INSTANTIATE_TEST_SUITE_P(, KnownAnswerOfSingleBody, testing::ValuesIn(cases_of_this_program(BodyKind::rigid)),
+                         test_name);
 #endif
 INSTANTIATE_TEST_SUITE_P(, KnownAnswer, testing::ValuesIn(cases_of_this_program()), test_name);
 

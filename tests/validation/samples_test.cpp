@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/known_sample.hpp"
+#include "base/units.hpp"
+#include "verification/known_sample.hpp"
 
 namespace talus {
 namespace {
@@ -17,7 +18,7 @@ KnownSample sample(const std::string& name) {
   return *found;
 }
 
-/// The tolerances are METHOD §7's, not what happens to come out: a sample may not widen them.
+/// The tolerances are those of docs/validation.md, not what happens to come out: a sample may not widen them.
 void expect_tolerances_within(const std::string& name, double relative, double absolute) {
   NoProgress progress;
   const CaseOutcome outcome = case_of(sample(name)).run({}, progress);
@@ -56,10 +57,12 @@ TEST(Samples, WedgeSlidesAlongTheLineOfIntersection) {
   // Two degrees are asked for; the line is (0.45808, 0.48671, −0.74383).
   const Vec3 line(0.45807866745109466, 0.4867085841667879, -0.743827055520697);
   NoProgress progress;
-  for (const BlockOutcome& block : run_sample(sample("wedge"), {}, progress).report.blocks)
-    if (block.name == "wedge") {
-      EXPECT_GT(block.velocity.normalized().dot(line), 0.999391);
-    }
+  const RunReport report = run_sample(sample("wedge"), {}, progress).report;
+  ASSERT_EQ(report.status, RunStatus::completed) << report.reason;
+  const auto wedge = std::ranges::find(report.blocks, "wedge", &BlockOutcome::name);
+  ASSERT_NE(wedge, report.blocks.end());
+  EXPECT_GT(wedge->velocity.norm(), 0.2) << "m/s";
+  EXPECT_GT(wedge->velocity.normalized().dot(line), std::cos(radians(2)));
 }
 
 /// No answer is known for the slope from a STEP file: it must come to its end, both halves must slide, and nothing may

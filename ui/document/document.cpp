@@ -38,25 +38,26 @@ void Document::saveAs(const std::filesystem::path& file) {
   emit savedChanged();
 }
 
-void Document::changeMaterial(int index, const Material& changed) {
+template <class Thing>
+void Document::changeItem(std::vector<Thing> Project::*list, int index, const Thing& changed, const QString& what) {
   Project candidate = project_;
-  candidate.materials.at(static_cast<size_t>(index)) = changed;
+  Thing& item = (candidate.*list).at(static_cast<size_t>(index));
+  const QString name = QString::fromStdString(item.name);
+  item = changed;
   check(candidate);
-  undoStack_.push(new ChangeMaterial(*this, index, changed));
+  undoStack_.push(new ChangeItem<Thing>(*this, list, index, changed, what.arg(name)));
+}
+
+void Document::changeMaterial(int index, const Material& changed) {
+  changeItem(&Project::materials, index, changed, tr("change material %1"));
 }
 
 void Document::changeJoint(int index, const Joint& changed) {
-  Project candidate = project_;
-  candidate.joints.at(static_cast<size_t>(index)) = changed;
-  check(candidate);
-  undoStack_.push(new ChangeJoint(*this, index, changed));
+  changeItem(&Project::joints, index, changed, tr("change joint %1"));
 }
 
 void Document::changeSolid(int index, const Solid& changed) {
-  Project candidate = project_;
-  candidate.solids.at(static_cast<size_t>(index)) = changed;
-  check(candidate);
-  undoStack_.push(new ChangeSolid(*this, index, changed));
+  changeItem(&Project::solids, index, changed, tr("change solid %1"));
 }
 
 void Document::changeProject(const Project& changed, const QString& what) {

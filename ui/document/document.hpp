@@ -54,11 +54,12 @@ class Document : public QObject {
   void savedChanged();
 
  private:
-  friend class ChangeMaterial;
-  friend class ChangeJoint;
-  friend class ChangeSolid;
+  template <class Thing>
+  friend class ChangeItem;
   friend class ChangeProject;
 
+  template <class Thing>
+  void changeItem(std::vector<Thing> Project::*list, int index, const Thing& changed, const QString& what);
   void replace(Project project, std::filesystem::path file);
 
   Project project_;

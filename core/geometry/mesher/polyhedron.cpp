@@ -21,7 +21,7 @@ double longest_side(const PolyhedronShape& shape) {
 
 std::string face_name(std::size_t face) { return "face " + std::to_string(face); }
 
-void check_one_piece(const PolyhedronShape& shape, const std::string& place) {
+void check_single_body(const PolyhedronShape& shape, const std::string& place) {
   std::map<DirectedEdge, int> owner;  // the face that runs along it
   for (std::size_t f = 0; f < shape.faces.size(); ++f) {
     const std::vector<int>& face = shape.faces[f];
@@ -126,7 +126,7 @@ PolyhedronShape with_flat_faces(PolyhedronShape shape, const std::string& place)
 }  // namespace
 
 PolyhedronShape flattened(PolyhedronShape shape, const std::string& place) {
-  check_one_piece(shape, place);
+  check_single_body(shape, place);
   return with_flat_faces(std::move(shape), place);
 }
 

@@ -162,11 +162,11 @@ AccuracyStudy evaluate(const StudyFolder& folder, std::optional<double> target) 
     }
   measure_errors(study, measure);
   mark_the_best(study);
-  aim_at(study, target);
+  set_target(study, target);
   return study;
 }
 
-void aim_at(AccuracyStudy& study, std::optional<double> target) {
+void set_target(AccuracyStudy& study, std::optional<double> target) {
   study.target = target;
   study.recommended = target ? cheapest_within(*target, offers_of(study, true)) : -1;
 }

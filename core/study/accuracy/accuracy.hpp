@@ -52,6 +52,6 @@ struct AccuracyStudy {
 AccuracyStudy evaluate(const StudyFolder& study, std::optional<double> target);
 
 /// Takes another target, or none, and chooses the cheapest run that meets it.
-void aim_at(AccuracyStudy& study, std::optional<double> target);
+void set_target(AccuracyStudy& study, std::optional<double> target);
 
 }  // namespace talus

@@ -210,7 +210,7 @@ class LadderBuilder {
     return best;
   }
 
-  /// What an engineer tries first: few freedoms with long steps, and mesh and steps coarser together.
+  /// What an engineer tries first: few degrees of freedom with long steps, and mesh and steps coarser together.
   void add_cheap_ones() {
     const double coarse_step = factor(StudyAxis::time_step, false), coarse_mesh = factor(StudyAxis::mesh_size, false);
     if (coarse_step > 1)
@@ -280,8 +280,8 @@ Ladder make_ladder(const Project& project, const LadderWish& wish) { return Ladd
 
 double relative_cost(const Setting& setting) {
   constexpr double tetrahedra_by_size = 3.5;  // power: their number, and equations that grow a little faster
-  constexpr double in_one_piece = 0.05;
-  const double block = deforms_by_its_mesh(setting) ? std::pow(setting.mesh_size, -tetrahedra_by_size) : in_one_piece;
+  constexpr double as_single_body = 0.05;
+  const double block = deforms_by_its_mesh(setting) ? std::pow(setting.mesh_size, -tetrahedra_by_size) : as_single_body;
   return block / setting.time_step;
 }
 

@@ -18,7 +18,7 @@ constexpr std::string_view to_string(StudyAxis axis) {
 }
 
 /// Axes whose values have a size. Errors have an order along time step and mesh size. A static step has a size and no
-/// order: it is a way to rest, and a shorter one is another way, neither nearer to rest nor further from it.
+/// order: it is a path to rest, and a shorter one is another path, neither nearer to rest nor further from it.
 inline constexpr StudyAxis sized_axes[] = {StudyAxis::time_step, StudyAxis::static_step, StudyAxis::mesh_size};
 /// Of such an axis: a factor of the project's own.
 double size_on(StudyAxis axis, const Setting& setting);

@@ -14,7 +14,7 @@
 #include "io/whole_file.hpp"
 #include "mesh/unknowns.hpp"
 #include "model/stage_length.hpp"
-#include "solve/run.hpp"
+#include "run/run.hpp"
 #include "study/accuracy/study_run_json.hpp"
 
 namespace talus {

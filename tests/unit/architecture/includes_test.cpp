@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "source_tree.hpp"
 
 // The calm of the include graph, held by a test: arrows run down, and each foreign library is seen by one folder.
 namespace {
@@ -27,20 +27,56 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"core/io", {"core/model"}},
     {"core/mesh", {"core/model"}},
     {"core/geometry", {"core/mesh"}},
-    {"core/bodies", {"core/mesh"}},
+    {"core/geometry/mesher", {"core/geometry"}},
+    {"core/linear", {"core/base"}},
+    {"core/bodies", {"core/mesh", "core/linear"}},
     {"core/contact", {"core/bodies"}},
+    {"core/contact/broad", {"core/contact"}},
+    {"core/contact/history", {"core/contact"}},
+    {"core/contact/narrow", {"core/contact/broad", "core/contact/history"}},
+    {"core/contact/detection", {"core/contact/narrow"}},
     {"core/effects", {"core/contact"}},
     {"core/results", {"core/mesh"}},
-    {"core/solve", {"core/effects", "core/results"}},
-    {"core/cases", {"core/solve"}},
-    {"core/stability", {"core/cases"}},
-    {"core/study", {"core/stability", "core/geometry", "core/io"}},
-    {"ui/render", {"core/results"}},
-    {"ui/document", {"core/model", "core/io"}},
-    {"ui/run", {"core/study"}},
-    {"ui/widgets", {"ui/document", "ui/run", "ui/render"}},
-    {"app/cli", {"core/study", "ui/render"}},
-    {"app/window", {"ui/widgets"}},
+    {"core/solve/equilibrium", {"core/effects"}},
+    {"core/solve/dynamics", {"core/effects"}},
+    {"core/solve", {"core/solve/equilibrium", "core/solve/dynamics", "core/contact/detection", "core/results"}},
+    {"core/run", {"core/solve"}},
+    {"core/verification/known_answers/support", {"core/solve"}},
+    {"core/verification/known_answers/wedges", {"core/verification/known_answers/support"}},
+    {"core/verification/known_answers/blocks", {"core/verification/known_answers/support"}},
+    {"core/verification/known_answers/continuum", {"core/verification/known_answers/support"}},
+    {"core/verification/known_answers",
+     {"core/verification/known_answers/wedges", "core/verification/known_answers/blocks",
+      "core/verification/known_answers/continuum"}},
+    {"core/verification/hard_cases", {"core/verification/known_answers/support"}},
+    {"core/verification/hard_cases/classic",
+     {"core/verification/hard_cases", "core/verification/known_answers/blocks"}},
+    {"core/verification/hard_cases/scenes", {"core/verification/hard_cases/classic"}},
+    {"core/verification",
+     {"core/verification/known_answers", "core/verification/hard_cases/scenes", "core/run", "core/geometry",
+      "core/io"}},
+    {"core/study/accuracy", {"core/run", "core/geometry", "core/io"}},
+    {"core/study/forecast", {"core/study/accuracy"}},
+    {"ui/render/paint", {"core/base"}},
+    {"ui/render/gl", {"ui/render/paint"}},
+    {"ui/render/scene", {"ui/render/gl", "core/results"}},
+    {"ui/render/charts", {"ui/render/gl", "core/results"}},
+    {"ui/render/film", {"ui/render/scene"}},
+    {"ui/document", {"core/io"}},
+    {"ui/jobs", {"core/study/forecast", "core/verification"}},
+    {"ui/session", {"ui/document", "ui/jobs", "ui/render/scene"}},
+    {"ui/widgets/kit", {"core/model", "ui/render/paint"}},
+    {"ui/widgets/view", {"ui/widgets/kit", "ui/session"}},
+    {"ui/widgets/project", {"ui/widgets/kit", "ui/session"}},
+    {"ui/widgets/study", {"ui/widgets/kit", "ui/session", "ui/render/charts"}},
+    {"ui/widgets/run", {"ui/widgets/study"}},
+    {"ui/widgets/results", {"ui/widgets/view", "ui/widgets/run", "ui/render/film"}},
+    {"ui/widgets/setup", {"ui/widgets/project"}},
+    {"ui/widgets/verification", {"ui/widgets/kit", "ui/jobs"}},
+    {"ui/widgets/window", {"ui/widgets/project", "ui/widgets/setup", "ui/widgets/results", "ui/widgets/verification"}},
+    {"app/cli/text", {"core/study/forecast", "core/verification", "ui/render/charts"}},
+    {"app/cli", {"app/cli/text", "ui/render/film", "ui/render/charts"}},
+    {"app/window", {"ui/widgets/window"}},
 };
 
 /// A library's headers and the only files that may include them.
@@ -51,16 +87,18 @@ struct Fence {
 };
 
 const std::vector<Fence> fences = {
-    {"Qt", std::regex("Qt?[A-Z]\\w*(/.*)?|ui_.*\\.h"), std::regex("(ui/(document|run|widgets)|app/window)/.*")},
-    {"VTK", std::regex("vtk.*"), std::regex("ui/render/.*|ui/widgets/(\\w*viewport\\w*|render_surface)\\.(hpp|cpp)")},
+    {"Qt", std::regex("Qt?[A-Z]\\w*(/.*)?|ui_.*\\.h"),
+     std::regex("(ui/(document|jobs|session|widgets)|app/window)/.*")},
+    {"VTK", std::regex("vtk.*"),
+     std::regex("ui/render/.*|ui/widgets/view/(\\w*viewport\\w*|render_surface)\\.(hpp|cpp)")},
     {"OpenGL", std::regex("(GL|EGL|GLES[23]|KHR)/.*"), std::regex("ui/render/.*\\.cpp")},
     {"FFmpeg", std::regex("lib(av|sw)\\w+/.*"), std::regex("ui/render/.*\\.cpp")},
     {"giflib", std::regex("gif_lib\\.h"), std::regex("ui/render/.*\\.cpp")},
     {"libpng", std::regex("png\\.h"), std::regex("ui/render/.*\\.cpp")},
     {"gmsh", std::regex("gmsh.*\\.h(_cwrap)?"), std::regex("core/geometry/mesher/.*\\.cpp")},
     {"SuiteSparse", std::regex("(suitesparse/)?(cholmod|umfpack|SuiteSparse_config|Eigen/CholmodSupport).*"),
-     std::regex("core/solve/(cholesky|sparse_lu)\\.cpp")},
-    {"OpenBLAS", std::regex("cblas.*\\.h|lapacke?\\.h"), std::regex("core/solve/(cholesky|sparse_lu)\\.cpp")},
+     std::regex("core/linear/(cholesky|sparse_lu)\\.cpp")},
+    {"OpenBLAS", std::regex("cblas.*\\.h|lapacke?\\.h"), std::regex("core/linear/(cholesky|sparse_lu)\\.cpp")},
     {"oneTBB", std::regex("(oneapi/)?tbb/.*"), std::regex("core/base/parallel\\.cpp")},
     {"HDF5", std::regex("hdf5\\.h|H5\\w+\\.h"), std::regex("core/results/.*")},
     {"valijson", std::regex("valijson/.*"), std::regex("core/io/.*\\.cpp")},
@@ -71,38 +109,22 @@ const std::vector<Fence> fences = {
 const std::regex standard_or_eigen("[a-z_0-9]+|Eigen/\\w+");
 
 constexpr int longest_file = 500;  // lines
+constexpr int most_units = 25;     // in a folder
+constexpr int most_users = 15;     // files of other top folders that include a header
 
-struct SourceFile {
-  std::string path;  ///< from the source folder, with /
-  std::string text;
-};
-
-/// What stands between the quotes or angle brackets, in the file's order.
-std::vector<std::string> includes_of(const SourceFile& file, char quote) {
-  const std::regex line(
-      quote == '"' ? R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re" : R"re(^[ \t]*#[ \t]*include[ \t]*<([^>]+)>)re",
-      std::regex::ECMAScript | std::regex::multiline);
-  std::vector<std::string> names;
-  for (std::sregex_iterator match(file.text.begin(), file.text.end(), line), end; match != end; ++match)
-    names.push_back((*match)[1]);
-  return names;
-}
-
-/// The folder of core, ui or app that a path lies in.
-std::string folder_of(const std::string& path) { return path.substr(0, path.find('/', path.find('/') + 1)); }
-
-/// The folder a header "folder/file.hpp" belongs to; empty when it is none of ours.
+/// The folder a header "folder/room/file.hpp" belongs to; empty when it is none of ours. The command line, which is
+/// included by nobody else, leaves its own name out.
 std::string folder_of_header(const std::string& name) {
-  const std::string folder = name.substr(0, name.find('/'));
-  for (const std::string part : {"core/", "ui/", "app/"})
+  const std::string folder = folder_of(name);
+  for (const std::string part : {"core/", "ui/", "app/", "app/cli/"})
     if (arrows.contains(part + folder)) return part + folder;
   return {};
 }
 
-/// The path of a header "folder/file.hpp" of ours; empty when it is none.
+/// The path of a header "folder/room/file.hpp" of ours; empty when it is none.
 std::string path_of_header(const std::string& name) {
   const std::string folder = folder_of_header(name);
-  return folder.empty() ? folder : folder + name.substr(name.find('/'));
+  return folder.empty() ? folder : folder + name.substr(name.rfind('/'));
 }
 
 /// The folder itself and all it is built upon.
@@ -172,6 +194,34 @@ std::vector<std::string> leaks(const std::vector<SourceFile>& files) {
   return {found.begin(), found.end()};
 }
 
+/// Folders of more units than a reader takes in; a header with its source is one.
+std::vector<std::string> crowded_folders(const std::vector<SourceFile>& files) {
+  std::map<std::string, std::set<std::string>> units;
+  for (const SourceFile& file : files) units[folder_of(file.path)].insert(file.path.substr(0, file.path.rfind('.')));
+  std::vector<std::string> crowded;
+  for (const auto& [folder, names] : units)
+    if (names.size() > most_units) crowded.push_back(folder + " has " + std::to_string(names.size()) + " units");
+  return crowded;
+}
+
+/// core/solve of core/solve/dynamics/sleep.hpp.
+std::string top_folder_of(const std::string& path) { return path.substr(0, path.find('/', path.find('/') + 1)); }
+
+/// Headers that too many files of other top folders include; base and model are there for all.
+std::vector<std::string> halls(const std::vector<SourceFile>& files) {
+  std::map<std::string, std::set<std::string>> users;
+  for (const SourceFile& file : files)
+    for (const std::string& name : includes_of(file, '"'))
+      if (const std::string path = path_of_header(name);
+          !path.empty() && top_folder_of(path) != top_folder_of(file.path))
+        users[path].insert(file.path);
+  std::vector<std::string> crowded;
+  for (const auto& [path, who] : users)
+    if (who.size() > most_users && !path.starts_with("core/base/") && !path.starts_with("core/model/"))
+      crowded.push_back(path + " is included by " + std::to_string(who.size()) + " files of other folders");
+  return crowded;
+}
+
 /// A circle of files that include one another, as its paths in order; empty when there is none.
 std::vector<std::string> circle_among(const std::vector<SourceFile>& files) {
   std::map<std::string, std::vector<std::string>> lower;
@@ -198,20 +248,6 @@ std::vector<std::string> circle_among(const std::vector<SourceFile>& files) {
   return {};
 }
 
-std::vector<SourceFile> source_tree() {
-  const fs::path root = TALUS_SOURCE_DIR;
-  std::vector<SourceFile> files;
-  for (const char* part : {"core", "ui", "app"})
-    for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
-      if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
-      std::ostringstream text;
-      text << std::ifstream(entry.path()).rdbuf();
-      files.push_back({fs::relative(entry.path(), root).generic_string(), text.str()});
-    }
-  std::ranges::sort(files, {}, &SourceFile::path);
-  return files;
-}
-
 TEST(Includes, OfAllFilesRunDownTheArrows) {
   const std::vector<SourceFile> files = source_tree();
   ASSERT_GT(files.size(), 15u);
@@ -229,30 +265,54 @@ TEST(Includes, EveryFolderOfTheTreeHasArrows) {
   for (const auto& [folder, lower] : arrows)
     for (const std::string& name : lower) EXPECT_TRUE(arrows.contains(name)) << folder << " → " << name;
   for (const char* part : {"core", "ui", "app"})
-    for (const auto& entry : fs::directory_iterator(root / part)) {
-      if (!entry.is_directory()) continue;
-      EXPECT_TRUE(arrows.contains(fs::relative(entry.path(), root).generic_string())) << entry.path();
+    for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
+      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+      const std::string folder = folder_of(fs::relative(entry.path(), root).generic_string());
+      EXPECT_TRUE(arrows.contains(folder)) << folder;
     }
+}
+
+TEST(Headers, AreIncludedByFewFilesOfOtherFolders) { EXPECT_THAT(halls(source_tree()), IsEmpty()); }
+
+TEST(Headers, ThatMoreThan15FilesOfOtherFoldersIncludeAreFound) {
+  std::vector<SourceFile> files{{"core/mesh/block.hpp", ""}};
+  for (int i = 0; i < most_users; ++i)
+    files.push_back({"core/solve/user" + std::to_string(i) + ".cpp", "#include \"mesh/block.hpp\"\n"});
+  files.push_back({"core/mesh/surface.cpp", "#include \"mesh/block.hpp\"\n"});
+  EXPECT_THAT(halls(files), IsEmpty());
+  files.push_back({"core/solve/dynamics/sleep.cpp", "#include \"mesh/block.hpp\"\n"});
+  EXPECT_THAT(halls(files), ElementsAre("core/mesh/block.hpp is included by 16 files of other folders"));
+}
+
+TEST(Folders, HoldFewUnits) { EXPECT_THAT(crowded_folders(source_tree()), IsEmpty()); }
+
+TEST(Folders, OfMoreThan25UnitsAreFound) {
+  std::vector<SourceFile> files;
+  for (int i = 0; i < most_units; ++i)
+    for (const char* kind : {".hpp", ".cpp"}) files.push_back({"core/mesh/unit" + std::to_string(i) + kind, ""});
+  EXPECT_THAT(crowded_folders(files), IsEmpty());
+  files.push_back({"core/mesh/straw.cpp", ""});
+  EXPECT_THAT(crowded_folders(files), ElementsAre("core/mesh has 26 units"));
 }
 
 // The checks above mean something only if they can fail.
 TEST(Includes, AnArrowThatRunsUpIsFound) {
   EXPECT_THAT(faults({"core/base/error.hpp", "#pragma once\n#include \"model/project.hpp\"\n"}),
               ElementsAre("core/base/error.hpp may not include model/project.hpp"));
-  EXPECT_THAT(faults({"core/results/frame.cpp", "  #  include \"solve/run.hpp\"\n"}), SizeIs(1));
-  EXPECT_THAT(faults({"ui/render/scene.cpp", "#include \"solve/run.hpp\"\n"}), SizeIs(1));
-  EXPECT_THAT(faults({"core/solve/run.cpp", "#include \"base/units.hpp\"\n#include \"results/frame.hpp\"\n"}),
-              IsEmpty());
+  EXPECT_THAT(faults({"core/results/frame.cpp", "  #  include \"run/run.hpp\"\n"}), SizeIs(1));
+  EXPECT_THAT(faults({"ui/render/scene/scene.cpp", "#include \"run/run.hpp\"\n"}), SizeIs(1));
+  EXPECT_THAT(faults({"core/run/run.cpp", "#include \"base/units.hpp\"\n#include \"results/frame.hpp\"\n"}), IsEmpty());
 }
 
 TEST(Includes, ALibraryOutsideItsFenceIsFound) {
-  EXPECT_THAT(faults({"core/solve/run.cpp", "#include <QString>\n"}),
-              ElementsAre("core/solve/run.cpp may not include QString: Qt has its own place"));
-  EXPECT_THAT(faults({"ui/render/scene.cpp", "#include <QtCore/QObject>\n"}), SizeIs(1));
-  EXPECT_THAT(faults({"ui/widgets/timeline.cpp", "#include <vtkActor.h>\n"}), SizeIs(1));
-  EXPECT_THAT(faults({"ui/widgets/gl_viewport.cpp", "#include <QMouseEvent>\n#include <vtkActor.h>\n"}), IsEmpty());
-  EXPECT_THAT(faults({"core/solve/sparse_pattern.cpp", "#include <cholmod.h>\n"}), SizeIs(1));
-  EXPECT_THAT(faults({"core/solve/cholesky.cpp", "#include <cholmod.h>\n"}), IsEmpty());
+  EXPECT_THAT(faults({"core/run/run.cpp", "#include <QString>\n"}),
+              ElementsAre("core/run/run.cpp may not include QString: Qt has its own place"));
+  EXPECT_THAT(faults({"ui/render/scene/scene.cpp", "#include <QtCore/QObject>\n"}), SizeIs(1));
+  EXPECT_THAT(faults({"ui/widgets/view/timeline.cpp", "#include <vtkActor.h>\n"}), SizeIs(1));
+  EXPECT_THAT(faults({"ui/widgets/view/gl_viewport.cpp", "#include <QMouseEvent>\n#include <vtkActor.h>\n"}),
+              IsEmpty());
+  EXPECT_THAT(faults({"core/linear/sparse_pattern.cpp", "#include <cholmod.h>\n"}), SizeIs(1));
+  EXPECT_THAT(faults({"core/linear/cholesky.cpp", "#include <cholmod.h>\n"}), IsEmpty());
   EXPECT_THAT(faults({"core/mesh/quality.cpp", "#include <gmsh.h>\n"}), SizeIs(1));
   EXPECT_THAT(faults({"app/cli/main.cpp", "#include <hdf5.h>\n"}), SizeIs(1));
 }
@@ -262,7 +322,7 @@ TEST(Includes, AHeaderThatShowsOthersMoreThanStdAndEigenIsFound) {
   const SourceFile writer{"core/results/result_writer.cpp", "#include \"results/hdf5.hpp\"\n"};
   const SourceFile folder{"core/results/result_folder.hpp", "#include <string>\n#include <Eigen/Core>\n"};
   const SourceFile leaking{"core/results/result_folder.hpp", "#include \"results/hdf5.hpp\"\n"};
-  const SourceFile user{"core/solve/run.cpp", "#include \"results/result_folder.hpp\"\n"};
+  const SourceFile user{"core/run/run.cpp", "#include \"results/result_folder.hpp\"\n"};
   EXPECT_THAT(leaks({wrapper, writer, folder, user}), IsEmpty());
   EXPECT_THAT(leaks({wrapper, leaking, user}), ElementsAre("core/results/result_folder.hpp shows hdf5.h"));
 }

@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-TEST(DisjointSets, what_is_joined_through_others_belongs_together_and_goes_by_its_lowest_number) {
+TEST(DisjointSets, WhatIsJoinedThroughOthersBelongsTogetherAndGoesByItsLowestNumber) {
   DisjointSets sets;
   sets.reset(6);
   EXPECT_EQ(sets.first_of(5), 5);

@@ -4,13 +4,13 @@
 
 #include "base/units.hpp"
 
-TEST(InputError, says_place_problem_and_remedy_on_one_line) {
+TEST(InputError, SaysPlaceProblemAndRemedyOnOneLine) {
   const talus::InputError error("/materials/rock/density", "is -1", "give a positive density in kg/m³");
   EXPECT_STREQ(error.what(), "/materials/rock/density: is -1; give a positive density in kg/m³");
   EXPECT_EQ(error.place(), "/materials/rock/density");
 }
 
-TEST(Units, degrees_and_radians_are_inverse) {
+TEST(Units, DegreesAndRadiansAreInverse) {
   EXPECT_DOUBLE_EQ(talus::radians(180.0), 3.14159265358979323846);
   EXPECT_DOUBLE_EQ(talus::degrees(talus::radians(37.5)), 37.5);
 }

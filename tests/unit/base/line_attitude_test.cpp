@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-TEST(LineAttitude, trend_runs_clockwise_from_north_and_plunge_is_positive_downwards) {
+TEST(LineAttitude, TrendRunsClockwiseFromNorthAndPlungeIsPositiveDownwards) {
   EXPECT_NEAR(attitude_of(Vec3(0, 2, 0)).trend, 0, 1e-12);
   EXPECT_NEAR(attitude_of(Vec3(3, 0, 0)).trend, 90, 1e-12);
   EXPECT_NEAR(attitude_of(Vec3(0, -1, 0)).trend, 180, 1e-12);
@@ -14,7 +14,7 @@ TEST(LineAttitude, trend_runs_clockwise_from_north_and_plunge_is_positive_downwa
   EXPECT_NEAR(attitude_of(Vec3(1, 0, 1)).plunge, -45, 1e-12);
 }
 
-TEST(LineAttitude, a_vertical_line_has_no_trend) {
+TEST(LineAttitude, AVerticalLineHasNoTrend) {
   EXPECT_EQ(attitude_of(Vec3(0, 0, -5)).trend, 0);
   EXPECT_NEAR(attitude_of(Vec3(0, 0, -5)).plunge, 90, 1e-12);
 }

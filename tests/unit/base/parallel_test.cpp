@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-TEST(Parallel, every_index_is_worked_on_once_on_one_thread_and_on_four) {
+TEST(Parallel, EveryIndexIsWorkedOnOnceOnOneThreadAndOnFour) {
   for (const int threads : {1, 4}) {
     const ThreadLimit limit(threads);
     std::vector<std::atomic<int>> visits(1000);
@@ -23,7 +23,7 @@ TEST(Parallel, every_index_is_worked_on_once_on_one_thread_and_on_four) {
   }
 }
 
-TEST(Parallel, works_on_more_threads_only_where_it_is_allowed) {
+TEST(Parallel, WorksOnMoreThreadsOnlyWhereItIsAllowed) {
   const auto threads_seen = [] {
     std::set<std::thread::id> seen;
     std::mutex guard;
@@ -45,7 +45,7 @@ TEST(Parallel, works_on_more_threads_only_where_it_is_allowed) {
   EXPECT_EQ(ThreadLimit::current(), 1);
 }
 
-TEST(Parallel, nothing_to_do_is_no_work_at_all_or_an_empty_range) {
+TEST(Parallel, NothingToDoIsNoWorkAtAllOrAnEmptyRange) {
   const ThreadLimit limit(2);
   int sum = 0;
   in_parallel(0, 10, [&](int first, int last) { sum += last - first; });

@@ -23,7 +23,7 @@ BlockSystem two_boxes() {
   return system;
 }
 
-TEST(BlockMotion, finds_translation_rotation_and_volume_change_of_a_moved_block) {
+TEST(BlockMotion, FindsTranslationRotationAndVolumeChangeOfAMovedBlock) {
   const BlockSystem system = two_boxes();
   BodySet set(rock_project(), system);
   const Eigen::AngleAxisd turn(0.4, Vec3(1, 2, -1).normalized());
@@ -39,7 +39,7 @@ TEST(BlockMotion, finds_translation_rotation_and_volume_change_of_a_moved_block)
   EXPECT_NEAR(motion.relative_volume_change, std::pow(1.01, 3) - 1, 1e-12);
 }
 
-TEST(MaterialPoint, is_a_weighted_mean_of_its_own_blocks_nodes) {
+TEST(MaterialPoint, IsAWeightedMeanOfItsOwnBlocksNodes) {
   const BlockSystem system = two_boxes();
   const BodySet set(rock_project(), system);
   const Vec3 where(1.7, 2.6, 0.9);
@@ -48,7 +48,7 @@ TEST(MaterialPoint, is_a_weighted_mean_of_its_own_blocks_nodes) {
   EXPECT_LT((point.at(set.nodes.reference) - where).norm(), 1e-14);
 }
 
-TEST(MaterialPoint, outside_its_block_or_in_no_block_is_an_error_with_its_place) {
+TEST(MaterialPoint, OutsideItsBlockOrInNoBlockIsAnErrorWithItsPlace) {
   const BlockSystem system = two_boxes();
   EXPECT_NO_THROW(material_point(system, "B", Vec3(1, 2, -1e-9), 1e-6, "/monitors/0"));
   try {
@@ -61,13 +61,13 @@ TEST(MaterialPoint, outside_its_block_or_in_no_block_is_an_error_with_its_place)
   EXPECT_THROW(material_point(system, "nobody", Vec3(1, 2, 0), 1e-6, "/monitors/0"), InputError);
 }
 
-TEST(BodySet, gives_freedoms_to_movable_nodes_alone) {
+TEST(BodySet, GivesDofBlocksToMovableNodesAlone) {
   const BlockSystem system = two_boxes();
   const BodySet set(rock_project(), system);
   EXPECT_EQ(set.unknowns(), 24);
   EXPECT_EQ(set.elements.size(), 6u);
-  EXPECT_EQ(set.nodes.freedom[0], -1);
-  EXPECT_EQ(set.nodes.freedom[8], 0);
+  EXPECT_EQ(set.nodes.dof_block[0], -1);
+  EXPECT_EQ(set.nodes.dof_block[8], 0);
   double mass = 0;
   for (const Element& element : set.elements) mass += element.mass;
   EXPECT_NEAR(mass, 2600 * 3, 1e-9);

@@ -20,7 +20,7 @@ struct TwoBoxes {
   BlockSystem system;
 };
 
-TEST(PoseFit, knows_centroid_volume_and_spread_of_a_box) {
+TEST(PoseFit, KnowsCentroidVolumeAndSpreadOfABox) {
   const TwoBoxes scene;
   const PoseFit fit(scene.system);
   const BodySet bodies(scene.project, scene.system);
@@ -30,7 +30,7 @@ TEST(PoseFit, knows_centroid_volume_and_spread_of_a_box) {
   EXPECT_LT((fit.spread(1) - Mat3(Vec3(1. / 12, 4. / 12, 9. / 12).asDiagonal())).norm(), 1e-8);
 }
 
-TEST(PoseFit, follows_a_large_rotation_and_overlooks_a_uniform_stretch) {
+TEST(PoseFit, FollowsALargeRotationAndOverlooksAUniformStretch) {
   const TwoBoxes scene;
   BodySet bodies(scene.project, scene.system);
   const PoseFit fit(scene.system);
@@ -43,7 +43,7 @@ TEST(PoseFit, follows_a_large_rotation_and_overlooks_a_uniform_stretch) {
   EXPECT_LT((pose.rotation - turn).norm(), 1e-8);
 }
 
-TEST(PoseFit, a_fixed_block_goes_with_its_base) {
+TEST(PoseFit, AFixedBlockGoesWithItsBase) {
   const TwoBoxes scene;
   BodySet bodies(scene.project, scene.system);
   for (int n = 0; n < 8; ++n) bodies.nodes.position[n] += Vec3(0.1, 0, 0);

@@ -9,7 +9,7 @@ namespace {
 
 const Vec3 axis = Vec3(1, -2, 0.5).normalized();
 
-TEST(FiniteRotation, agrees_with_the_axis_and_the_angle) {
+TEST(FiniteRotation, AgreesWithTheAxisAndTheAngle) {
   for (const double angle : {1e-9, 1e-4, 0.05, 0.0999, 0.1001, 1.5, 3.1}) {
     const Mat3 expected = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
     EXPECT_LT((rotation_by(angle * axis) - expected).norm(), 1e-15) << angle;
@@ -18,19 +18,19 @@ TEST(FiniteRotation, agrees_with_the_axis_and_the_angle) {
   }
 }
 
-TEST(FiniteRotation, keeps_the_relative_accuracy_of_tiny_turns) {
+TEST(FiniteRotation, KeepsTheRelativeAccuracyOfTinyTurns) {
   const Vec3 p(0.3, -0.7, 2), theta = 1e-12 * axis;
   EXPECT_LT((turn_of(theta, p) - theta.cross(p)).norm(), 1e-11 * theta.norm() * p.norm());
 }
 
-TEST(FiniteRotation, rotations_follow_one_another) {
+TEST(FiniteRotation, RotationsFollowOneAnother) {
   const Vec3 earlier(0.4, -1.2, 0.3), later(-0.9, 0.2, 0.8);
   EXPECT_LT((rotation_by(composed(later, earlier)) - rotation_by(later) * rotation_by(earlier)).norm(), 1e-15);
   EXPECT_EQ(composed(Vec3::Zero(), Vec3::Zero()), Vec3::Zero());
   EXPECT_LT((composed(1e-13 * axis, 2e-13 * axis) - 3e-13 * axis).norm(), 1e-27);
 }
 
-TEST(FiniteRotation, the_tangent_is_how_the_rotation_changes) {
+TEST(FiniteRotation, TheTangentIsHowTheRotationChanges) {
   for (const double angle : {0.02, 0.3, 2.0}) {
     const Vec3 theta = angle * axis;
     constexpr double step = 1e-5;

@@ -1,4 +1,4 @@
-// Impulses on bodies of every kind: momentum is what was given, and bodies in one piece answer alike.
+// Impulses on bodies of every kind: momentum is what was given, and single bodies answer alike.
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
@@ -11,7 +11,7 @@ namespace {
 
 using test::one_block;
 
-/// Of nodes that have a freedom, by the consistent mass; and of a rigid body.
+/// Of nodes that have unknowns, by the consistent mass; and of a rigid body.
 Vec3 momentum(const BodySet& set) {
   Vec3 sum = Vec3::Zero();
   for (const Element& element : set.elements)
@@ -24,7 +24,7 @@ const std::vector<int> nodes{0, 1, 3};
 const std::vector<double> weights{0.5, 0.2, 0.3};
 const Vec3 impulse(300, -200, 500);
 
-TEST(Impulse, a_body_of_any_kind_takes_up_the_momentum_that_it_is_given) {
+TEST(Impulse, ABodyOfAnyKindTakesUpTheMomentumThatItIsGiven) {
   for (const BodyKind kind : {BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra}) {
     BodySet set = one_block(kind);
     InverseMasses masses(set);
@@ -34,7 +34,7 @@ TEST(Impulse, a_body_of_any_kind_takes_up_the_momentum_that_it_is_given) {
   }
 }
 
-TEST(Impulse, the_mobility_is_how_fast_the_point_moves_off) {
+TEST(Impulse, TheMobilityIsHowFastThePointMovesOff) {
   for (const BodyKind kind : {BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra}) {
     BodySet set = one_block(kind);
     InverseMasses masses(set);
@@ -49,7 +49,7 @@ TEST(Impulse, the_mobility_is_how_fast_the_point_moves_off) {
   }
 }
 
-TEST(Impulse, a_rigid_body_turns_by_the_moment_of_the_impulse) {
+TEST(Impulse, ARigidBodyTurnsByTheMomentOfTheImpulse) {
   BodySet set = one_block(BodyKind::rigid);
   InverseMasses masses(set);
   StruckPoint(set, masses, nodes, weights, 1).strike(set, impulse);
@@ -59,7 +59,7 @@ TEST(Impulse, a_rigid_body_turns_by_the_moment_of_the_impulse) {
   EXPECT_LT((rigid.angular_momentum - (place - set.nodes.position[rigid.centre]).cross(impulse)).norm(), 1e-10);
 }
 
-TEST(Impulse, a_fixed_body_moves_as_it_is_prescribed_to) {
+TEST(Impulse, AFixedBodyMovesAsItIsPrescribedTo) {
   BodySet set = one_block(BodyKind::fixed);
   for (Vec3& way : set.nodes.prescribed) way = Vec3(0.02, 0, 0);
   InverseMasses masses(set);

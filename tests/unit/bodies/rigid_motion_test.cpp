@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-TEST(RigidMotion, a_spinning_block_goes_on_along_circles_and_what_strains_it_along_lines) {
+TEST(RigidMotion, ASpinningBlockGoesOnAlongCirclesAndWhatStrainsItAlongLines) {
   Project project;
   project.materials = {{"rock", 2600, 5e9, 0.24}};
   BlockSystem system;
@@ -27,7 +27,7 @@ TEST(RigidMotion, a_spinning_block_goes_on_along_circles_and_what_strains_it_alo
   for (int n = 8; n < 16; ++n) {
     const Vec3 arm = set.nodes.position[n] - centre;
     const Vec3 expected = turn * arm - arm + length * (velocity + 0.01 * arm);
-    EXPECT_LT((d.segment<3>(3 * set.nodes.freedom[n]) - expected).norm(), 1e-13);
+    EXPECT_LT((d.segment<3>(3 * set.nodes.dof_block[n]) - expected).norm(), 1e-13);
   }
 }
 

@@ -17,7 +17,7 @@ Corners affine(const Mat3& slope, const Vec3& shift) {
   return d;
 }
 
-TEST(ElementShape, volume_is_that_of_the_tetrahedron_and_gradients_reproduce_linear_fields) {
+TEST(ElementShape, VolumeIsThatOfTheTetrahedronAndGradientsReproduceLinearFields) {
   const ElementShape shape = element_shape(corners);
   EXPECT_NEAR(shape.volume, (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) / 6,
               1e-15);
@@ -27,7 +27,7 @@ TEST(ElementShape, volume_is_that_of_the_tetrahedron_and_gradients_reproduce_lin
   EXPECT_LT((gradient - Vec3(3, -2, 1)).norm(), 1e-13);
 }
 
-TEST(Strain, of_an_affine_field_is_its_symmetric_slope_with_engineering_shears) {
+TEST(Strain, OfAnAffineFieldIsItsSymmetricSlopeWithEngineeringShears) {
   Mat3 slope;
   slope << 1e-3, 2e-3, -1e-3, 4e-3, -2e-3, 3e-3, 5e-3, 1e-3, 7e-3;
   const Voigt e = strain(element_shape(corners), affine(slope, Vec3(5, 6, 7)));
@@ -36,7 +36,7 @@ TEST(Strain, of_an_affine_field_is_its_symmetric_slope_with_engineering_shears) 
   EXPECT_LT((e - expected).norm(), 1e-14);
 }
 
-TEST(Elastic, uniaxial_stress_follows_youngs_modulus_and_poissons_ratio) {
+TEST(Elastic, UniaxialStressFollowsYoungsModulusAndPoissonsRatio) {
   Voigt e;
   e << 1e-4, -0.24e-4, -0.24e-4, 0, 0, 0;
   const Elastic elastic = Elastic::of(rock);
@@ -46,7 +46,7 @@ TEST(Elastic, uniaxial_stress_follows_youngs_modulus_and_poissons_ratio) {
   EXPECT_NEAR(elastic.energy_density(s), 0.5 * 25e9 * 1e-8, 1e-9);
 }
 
-TEST(StiffnessBlock, times_displacements_is_the_force_of_the_stress_they_make) {
+TEST(StiffnessBlock, TimesDisplacementsIsTheForceOfTheStressTheyMake) {
   const ElementShape shape = element_shape(corners);
   const Elastic elastic = Elastic::of(rock);
   Corners d{Vec3(1e-3, 0, 2e-3), Vec3(-1e-3, 3e-3, 0), Vec3(0, 1e-3, 1e-3), Vec3(2e-3, 2e-3, -1e-3)};
@@ -58,7 +58,7 @@ TEST(StiffnessBlock, times_displacements_is_the_force_of_the_stress_they_make) {
   }
 }
 
-TEST(StiffnessBlock, resists_no_translation_and_no_small_rotation) {
+TEST(StiffnessBlock, ResistsNoTranslationAndNoSmallRotation) {
   const ElementShape shape = element_shape(corners);
   const Elastic elastic = Elastic::of(rock);
   Mat3 skew;

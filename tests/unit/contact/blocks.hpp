@@ -7,9 +7,13 @@
 #include <memory>
 #include <vector>
 
-#include "contact/contact_detector.hpp"
+#include "contact/detection/contact_detector.hpp"
+#include "mesh/surface.hpp"
 
 namespace talus::testing {
+
+/// Up to which gaps contacts are looked for [m].
+inline constexpr double reach = 0.01;
 
 /// A closed surface with its nodes.
 struct Shape {
@@ -87,7 +91,7 @@ class Scene {
  public:
   int add(const Shape& shape, bool fixed = false) {
     surfaces_.push_back(std::make_unique<Surface>(make_surface(shape.nodes, shape.triangles)));
-    bodies_.push_back({surfaces_.back().get(), static_cast<int>(x.size()), fixed, young, one_piece});
+    bodies_.push_back({surfaces_.back().get(), static_cast<int>(x.size()), fixed, young, single_body});
     x.insert(x.end(), shape.nodes.begin(), shape.nodes.end());
     return static_cast<int>(bodies_.size()) - 1;
   }
@@ -116,8 +120,8 @@ class Scene {
   std::vector<JointLaw> laws = {JointLaw{.friction = 0.5}};
   ContactSettings settings;
   ContactSet contacts;
-  double young = 1e9;      ///< of the bodies that are added next
-  bool one_piece = false;  ///< are they rigid?
+  double young = 1e9;        ///< of the bodies that are added next
+  bool single_body = false;  ///< are they rigid?
 
  private:
   std::vector<std::unique_ptr<Surface>> surfaces_;

@@ -130,7 +130,7 @@ TEST_F(DocumentTest, SavesWhatItChanged) {
   EXPECT_EQ(again.project().materials[0].density, 2710);
 }
 
-TEST(SelectionTest, OneSelectionWithBlocksAddedByControl) {
+TEST(Selection, OneSelectionWithBlocksAddedByControl) {
   Selection selection;
   int changed = 0;
   QObject::connect(&selection, &Selection::changed, [&] { ++changed; });
@@ -146,13 +146,15 @@ TEST(SelectionTest, OneSelectionWithBlocksAddedByControl) {
   EXPECT_TRUE(selection.blocks().empty());
 }
 
-TEST(SelectionTest, HoverTellsOnlyOfChanges) {
+TEST(Selection, HoverTellsOnlyOfChanges) {
   Selection selection;
   int hover = 0;
   QObject::connect(&selection, &Selection::hoverChanged, [&] { ++hover; });
   selection.hoverBlock(2);
   selection.hoverBlock(2);
+  EXPECT_EQ(selection.hoveredBlock(), 2);
   selection.hoverBlock(std::nullopt);
+  EXPECT_FALSE(selection.hoveredBlock());
   EXPECT_EQ(hover, 2);
 }
 

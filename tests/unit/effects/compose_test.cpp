@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include "base/error.hpp"
 #include "support/small_scenes.hpp"
 
@@ -21,24 +23,25 @@ BlockSystem one_block() {
   return system;
 }
 
-std::vector<std::string> names(const Composition& composition) {
-  std::vector<std::string> list;
-  for (const auto& effect : composition.effects) list.emplace_back(effect->name());
+std::vector<EffectKind> kinds(const Composition& composition) {
+  std::vector<EffectKind> list;
+  for (const auto& effect : composition.effects) list.push_back(effect->kind());
   return list;
 }
 
-TEST(Compose, a_falling_block_gets_no_contact_no_load_and_no_constraint) {
+TEST(Compose, AFallingBlockGetsNoContactNoLoadAndNoConstraint) {
   const Project project = one_block_project();
   const BlockSystem system = one_block();
   BodySet set(project, system);
   const ContactSet contacts;
   const ContactLinks links(set, contacts);
   const Composition composition = compose(project, system, 0, set, links);
-  EXPECT_THAT(names(composition), testing::ElementsAre("elasticity", "inertia", "body force"));
+  EXPECT_THAT(kinds(composition),
+              testing::ElementsAre(EffectKind::elasticity, EffectKind::inertia, EffectKind::body_force));
   EXPECT_EQ(composition.shear, nullptr);
 }
 
-TEST(Compose, each_element_has_the_law_of_its_rock) {
+TEST(Compose, EachElementHasTheLawOfItsRock) {
   Project project = one_block_project();
   project.materials.push_back({"soft", 1000, 1e5, 0.4, 0, MaterialLaw::neo_hookean});
   BlockSystem system = one_block();
@@ -49,14 +52,15 @@ TEST(Compose, each_element_has_the_law_of_its_rock) {
   EXPECT_THAT(set.neo_hookean, testing::ElementsAre(6));
   const ContactSet contacts;
   const ContactLinks links(set, contacts);
-  EXPECT_THAT(names(compose(project, system, 0, set, links)),
-              testing::ElementsAre("elasticity", "neo-Hookean elasticity", "inertia", "body force", "normal contact"));
+  EXPECT_THAT(kinds(compose(project, system, 0, set, links)),
+              testing::ElementsAre(EffectKind::elasticity, EffectKind::neo_hookean_elasticity, EffectKind::inertia,
+                                   EffectKind::body_force, EffectKind::normal_contact));
   set.hold({true, false});
   EXPECT_THAT(set.linear, testing::IsEmpty());
   EXPECT_THAT(set.neo_hookean, testing::ElementsAre(0));
 }
 
-TEST(Compose, everything_a_scene_calls_for_is_there_once) {
+TEST(Compose, EverythingASceneCallsForIsThereOnce) {
   Project project = one_block_project();
   project.joints = {{"J", 20, 1e5, 0, {}, {}, {}, {}}};
   project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}};
@@ -69,31 +73,46 @@ TEST(Compose, everything_a_scene_calls_for_is_there_once) {
   const ContactSet contacts;
   const ContactLinks links(set, contacts);
   const Composition composition = compose(project, system, 0, set, links);
-  EXPECT_THAT(names(composition),
-              testing::ElementsAre("elasticity", "initial stress", "inertia", "displacement constraint", "point load",
-                                   "body force", "normal contact", "shear contact", "cohesion and tension", "damping"));
+  EXPECT_THAT(kinds(composition),
+              testing::ElementsAre(EffectKind::elasticity, EffectKind::initial_stress, EffectKind::inertia,
+                                   EffectKind::displacement_constraint, EffectKind::point_load, EffectKind::body_force,
+                                   EffectKind::normal_contact, EffectKind::shear_contact,
+                                   EffectKind::cohesion_and_tension, EffectKind::damping));
   const auto list = called_effects(project, system);
-  const auto bonds =
-      std::find_if(list.begin(), list.end(), [](const EffectStatus& s) { return s.name == "cohesion and tension"; });
+  const auto bonds = std::find_if(list.begin(), list.end(),
+                                  [](const EffectStatus& s) { return s.kind == EffectKind::cohesion_and_tension; });
   ASSERT_NE(bonds, list.end());
   EXPECT_TRUE(bonds->active);
   EXPECT_EQ(bonds->reason, "bonds on J");
 }
 
-TEST(Compose, a_frictionless_scene_has_no_shear_contact_and_says_why) {
+TEST(Compose, EveryKindOfEffectIsListedOnceUnderANameOfItsOwn) {
+  const auto list = called_effects(one_block_project(), one_block());
+  std::set<EffectKind> kinds;
+  std::set<std::string_view> names;
+  for (const EffectStatus& status : list) {
+    kinds.insert(status.kind);
+    names.insert(to_string(status.kind));
+  }
+  EXPECT_EQ(list.size(), static_cast<std::size_t>(EffectKind::damping) + 1) << "the last of the kinds";
+  EXPECT_EQ(kinds.size(), list.size());
+  EXPECT_EQ(names.size(), list.size());
+}
+
+TEST(Compose, AFrictionlessSceneHasNoShearContactAndSaysWhy) {
   Project project = one_block_project();
   project.joints = {{"J", 0, 0, 0, {}, {}, {}, {}}};
   BlockSystem system = one_block();
   system.blocks.push_back(test::box_block("ground", Vec3(0, 0, -1), Vec3(1, 1, 0), BodyKind::fixed));
   const auto list = called_effects(project, system);
   const auto shear =
-      std::find_if(list.begin(), list.end(), [](const EffectStatus& s) { return s.name == "shear contact"; });
+      std::find_if(list.begin(), list.end(), [](const EffectStatus& s) { return s.kind == EffectKind::shear_contact; });
   ASSERT_NE(shear, list.end());
   EXPECT_FALSE(shear->active);
   EXPECT_EQ(shear->reason, "no joint resists shear");
 }
 
-TEST(Compose, blocks_rebound_by_a_law_where_a_restitution_asks_for_it_or_a_rigid_block_may_be_stopped) {
+TEST(Compose, BlocksReboundByALawWhereARestitutionAsksForItOrARigidBlockMayBeStopped) {
   const auto rebound = [](BodyKind body, StageKind stage, std::optional<double> restitution) {
     Project project = one_block_project();
     project.joints = {{"J", 20, 0, 0, {}, {}, {}, restitution}};
@@ -102,7 +121,7 @@ TEST(Compose, blocks_rebound_by_a_law_where_a_restitution_asks_for_it_or_a_rigid
     system.blocks[0].body = body;
     system.blocks.push_back(test::box_block("ground", Vec3(0, 0, -1), Vec3(1, 1, 0), BodyKind::fixed));
     for (const EffectStatus& status : called_effects(project, system))
-      if (status.name == "rebound") return std::pair(status.active, status.reason);
+      if (status.kind == EffectKind::rebound) return std::pair(status.active, status.reason);
     return std::pair(false, std::string("is not listed"));
   };
   EXPECT_EQ(rebound(BodyKind::tetrahedra, StageKind::dynamic, 0.5), std::pair(true, std::string("restitution of J")));
@@ -113,18 +132,19 @@ TEST(Compose, blocks_rebound_by_a_law_where_a_restitution_asks_for_it_or_a_rigid
   EXPECT_EQ(rebound(BodyKind::rigid, StageKind::static_, 0.5), std::pair(false, std::string("every stage is static")));
 }
 
-TEST(Compose, the_papers_incremental_strain_carries_its_stress) {
+TEST(Compose, ThePapersIncrementalStrainCarriesItsStress) {
   Project project = one_block_project();
   project.solver.strain = Strain::incremental;
   const BlockSystem system = one_block();
   BodySet set(project, system);
   const ContactSet contacts;
   const ContactLinks links(set, contacts);
-  EXPECT_THAT(names(compose(project, system, 0, set, links)),
-              testing::ElementsAre("elasticity", "initial stress", "inertia", "body force"));
+  EXPECT_THAT(kinds(compose(project, system, 0, set, links)),
+              testing::ElementsAre(EffectKind::elasticity, EffectKind::initial_stress, EffectKind::inertia,
+                                   EffectKind::body_force));
 }
 
-TEST(Compose, a_stage_gets_the_loads_that_it_names_and_no_others) {
+TEST(Compose, AStageGetsTheLoadsThatItNamesAndNoOthers) {
   Project project = one_block_project();
   project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}};
   project.stages.resize(2);
@@ -133,11 +153,11 @@ TEST(Compose, a_stage_gets_the_loads_that_it_names_and_no_others) {
   BodySet set(project, system);
   const ContactSet contacts;
   const ContactLinks links(set, contacts);
-  EXPECT_THAT(names(compose(project, system, 0, set, links)), testing::Contains("point load"));
-  EXPECT_THAT(names(compose(project, system, 1, set, links)), testing::Not(testing::Contains("point load")));
+  EXPECT_THAT(kinds(compose(project, system, 0, set, links)), testing::Contains(EffectKind::point_load));
+  EXPECT_THAT(kinds(compose(project, system, 1, set, links)), testing::Not(testing::Contains(EffectKind::point_load)));
 }
 
-TEST(Compose, a_load_outside_its_block_is_an_error_that_names_the_load) {
+TEST(Compose, ALoadOutsideItsBlockIsAnErrorThatNamesTheLoad) {
   Project project = one_block_project();
   project.loads = {{"B", Vec3(0.5, 0.5, 0.5), Vec3(1, 0, 0)}, {"B", Vec3(3, 0.5, 0.5), Vec3(1, 0, 0)}};
   const BlockSystem system = one_block();

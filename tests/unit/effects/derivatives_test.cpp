@@ -81,14 +81,14 @@ class Derivatives : public testing::Test {
   Increment d_;
 };
 
-TEST_F(Derivatives, elasticity) { test::expect_derivatives(Elasticity(set_), d_, 1e-4, 1e-8); }
+TEST_F(Derivatives, Elasticity) { test::expect_derivatives(Elasticity(set_), d_, 1e-4, 1e-8); }
 
-TEST_F(Derivatives, corotational_elasticity_of_turned_and_stretched_blocks) {
+TEST_F(Derivatives, CorotationalElasticityOfTurnedAndStretchedBlocks) {
   turn_and_stretch(1.2);
   test::expect_derivatives(CorotationalElasticity(set_), d_, 1e-5, 1e-7);
 }
 
-TEST_F(Derivatives, corotational_elasticity_of_squeezed_blocks_leaves_out_what_is_negative) {
+TEST_F(Derivatives, CorotationalElasticityOfSqueezedBlocksLeavesOutWhatIsNegative) {
   turn_and_stretch(0.8);
   const CorotationalElasticity elasticity(set_);
   SymmetricBlocks hessian;
@@ -106,18 +106,18 @@ TEST_F(Derivatives, corotational_elasticity_of_squeezed_blocks_leaves_out_what_i
   EXPECT_GT(eigenvalues.minCoeff(), -1e-10 * eigenvalues.maxCoeff());
 }
 
-/// What its forces do on the way of a step in which the blocks only turn.
+/// The work of its forces along a step in which the blocks only turn.
 double work_of_turning(const Effect& effect, const BodySet& set) {
   const Mat3 rotation = Eigen::AngleAxisd(0.05, Vec3(2, -1, 1).normalized()).toRotationMatrix();
   Increment d(set.unknowns());
   for (const int n : set.nodes.free)
-    d.segment<3>(3 * set.nodes.freedom[n]) = (rotation - Mat3::Identity()) * set.nodes.position[n];
+    d.segment<3>(3 * set.nodes.dof_block[n]) = (rotation - Mat3::Identity()) * set.nodes.position[n];
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.size());
-  effect.add_gradient(d, gradient);
+  effect.add_gradient(d, Arms::end, gradient);
   return gradient.dot(d);
 }
 
-TEST_F(Derivatives, stressed_rock_that_turns_does_no_work) {
+TEST_F(Derivatives, StressedRockThatTurnsDoesNoWork) {
   Project project = Derivatives::project();
   project.in_situ.emplace_back();
   project.in_situ[0].stress << 3e6, 2e6, 4e6, 5e5, -4e5, 2e5;
@@ -127,11 +127,11 @@ TEST_F(Derivatives, stressed_rock_that_turns_does_no_work) {
   for (Effect* effect : std::initializer_list<Effect*>{&elasticity, &in_situ}) {
     const double at_the_end = work_of_turning(*effect, set_);
     effect->begin_step({0, 0.01, 1});
-    EXPECT_LT(std::abs(work_of_turning(*effect, set_)), 1e-9 * std::abs(at_the_end)) << effect->name();
+    EXPECT_LT(std::abs(work_of_turning(*effect, set_)), 1e-9 * std::abs(at_the_end)) << to_string(effect->kind());
   }
 }
 
-TEST_F(Derivatives, in_situ_stress_that_pulls) {
+TEST_F(Derivatives, InSituStressThatPulls) {
   Project project = Derivatives::project();
   project.in_situ.emplace_back();
   project.in_situ[0].stress << 3e6, 2e6, 4e6, 5e5, -4e5, 2e5;
@@ -140,15 +140,15 @@ TEST_F(Derivatives, in_situ_stress_that_pulls) {
   test::expect_derivatives(InSituStresses(project, system(), set_), d_, 1e-4, 1e-8);
 }
 
-TEST_F(Derivatives, damping) {
+TEST_F(Derivatives, Damping) {
   Damping damping(set_, {0.4, 0.9});
   damping.begin_step({0, 0.02, 1});
   test::expect_derivatives(damping, d_, 1e-4, 1e-8);
 }
 
-TEST_F(Derivatives, initial_stress) { test::expect_derivatives(InitialStress(set_), d_, 1e-4, 1e-8); }
+TEST_F(Derivatives, InitialStress) { test::expect_derivatives(InitialStress(set_), d_, 1e-4, 1e-8); }
 
-TEST_F(Derivatives, inertia_of_every_integrator) {
+TEST_F(Derivatives, InertiaOfEveryIntegrator) {
   Inertia inertia(set_);
   for (const TimeIntegration& integration : {TimeIntegration::newmark(), TimeIntegration::constant_acceleration(),
                                              TimeIntegration::generalized_alpha(0.3)}) {
@@ -157,25 +157,25 @@ TEST_F(Derivatives, inertia_of_every_integrator) {
   }
 }
 
-TEST_F(Derivatives, body_force) { test::expect_derivatives(BodyForce(set_, Vec3(1, -2, -9.81)), d_, 1e-4, 1e-8); }
+TEST_F(Derivatives, BodyForce) { test::expect_derivatives(BodyForce(set_, Vec3(1, -2, -9.81)), d_, 1e-4, 1e-8); }
 
-TEST_F(Derivatives, point_load) {
+TEST_F(Derivatives, PointLoad) {
   PointLoads loads(set_, {{inside(), Vec3(1e4, 2e4, -3e4)}});
   loads.begin_step({});
   test::expect_derivatives(loads, d_, 1e-4, 1e-8);
 }
 
-TEST_F(Derivatives, displacement_constraint_with_a_free_component) {
+TEST_F(Derivatives, DisplacementConstraintWithAFreeComponent) {
   DisplacementConstraints constraints(set_, {{inside(), {{0.01, std::nullopt, -0.02}}, 1e9}});
   constraints.begin_step({});
   test::expect_derivatives(constraints, d_, 1e-4, 1e-8);
 }
 
-TEST_F(Derivatives, normal_contact_in_penetration) {
+TEST_F(Derivatives, NormalContactInPenetration) {
   test::expect_derivatives(Touching(set_, contact(-0.0015)).normal, d_, 1e-4, 1e-8);
 }
 
-TEST_F(Derivatives, normal_contact_of_a_bond_in_tension_and_at_its_strength) {
+TEST_F(Derivatives, NormalContactOfABondInTensionAndAtItsStrength) {
   ContactSet contacts = contact(0.01);
   contacts.points[0].bonded = true;
   contacts.points[0].tension = 1e9;
@@ -184,13 +184,13 @@ TEST_F(Derivatives, normal_contact_of_a_bond_in_tension_and_at_its_strength) {
   test::expect_derivatives(Touching(set_, contacts).bonds, d_, 1e-4, 1e-8);
 }
 
-TEST_F(Derivatives, open_contact_exerts_nothing) {
+TEST_F(Derivatives, OpenContactExertsNothing) {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d_.size());
-  Touching(set_, contact(0.02)).normal.add_gradient(d_, gradient);
+  Touching(set_, contact(0.02)).normal.add_gradient(d_, Arms::end, gradient);
   EXPECT_EQ(gradient.norm(), 0);
 }
 
-TEST_F(Derivatives, shear_contact_sticking) {
+TEST_F(Derivatives, ShearContactSticking) {
   ContactSet contacts = contact(-0.05);
   contacts.points[0].shear_start = Vec3(1e5, 0, 0) - contacts.points[0].normal * 1e5 * contacts.points[0].normal.x();
   Touching touching(set_, contacts);
@@ -200,7 +200,7 @@ TEST_F(Derivatives, shear_contact_sticking) {
   test::expect_derivatives(shear, d_, 1e-5, 1e-7);
 }
 
-TEST_F(Derivatives, shear_contact_sliding) {
+TEST_F(Derivatives, ShearContactSliding) {
   const ContactSet contacts = contact(-0.001);
   Touching touching(set_, contacts);
   ShearContact& shear = touching.shear;
@@ -210,20 +210,20 @@ TEST_F(Derivatives, shear_contact_sliding) {
   test::expect_derivatives(shear, d_, 1e-6, 1e-6);
 }
 
-TEST_F(Derivatives, normal_contact_with_a_multiplier) {
+TEST_F(Derivatives, NormalContactWithAMultiplier) {
   ContactSet contacts = contact(0.004);
   contacts.points[0].multiplier = 5e7;
   test::expect_derivatives(Touching(set_, contacts).normal, d_, 1e-4, 1e-8);
 }
 
-TEST_F(Derivatives, tangent_of_sliding_knows_that_strength_follows_the_normal_force) {
+TEST_F(Derivatives, TangentOfSlidingKnowsThatStrengthFollowsTheNormalForce) {
   const ContactSet contacts = contact(-0.0015);
   Touching touching(set_, contacts);
   ShearContact& shear = touching.shear;
   const auto gradient = [&](const Increment& d) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(d.size());
     shear.update_strength(d);
-    shear.add_gradient(d, sum);
+    shear.add_gradient(d, Arms::end, sum);
     return sum;
   };
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(d_.size(), -1, 1.5);
@@ -241,26 +241,26 @@ TEST_F(Derivatives, tangent_of_sliding_knows_that_strength_follows_the_normal_fo
   Eigen::VectorXd symmetric;
   hessian.multiply(x, symmetric);
   Eigen::VectorXd tangent = symmetric;
-  UnsymmetricBlocks beyond;
-  beyond.set_pattern(hessian.pattern());
-  shear.add_unsymmetric(d_, beyond);
-  UnsymmetricBlocks::add_product(beyond.pairs(), x, tangent);
+  UnsymmetricBlocks unsymmetric;
+  unsymmetric.set_pattern(hessian.pattern());
+  shear.add_unsymmetric(d_, Arms::end, unsymmetric);
+  UnsymmetricBlocks::add_product(unsymmetric.pairs(), x, tangent);
   EXPECT_LT((tangent - slope).norm(), 1e-6 * slope.norm());
   EXPECT_GT((symmetric - slope).norm(), 0.01 * slope.norm()) << "the unsymmetric part adds nothing here";
 }
 
-TEST_F(Derivatives, a_turned_block_has_no_corotational_stress_and_a_turned_stress_in_situ_no_moment) {
+TEST_F(Derivatives, ATurnedBlockHasNoCorotationalStressAndATurnedStressInSituNoMoment) {
   const Mat3 rotation = Eigen::AngleAxisd(2.5, Vec3(1, 2, -1).normalized()).toRotationMatrix();
   for (Vec3& x : set_.nodes.position) x = rotation * x;
   Eigen::VectorXd force = Eigen::VectorXd::Zero(d_.size());
-  CorotationalElasticity(set_).add_gradient(Increment::Zero(d_.size()), force);
+  CorotationalElasticity(set_).add_gradient(Increment::Zero(d_.size()), Arms::end, force);
   EXPECT_LT(force.norm(), 1e-5);  // N, of a stiffness of 5e9 N/m
 
   Project project = Derivatives::project();
   project.in_situ.emplace_back();
   project.in_situ[0].stress << 3e6, 2e6, -4e6, 5e5, -4e5, 2e5;
   force.setZero();
-  InSituStresses(project, system(), set_).add_gradient(Increment::Zero(d_.size()), force);
+  InSituStresses(project, system(), set_).add_gradient(Increment::Zero(d_.size()), Arms::end, force);
   Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
   for (int n = 0; n < set_.nodes.movable; ++n) {
     sum += force.segment<3>(3 * n);

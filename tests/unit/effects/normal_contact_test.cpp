@@ -30,22 +30,22 @@ class CornerAboveFace : public testing::Test {
     contacts.sort_out();
     links.connect();
   }
-  int rotation() const { return set.rigid[0].rotation_freedom; }
-  int centre() const { return set.nodes.freedom[set.rigid[0].centre]; }
-  bool joined(const Eigen::VectorXd& step) const {
+  int rotation() const { return set.rigid[0].rotation_dof_block; }
+  int centre() const { return set.nodes.dof_block[set.rigid[0].centre]; }
+  bool joined(const Eigen::VectorXd& change) const {
     DisjointSets sets;
     sets.reset(set.unknowns() / 3);
     const NormalContact contact(links, NormalContact::Points::loose);
-    contact.join_meeting(Eigen::VectorXd::Zero(set.unknowns()), step, sets);
+    contact.join_touching(Eigen::VectorXd::Zero(set.unknowns()), change, sets);
     EXPECT_EQ(sets.first_of(rotation()) == sets.first_of(centre()), sets.first_of(centre()) == sets.first_of(4));
     return sets.first_of(centre()) == sets.first_of(4) && sets.first_of(4) == sets.first_of(6);
   }
   /// All of the lower block and the centre of the upper one move along z [m].
   Eigen::VectorXd moved(double lower, double upper) const {
-    Eigen::VectorXd step = Eigen::VectorXd::Zero(set.unknowns());
-    for (int n = 0; n < 8; ++n) step[3 * set.nodes.freedom[n] + 2] = lower;
-    step[3 * centre() + 2] = upper;
-    return step;
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(set.unknowns());
+    for (int n = 0; n < 8; ++n) change[3 * set.nodes.dof_block[n] + 2] = lower;
+    change[3 * centre() + 2] = upper;
+    return change;
   }
   BlockSystem system;
   BodySet set;
@@ -53,27 +53,27 @@ class CornerAboveFace : public testing::Test {
   ContactLinks links{set, contacts};
 };
 
-TEST_F(CornerAboveFace, bodies_that_may_meet_on_their_way_belong_together) {
+TEST_F(CornerAboveFace, BodiesThatMayTouchInTheChangeBelongTogether) {
   EXPECT_FALSE(joined(moved(0, 0)));
   EXPECT_FALSE(joined(moved(0.4 * gap, -0.5 * gap)));
   EXPECT_TRUE(joined(moved(0.6 * gap, -0.5 * gap)));
   EXPECT_FALSE(joined(moved(-5 * gap, 5 * gap)));
 }
 
-TEST_F(CornerAboveFace, each_body_may_go_a_share_of_its_own) {
+TEST_F(CornerAboveFace, EachBodyMayMoveByAFractionOfItsOwn) {
   EXPECT_TRUE(joined(moved(5 * gap, 5 * gap))) << "the lower one first";
   EXPECT_TRUE(joined(moved(-5 * gap, -5 * gap))) << "the upper one first";
 }
 
-TEST_F(CornerAboveFace, a_turn_brings_a_corner_down) {
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(set.unknowns());
+TEST_F(CornerAboveFace, ATurnBringsACornerDown) {
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(set.unknowns());
   const double angle = 3 * gap;  // about y, with an arm of half a metre
-  step[3 * rotation() + 1] = angle * set.rigid[0].radius;
-  EXPECT_FALSE(joined(step)) << "this corner goes up";
-  EXPECT_TRUE(joined(-step));
+  change[3 * rotation() + 1] = angle * set.rigid[0].radius;
+  EXPECT_FALSE(joined(change)) << "this corner goes up";
+  EXPECT_TRUE(joined(-change));
 }
 
-TEST_F(CornerAboveFace, a_contact_that_opens_while_its_strength_is_held_still_joins) {
+TEST_F(CornerAboveFace, AContactThatOpensWhileItsStrengthIsHeldStillJoins) {
   contacts.points[0].friction = 0.5;
   contacts.points[0].shear_stiffness = 1e9;
   contacts.sort_out();
@@ -81,7 +81,7 @@ TEST_F(CornerAboveFace, a_contact_that_opens_while_its_strength_is_held_still_jo
   const auto together = [&] {
     DisjointSets sets;
     sets.reset(set.unknowns() / 3);
-    shear.join_strong(sets);
+    shear.join_with_strength(sets);
     return sets.first_of(centre()) == sets.first_of(4);
   };
   shear.update_strength(moved(0, 0));
@@ -91,18 +91,18 @@ TEST_F(CornerAboveFace, a_contact_that_opens_while_its_strength_is_held_still_jo
   EXPECT_TRUE(together());
 }
 
-TEST_F(CornerAboveFace, the_least_way_is_that_of_the_worst_shares) {
-  Eigen::VectorXd step(set.unknowns());
-  for (Eigen::Index i = 0; i < step.size(); ++i) step[i] = 1e-6 * std::sin(3.0 * i + 1);
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(step.size());
-  double least = 0;  // every freedom that brings the point nearer goes all its way
-  for (Eigen::Index freedom = 0; freedom < step.size() / 3; ++freedom) {
+TEST_F(CornerAboveFace, TheLeastGapIsThatOfTheWorstFractions) {
+  Eigen::VectorXd change(set.unknowns());
+  for (Eigen::Index i = 0; i < change.size(); ++i) change[i] = 1e-6 * std::sin(3.0 * i + 1);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(change.size());
+  double least = 0;  // every block that brings the point nearer changes in full
+  for (Eigen::Index dof_block = 0; dof_block < change.size() / 3; ++dof_block) {
     Eigen::VectorXd alone = none;
-    alone.segment<3>(3 * freedom) = step.segment<3>(3 * freedom);
+    alone.segment<3>(3 * dof_block) = change.segment<3>(3 * dof_block);
     least += std::min(0.0, links.moves().increment(0, alone).z());
   }
   ASSERT_LT(least, -1e-7);
-  EXPECT_NEAR(links.moves().farthest_against(0, none, Vec3::UnitZ(), step), least, 1e-5 * -least);
+  EXPECT_NEAR(links.moves().farthest_against(0, none, Vec3::UnitZ(), change), least, 1e-5 * -least);
 }
 
 }  // namespace

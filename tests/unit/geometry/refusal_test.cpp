@@ -9,14 +9,14 @@ using namespace rock;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-Project cube() {
+Project cube_of_10_m() {
   Project p = project();
   p.solids = {box("cube", {0, 0, 0}, {10, 10, 10}, 5)};
   return p;
 }
 
 TEST(Refusal, ACutThatMissesIsNamed) {
-  Project p = cube();
+  Project p = cube_of_10_m();
   p.cuts = {cut("J1", 0, 0, {0, 0, 5}), cut("J2", 30, 90, {0, 0, 40})};
   EXPECT_EQ(error_of(p), "cut 2 (J2): misses every solid; move its point \"through\", or remove it");
   // Touching an edge divides nothing and lies on no facet.
@@ -30,7 +30,7 @@ TEST(Refusal, ACutThatMissesIsNamed) {
 }
 
 TEST(Refusal, OverlappingSolidsAreNamedWithThePlace) {
-  Project p = cube();
+  Project p = cube_of_10_m();
   p.solids.push_back(box("other", {8, 8, 9}, {20, 20, 20}, 5));
   const std::string error = error_of(p);
   EXPECT_THAT(error, StartsWith("solid cube: overlaps solid other by 4 m³ around (9, 9, 9.5); "));
@@ -41,7 +41,7 @@ TEST(Refusal, OverlappingSolidsAreNamedWithThePlace) {
 }
 
 TEST(Refusal, TouchingSolidsAreNoOverlap) {
-  Project p = cube();
+  Project p = cube_of_10_m();
   p.solids.push_back(box("face", {10, 0, 0}, {12, 5, 5}, 5));
   p.solids.push_back(box("edge", {-3, 2, 10}, {0, 5, 12}, 5));
   p.solids.push_back(box("corner", {-3, -3, -3}, {0, 0, 0}, 5));
@@ -50,13 +50,13 @@ TEST(Refusal, TouchingSolidsAreNoOverlap) {
 }
 
 TEST(Refusal, TwoJointsOnOnePlane) {
-  Project p = cube();
+  Project p = cube_of_10_m();
   p.cuts = {cut("J1", 0, 0, {0, 0, 5}), cut("J2", 0, 0, {3, 3, 5})};
   EXPECT_THAT(error_of(p), StartsWith("cut 2 (J2): lies on the same plane of solid cube as cut 1 (J1); "));
 }
 
 TEST(Refusal, ASplinterIsShown) {
-  Project p = cube();
+  Project p = cube_of_10_m();
   p.cuts = {cut("J1", 45, 90, {10, 5, 9.9999})};
   EXPECT_THAT(error_of(p), AllOf(StartsWith("solid cube: the cuts leave a splinter "), HasSubstr("around (")));
 }
@@ -81,7 +81,7 @@ TEST(Refusal, PolyhedraThatAreNoBody) {
 }
 
 TEST(Refusal, OverridesInNoBlockOrInOneTwice) {
-  Project p = cube();
+  Project p = cube_of_10_m();
   p.cuts = {cut("J1", 0, 0, {0, 0, 5})};
   p.blocks = {{"B", {5, 5, 11}, {}, {}, {}}};
   EXPECT_EQ(error_of(p),
@@ -96,7 +96,7 @@ TEST(Refusal, OverridesInNoBlockOrInOneTwice) {
 }
 
 TEST(Refusal, AMonitorOnABlockThatCuttingDidNotMake) {
-  Project p = cube();
+  Project p = cube_of_10_m();
   p.cuts = {cut("J1", 0, 0, {0, 0, 5})};
   p.monitors = {{"P1", "cube.3", {1, 1, 1}}};
   EXPECT_THAT(error_of(p), testing::AllOf(StartsWith("/monitors/0/block"), HasSubstr("'cube.1'")));

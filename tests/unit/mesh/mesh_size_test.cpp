@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "mesh/block.hpp"
+
 namespace talus {
 namespace {
 

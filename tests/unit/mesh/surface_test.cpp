@@ -46,7 +46,7 @@ Box unit_cube(int n) {
 TEST(Surface, CubeHasSixPatchesEightCornersAndEulersEdges) {
   const Box box = unit_cube(3);
   const Surface s = make_surface(box.nodes, box.triangles);
-  EXPECT_EQ(s.patch_count, 6);
+  EXPECT_EQ(s.smooth_face_count, 6);
   EXPECT_EQ(std::count(s.corner.begin(), s.corner.end(), true), 8);
   EXPECT_EQ(s.triangles.size(), 108u);
   EXPECT_EQ(s.edges.size(), 162u);
@@ -58,7 +58,7 @@ TEST(Surface, PatchesAreTheFaces) {
   const Box box = unit_cube(2);
   const Surface s = make_surface(box.nodes, box.triangles);
   std::set<std::pair<int, int>> pairs;  // a face is 8 triangles in a row
-  for (std::size_t t = 0; t < s.triangles.size(); ++t) pairs.emplace(t / 8, s.patch[t]);
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) pairs.emplace(t / 8, s.smooth_face[t]);
   EXPECT_EQ(pairs.size(), 6u);
 }
 
@@ -88,12 +88,12 @@ TEST(Surface, RingsAreMutualAndComplete) {
 }
 
 TEST(Surface, GentleEdgesAreCrossedSharpOnesAreNot) {
-  for (const auto& [degrees, patches] : {std::pair(1.0, 6), std::pair(3.0, 7)}) {
+  for (const auto& [degrees, smooth_faces] : {std::pair(1.0, 6), std::pair(3.0, 7)}) {
     Box box = unit_cube(2);
     for (Vec3& p : box.nodes) {  // a fold in the top along its middle; its sides stay flat
       if (p.z() > 0.99 && std::abs(p.y() - 0.5) < 1e-9) p.z() += 0.5 * std::tan(degrees / 2 * M_PI / 180);
     }
-    EXPECT_EQ(make_surface(box.nodes, box.triangles).patch_count, patches) << degrees;
+    EXPECT_EQ(make_surface(box.nodes, box.triangles).smooth_face_count, smooth_faces) << degrees;
   }
 }
 
@@ -128,7 +128,7 @@ TEST(Surface, NeedleTriangleMakesNoNaN) {
                                                   {{1, 2, 3}, -1}, {{0, 3, 2}, -1}, {{0, 1, 4}, -1}};
   const Surface s = make_surface(nodes, triangles);
   EXPECT_TRUE(std::isfinite(s.size));
-  for (int p : s.patch) EXPECT_GE(p, 0);
+  for (int p : s.smooth_face) EXPECT_GE(p, 0);
 }
 
 }  // namespace

@@ -39,6 +39,15 @@ const std::vector<BadProject> bad_actions{
        p.loads[0].force.setZero(), p.loads[0].table = {{0, {0, nan, 0}}};
      },
      "/loads/0/table/0/2", "not a finite", "finite"},
+    {"load's order",
+     [](Project& p) {
+       p.loads[0].force.setZero(), p.loads[0].table = {{1, {0, 0, 0}}, {0.5, {0, 0, 0}}};
+     },
+     "/loads/0/table/1/0", "0.5 s follows 1 s", "sort"},
+    {"place of a constraint", [](Project& p) { p.constraints[0].at = Vec3(0, nan, 0); }, "/constraints/0/at/1",
+     "not a finite", "finite"},
+    {"linear velocity", [](Project& p) { p.velocities[0].linear[0] = nan; }, "/velocities/0/linear/0", "not a finite",
+     "finite"},
     {"table beside force", [](Project& p) { p.loads[0].table = {{}}; }, "/loads/0/force", "beside the table",
      "one of force and table"},
     {"stress", [](Project& p) { p.in_situ[0].stress[5] = nan; }, "/in_situ/0/stress/5", "not a finite", "finite"},

@@ -50,5 +50,18 @@ TEST(CountText, PutsASpaceEveryThreeDigits) {
   EXPECT_EQ(count_text(-1234), "-1 234");
 }
 
+TEST(NumberText, RoundsToFixedDigits) {
+  EXPECT_EQ(decimals(26.4385, 2), "26.44");
+  EXPECT_EQ(decimals(3, 0), "3");
+  EXPECT_EQ(decimals(-0.004, 2), "0.00");
+  EXPECT_EQ(decimals(-0.006, 2), "-0.01");
+}
+
+TEST(NumberText, RoundsToSignificantDigits) {
+  EXPECT_EQ(significant(3.2549e-7), "3.25e-07");
+  EXPECT_EQ(significant(1234567.25, 8), "1234567.2");
+  EXPECT_EQ(significant(0), "0");
+}
+
 }  // namespace
 }  // namespace talus

@@ -12,6 +12,10 @@ TEST_P(SolverRules, SayPlaceProblemAndRemedy) { expect_refused(GetParam()); }
 const std::vector<BadProject> bad_settings{
     {"spectral radius", [](Project& p) { p.solver.spectral_radius = 1.1; }, "/solver/spectral_radius", "0 to 1, is 1.1",
      "0.8 is usual"},
+    {"spectral radius NaN", [](Project& p) { p.solver.spectral_radius = nan; }, "/solver/spectral_radius",
+     "not a finite", "finite"},
+    {"sleep tolerance NaN", [](Project& p) { p.solver.sleep_tolerance = nan; }, "/solver/sleep_tolerance",
+     "not a finite", "finite"},
     {"nobody's spectral radius",
      [](Project& p) {
        p.solver.spectral_radius = 1;
@@ -28,6 +32,8 @@ const std::vector<BadProject> bad_settings{
      "at least one", "8 is usual"},
     {"adaptive shortest", [](Project& p) { p.solver.adaptive.shortest = 1.5; }, "/solver/adaptive/shortest",
      "longer than the stage's time_step", "at most 1"},
+    {"adaptive shortest 0", [](Project& p) { p.solver.adaptive.shortest = 0; }, "/solver/adaptive/shortest",
+     "greater than 0", "1e-3 is usual"},
     {"adaptive without", [](Project& p) { p.solver.adaptive.shortest = 0.5; }, "/solver/adaptive", "steps are fixed",
      "time_step_control"},
     {"sleep tolerance", [](Project& p) { p.solver.sleep_tolerance = -1e-9; }, "/solver/sleep_tolerance",
@@ -35,7 +41,7 @@ const std::vector<BadProject> bad_settings{
     {"contact stiffness", [](Project& p) { p.solver.contact_stiffness = 0; }, "/solver/contact_stiffness",
      "greater than 0", "10 is usual"},
     {"open-close limit", [](Project& p) { p.solver.open_close_limit = 0; }, "/solver/open_close_limit", "at least one",
-     "20 is usual"},
+     "160 is usual"},
 };
 INSTANTIATE_TEST_SUITE_P(Values, SolverRules, testing::ValuesIn(bad_settings));
 

@@ -21,6 +21,8 @@ const std::vector<BadProject> bad_stages{
      "at least 1, is 0", "number of time steps"},
     {"short stage", [](Project& p) { p.stages[0].duration = 0.001; }, "/stages/0/duration",
      "shorter than one time step", "lengthen"},
+    {"no duration", [](Project& p) { p.stages[0].duration = 0; }, "/stages/0/duration",
+     "the duration must be greater than 0, is 0", "seconds"},
     {"dynamic equilibrium", [](Project& p) { p.stages[0].until_equilibrium = true; }, "/stages/0/until_equilibrium",
      "dynamic stage does not end", "static"},
     {"equilibrium tolerance", [](Project& p) { p.stages[0].equilibrium_tolerance = 0; },

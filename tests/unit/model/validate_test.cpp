@@ -30,7 +30,7 @@ const std::vector<BadProject> bad_values{
     {"residual", [](Project& p) { p.joints[0].residual_friction_angle = 31; }, "/joints/J1/residual_friction_angle",
      "exceeds", "at most"},
     {"restitution", [](Project& p) { p.joints[0].restitution = 1.2; }, "/joints/J1/restitution", "between 0 and 1",
-     "share"},
+     "the fraction of its speed"},
     {"normal stiffness", [](Project& p) { p.joints[0].normal_stiffness = 0; }, "/joints/J1/normal_stiffness",
      "greater than 0", "Pa/m"},
     {"shear stiffness", [](Project& p) { p.joints[0].shear_stiffness = -1; }, "/joints/J1/shear_stiffness",
@@ -74,7 +74,39 @@ const std::vector<BadProject> bad_values{
 };
 INSTANTIATE_TEST_SUITE_P(Values, Validate, testing::ValuesIn(bad_values));
 
-const std::vector<BadProject> bad_names{
+const std::vector<BadProject> no_numbers{
+    {"poisson", [](Project& p) { p.materials[0].poisson = nan; }, "/materials/rock/poisson", "not a finite", "finite"},
+    {"friction", [](Project& p) { p.joints[0].friction_angle = nan; }, "/joints/J1/friction_angle", "not a finite",
+     "finite"},
+    {"residual", [](Project& p) { p.joints[0].residual_friction_angle = -1; }, "/joints/J1/residual_friction_angle",
+     "at least 0 and below 90, is -1", "degrees"},
+    {"restitution", [](Project& p) { p.joints[0].restitution = nan; }, "/joints/J1/restitution", "not a finite",
+     "finite"},
+    {"box's min", [](Project& p) { std::get<BoxShape>(p.solids[0].shape).min[1] = -infinity; }, "/solids/0/box/min/1",
+     "not a finite", "finite"},
+    {"box's max", [](Project& p) { std::get<BoxShape>(p.solids[0].shape).max[2] = infinity; }, "/solids/0/box/max/2",
+     "not a finite", "finite"},
+    {"no file",
+     [](Project& p) {
+       p.solids[0].shape = FileShape{"", 1};
+     },
+     "/solids/0/file", "the file name is empty", "STEP"},
+    {"dip", [](Project& p) { p.cuts[0].dip = nan; }, "/cuts/0/dip", "not a finite", "finite"},
+    {"dip direction", [](Project& p) { p.cuts[0].dip_direction = nan; }, "/cuts/0/dip_direction", "not a finite",
+     "finite"},
+    {"point of a plane", [](Project& p) { p.cuts[0].through[2] = nan; }, "/cuts/0/through/2", "not a finite", "finite"},
+    {"place of an override", [](Project& p) { p.blocks[0].at[0] = nan; }, "/blocks/0/at/0", "not a finite", "finite"},
+    {"mesh size of an override", [](Project& p) { p.blocks[0].mesh_size = -1; }, "/blocks/0/mesh_size",
+     "greater than 0", " m"},
+    {"monitor", [](Project& p) { p.monitors[0].at[1] = nan; }, "/monitors/0/at/1", "not a finite", "finite"},
+    {"expectation's time", [](Project& p) { p.expect[0].time = -1; }, "/expect/0/time", "not be negative", "seconds"},
+    {"expectation's start", [](Project& p) { p.expect[0].since = -1; }, "/expect/0/since", "not be negative",
+     "seconds"},
+    {"expected value", [](Project& p) { p.expect[0].value = infinity; }, "/expect/0/value", "not a finite", "finite"},
+};
+INSTANTIATE_TEST_SUITE_P(NoNumbers, Validate, testing::ValuesIn(no_numbers));
+
+const std::vector<BadProject> wrong_names{
     {"law that negative Poisson's ratios break",
      [](Project& p) {
        p.materials[0].law = MaterialLaw::neo_hookean;
@@ -131,7 +163,7 @@ const std::vector<BadProject> bad_names{
      },
      "/expect/0/quantity", "'top' is no monitor that records stress", "name a monitor"},
 };
-INSTANTIATE_TEST_SUITE_P(Names, Validate, testing::ValuesIn(bad_names));
+INSTANTIATE_TEST_SUITE_P(Names, Validate, testing::ValuesIn(wrong_names));
 
 TEST(ValidateProject, AcceptsAGoodOne) { EXPECT_NO_THROW(validate(slope())); }
 

@@ -16,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string attribute(const std::string& element, const std::string& name) {
   const std::size_t begin = element.find(' ' + name + "=\"") + name.size() + 3;
   return element.substr(begin, element.find('"', begin) - begin);
@@ -62,7 +57,7 @@ class Export : public testing::Test {
   NoProgress progress;
 };
 
-TEST_F(Export, vtu_holds_the_frames_numbers) {
+TEST_F(Export, VtuHoldsTheFramesNumbers) {
   export_vtu(ResultReader(temporary.path / "results"), out, progress);
   const Frame frame = example_frame(system, 2);
   const std::string vtu = text_of(out / "frame_00002.vtu");
@@ -81,7 +76,7 @@ TEST_F(Export, vtu_holds_the_frames_numbers) {
   EXPECT_THAT(numbers<std::uint8_t>(arrays["types"]), testing::Each(10));
 }
 
-TEST_F(Export, the_collection_names_every_frame_with_its_time) {
+TEST_F(Export, TheCollectionNamesEveryFrameWithItsTime) {
   export_vtu(ResultReader(temporary.path / "results"), out, progress);
   const std::string pvd = text_of(out / "frames.pvd");
   for (const char* entry : {"timestep=\"0\" group=\"\" part=\"0\" file=\"frame_00000.vtu\"",
@@ -90,7 +85,7 @@ TEST_F(Export, the_collection_names_every_frame_with_its_time) {
     EXPECT_THAT(pvd, testing::HasSubstr(entry));
 }
 
-TEST_F(Export, csv_holds_the_frames_numbers) {
+TEST_F(Export, CsvHoldsTheFramesNumbers) {
   export_csv(ResultReader(temporary.path / "results"), out, progress);
   const Frame frame = example_frame(system, 2);
   const auto nodes = read_text_table(out / "nodes_00002.csv", 10);
@@ -115,13 +110,13 @@ TEST_F(Export, csv_holds_the_frames_numbers) {
   EXPECT_THAT(text_of(out / "blocks.csv"), testing::HasSubstr("\n1,\"Fels ä, \"\"2\"\"\",tetrahedra,0.5,12,3\n"));
 }
 
-TEST_F(Export, a_folder_that_is_not_empty_is_refused) {
+TEST_F(Export, AFolderThatIsNotEmptyIsRefused) {
   const ResultReader results(temporary.path / "results");
   EXPECT_THROW(export_vtu(results, temporary.path, progress), InputError);
   EXPECT_THROW(export_csv(results, temporary.path, progress), InputError);
 }
 
-TEST_F(Export, can_be_cancelled) {
+TEST_F(Export, CanBeCancelled) {
   struct Cancelling : Progress {
     void report(double, std::string_view) override {}
     bool cancelled() const override { return true; }

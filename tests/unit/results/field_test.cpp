@@ -21,14 +21,14 @@ double single(const Voigt& s, std::string_view name) {
   return values(frame, field_named(name)).at(0);
 }
 
-TEST(Field, von_mises_of_known_states) {
+TEST(Field, VonMisesOfKnownStates) {
   EXPECT_DOUBLE_EQ(von_mises(stress(5e6, 0, 0, 0, 0, 0)), 5e6);
   EXPECT_DOUBLE_EQ(von_mises(stress(7, 7, 7, 0, 0, 0)), 0);
   EXPECT_DOUBLE_EQ(von_mises(stress(0, 0, 0, 0, 2, 0)), 2 * std::sqrt(3.0));
   EXPECT_DOUBLE_EQ(von_mises(stress(0, 0, 0, 2, 0, 0)), 2 * std::sqrt(3.0));
 }
 
-TEST(Field, principal_stresses_of_plane_shear_are_plus_and_minus_tau) {
+TEST(Field, PrincipalStressesOfPlaneShearArePlusAndMinusTau) {
   for (const Voigt& s : {stress(1, 1, 1, 3, 0, 0), stress(1, 1, 1, 0, 3, 0), stress(1, 1, 1, 0, 0, 3)}) {
     const Vec3 principal = principal_stresses(s);
     EXPECT_NEAR(principal[0], 4, 1e-14);
@@ -37,7 +37,7 @@ TEST(Field, principal_stresses_of_plane_shear_are_plus_and_minus_tau) {
   }
 }
 
-TEST(Field, principal_stresses_keep_the_three_invariants) {
+TEST(Field, PrincipalStressesKeepTheThreeInvariants) {
   const Voigt s = stress(-3, 2, 5, 1.5, -0.5, 4);
   const Vec3 p = principal_stresses(s);
   EXPECT_NEAR(p.sum(), 4, 1e-13);
@@ -47,7 +47,7 @@ TEST(Field, principal_stresses_keep_the_three_invariants) {
   EXPECT_GT(p[1], p[2]);
 }
 
-TEST(Field, stress_fields_by_name) {
+TEST(Field, StressFieldsByName) {
   const Voigt s = stress(1, 1, 1, 3, 0, 0);
   EXPECT_NEAR(single(s, "stress"), 3 * std::sqrt(3.0), 1e-14);
   EXPECT_NEAR(single(s, "stress.von_mises"), 3 * std::sqrt(3.0), 1e-14);
@@ -60,7 +60,7 @@ TEST(Field, stress_fields_by_name) {
   for (int i = 0; i < 6; ++i) EXPECT_DOUBLE_EQ(single(numbered, names[i]), i + 1);
 }
 
-TEST(Field, nodal_fields_by_name) {
+TEST(Field, NodalFieldsByName) {
   Frame frame;
   frame.displacement = {Vec3(3, 4, 12), Vec3(0, 0, -2)};
   frame.velocity = {Vec3(1, 2, 2), Vec3(0, -7, 0)};
@@ -73,7 +73,7 @@ TEST(Field, nodal_fields_by_name) {
   EXPECT_EQ(field_named("stress").place(), FieldPlace::tetrahedron);
 }
 
-TEST(Field, an_unknown_name_is_an_error_that_lists_the_known) {
+TEST(Field, AnUnknownNameIsAnErrorThatListsTheKnown) {
   try {
     field_named("temperature");
     FAIL();

@@ -132,7 +132,7 @@ void expect_whole(const fs::path& folder, const BlockSystem& system, int announc
   EXPECT_FALSE(is_marked_open(folder / "results.h5"));  // others can open it now
 }
 
-TEST(KilledWriter, every_announced_frame_is_whole_whenever_it_is_killed) {
+TEST(KilledWriter, EveryAnnouncedFrameIsWholeWheneverItIsKilled) {
   const BlockSystem system = example_system(60, 140);
   std::mt19937 random(20);
   std::uniform_int_distribution<int> microseconds(0, 25'000);
@@ -160,7 +160,7 @@ TEST(KilledWriter, every_announced_frame_is_whole_whenever_it_is_killed) {
   EXPECT_LT(killed_early, 15);
 }
 
-TEST(KilledWriter, results_can_be_read_while_another_process_writes) {
+TEST(KilledWriter, ResultsCanBeReadWhileAnotherProcessWrites) {
   const BlockSystem system = example_system(60, 140);
   const TemporaryFolder temporary;
   WritingProcess writer(temporary.path, system);
@@ -176,7 +176,7 @@ TEST(KilledWriter, results_can_be_read_while_another_process_writes) {
   }
 }
 
-TEST(KilledWriter, the_file_looks_closed_to_programs_that_know_of_no_writer) {
+TEST(KilledWriter, TheFileLooksClosedToProgramsThatKnowOfNoWriter) {
   const BlockSystem system = example_system();
   const TemporaryFolder temporary;
   ResultWriter writer(temporary.path, example_project(), system, "{}");
@@ -186,7 +186,7 @@ TEST(KilledWriter, the_file_looks_closed_to_programs_that_know_of_no_writer) {
   }
 }
 
-TEST(KilledWriter, a_mark_that_a_kill_left_is_mended_when_the_results_are_opened_but_not_under_a_run) {
+TEST(KilledWriter, AMarkThatAKillLeftIsMendedWhenTheResultsAreOpenedButNotUnderARun) {
   const BlockSystem system = example_system();
   const TemporaryFolder temporary;
   const fs::path file = temporary.path / "results.h5";
@@ -208,7 +208,7 @@ TEST(KilledWriter, a_mark_that_a_kill_left_is_mended_when_the_results_are_opened
   EXPECT_TRUE(same(after.frame(0), example_frame(system, 0)));
 }
 
-TEST(KilledWriter, only_our_kind_of_superblock_is_touched) {
+TEST(KilledWriter, OnlyOurKindOfSuperblockIsTouched) {
   const TemporaryFolder temporary;
   const fs::path file = temporary.path / "other";
   std::ofstream(file) << std::string(100, 'x');

@@ -18,7 +18,7 @@ double value(const char* text, const MonitorSample& sample) {
   return component_of(field_value(sample, quantity.field), quantity.component);
 }
 
-TEST(MonitorValue, is_the_component_that_the_quantity_names) {
+TEST(MonitorValue, IsTheComponentThatTheQuantityNames) {
   EXPECT_EQ(value("P.displacement.x", sample()), 2);
   EXPECT_EQ(value("P.displacement.z", sample()), 6);
   EXPECT_EQ(value("P.velocity.y", sample()), 4);
@@ -27,12 +27,12 @@ TEST(MonitorValue, is_the_component_that_the_quantity_names) {
   EXPECT_EQ(value("P.stress.zx", sample()), 6);
 }
 
-TEST(MonitorValue, has_a_magnitude) {
+TEST(MonitorValue, HasAMagnitude) {
   EXPECT_EQ(value("P.displacement.magnitude", sample()), 7);
   EXPECT_EQ(value("P.velocity.magnitude", sample()), 9);
 }
 
-TEST(MonitorValue, a_stress_that_was_not_recorded_is_no_number) {
+TEST(MonitorValue, AStressThatWasNotRecordedIsNoNumber) {
   EXPECT_TRUE(std::isnan(value("P.stress.zz", {Vec3(2, 3, 6), Vec3(-1, 4, 8)})));
 }
 

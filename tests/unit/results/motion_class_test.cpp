@@ -18,7 +18,7 @@ MotionClass two_planes() {
   return motion;
 }
 
-TEST(MotionClass, is_told_with_joints_the_blocks_behind_them_and_the_line) {
+TEST(MotionClass, IsToldWithJointsTheBlocksBehindThemAndTheLine) {
   EXPECT_EQ(motion_text(two_planes(), motion_names(example_system())), "sliding on J1 (B1) and J2 (B1) along 090°/45°");
   MotionClass motion;
   EXPECT_EQ(motion_text(motion, motion_names(example_system())), "stable");
@@ -31,7 +31,7 @@ TEST(MotionClass, is_told_with_joints_the_blocks_behind_them_and_the_line) {
   EXPECT_EQ(motion_text(motion, motion_names(example_system())), "carried by B1, came to rest");
 }
 
-TEST(MotionClass, without_joints_the_block_alone_is_named) {
+TEST(MotionClass, WithoutJointsTheBlockAloneIsNamed) {
   BlockSystem system = example_system();
   system.joint_names.clear();
   MotionClass motion = two_planes();
@@ -39,7 +39,7 @@ TEST(MotionClass, without_joints_the_block_alone_is_named) {
   EXPECT_EQ(motion_text(motion, motion_names(system)), "sliding on B1 and toppling");
 }
 
-TEST(MotionClass, as_json_has_names_and_angles_and_null_for_what_the_mode_does_not_have) {
+TEST(MotionClass, AsJsonHasNamesAndAnglesAndNullForWhatTheModeDoesNotHave) {
   MotionClass motion = two_planes();
   motion.direction = Vec3(0, -1, 0);
   const auto json = nlohmann::json::parse(motion_json(motion, motion_names(example_system())));
@@ -57,14 +57,14 @@ TEST(MotionClass, as_json_has_names_and_angles_and_null_for_what_the_mode_does_n
   EXPECT_TRUE(stable["joints"].empty());
 }
 
-TEST(MotionClass, a_direction_is_trend_and_plunge_in_whole_degrees) {
+TEST(MotionClass, ADirectionIsTrendAndPlungeInWholeDegrees) {
   EXPECT_EQ(attitude_text(Vec3(1, 0, 0)), "090°/0°");
   EXPECT_EQ(attitude_text(Vec3(-1e-4, 1, 1e-4)), "000°/0°");
   EXPECT_EQ(attitude_text(Vec3(0, 0, -1)), "000°/90°");
   EXPECT_EQ(attitude_text(Vec3::Zero()), "");
 }
 
-TEST(MotionClass, kinds_are_the_same_whatever_the_direction) {
+TEST(MotionClass, KindsAreTheSameWhateverTheDirection) {
   MotionClass other = two_planes();
   other.direction = Vec3::UnitX();
   EXPECT_TRUE(same_kind(two_planes(), other));

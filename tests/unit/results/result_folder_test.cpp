@@ -13,11 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// The problem that making a writer in the folder ends with; empty when there is none.
 std::string problem_with(const fs::path& folder) {
   try {
@@ -68,7 +63,7 @@ void expect_same(const StepReport& a, const StepReport& b) {
             std::tie(f.friction_dissipated, f.damping_dissipated, f.constraint_work, f.integration_loss));
 }
 
-TEST(ResultFolder, blocks_come_back_exactly) {
+TEST(ResultFolder, BlocksComeBackExactly) {
   const TemporaryFolder temporary;
   const BlockSystem system = example_system();
   { const ResultWriter writer(temporary.path / "r", example_project(), system, "{}"); }
@@ -94,7 +89,7 @@ TEST(ResultFolder, blocks_come_back_exactly) {
   }
 }
 
-TEST(ResultFolder, frames_come_back_exactly_after_the_run_and_while_it_goes_on) {
+TEST(ResultFolder, FramesComeBackExactlyAfterTheRunAndWhileItGoesOn) {
   const TemporaryFolder temporary;
   const BlockSystem system = example_system();
   constexpr int count = 7;
@@ -117,7 +112,7 @@ TEST(ResultFolder, frames_come_back_exactly_after_the_run_and_while_it_goes_on) 
   EXPECT_THROW(after.frame(-1), std::out_of_range);
 }
 
-TEST(ResultFolder, stress_is_kept_as_a_float) {
+TEST(ResultFolder, StressIsKeptAsAFloat) {
   const TemporaryFolder temporary;
   const BlockSystem system = example_system();
   Frame frame = example_frame(system, 0);
@@ -129,14 +124,14 @@ TEST(ResultFolder, stress_is_kept_as_a_float) {
   EXPECT_EQ(ResultReader(temporary.path).frame(0).stress[0][0], static_cast<float>(1234567.891));
 }
 
-TEST(ResultFolder, a_frame_of_another_system_is_our_mistake) {
+TEST(ResultFolder, AFrameOfAnotherSystemIsOurMistake) {
   const TemporaryFolder temporary;
   ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
   EXPECT_THROW(writer.add_frame(example_frame(example_system(1, 1), 0)), std::invalid_argument);
   EXPECT_TRUE(ResultReader(temporary.path).frame_times().empty());
 }
 
-TEST(ResultFolder, steps_and_history_come_back_exactly_and_a_torn_last_line_is_left_out) {
+TEST(ResultFolder, StepsAndHistoryComeBackExactlyAndATornLastLineIsLeftOut) {
   const TemporaryFolder temporary;
   ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
   std::vector<HistoryRow> history;
@@ -166,7 +161,7 @@ TEST(ResultFolder, steps_and_history_come_back_exactly_and_a_torn_last_line_is_l
   }
 }
 
-TEST(ResultFolder, stress_of_the_monitors_that_record_it_comes_back) {
+TEST(ResultFolder, StressOfTheMonitorsThatRecordItComesBack) {
   const TemporaryFolder temporary;
   Project project = example_project();
   project.monitors[1].stress = true;
@@ -200,7 +195,7 @@ TEST(ResultFolder, stress_of_the_monitors_that_record_it_comes_back) {
   EXPECT_FALSE(samples.at(2).stress);
 }
 
-TEST(ResultFolder, why_a_body_was_chosen_comes_back) {
+TEST(ResultFolder, WhyABodyWasChosenComesBack) {
   const TemporaryFolder temporary;
   BlockSystem system = example_system();
   system.blocks[0].body = BodyKind::rigid;
@@ -212,7 +207,7 @@ TEST(ResultFolder, why_a_body_was_chosen_comes_back) {
   EXPECT_EQ(reader.system().blocks[1].body_reason, "");
 }
 
-TEST(ResultFolder, the_csv_headers_name_units) {
+TEST(ResultFolder, TheCsvHeadersNameUnits) {
   const TemporaryFolder temporary;
   { const ResultWriter writer(temporary.path, example_project(), example_system(), "{}"); }
   EXPECT_THAT(text_of(temporary.path / "history.csv"),
@@ -224,7 +219,7 @@ TEST(ResultFolder, the_csv_headers_name_units) {
       testing::StartsWith("step,stage,time [s],time step [s],iterations,cuts,contacts,open,stick,slip,asleep,"));
 }
 
-TEST(ResultFolder, log_and_project_are_kept) {
+TEST(ResultFolder, LogAndProjectAreKept) {
   const TemporaryFolder temporary;
   ResultWriter writer(temporary.path, example_project(), example_system(), "{ \"talus\": 1 }\n");
   writer.log("stage gravity");
@@ -233,7 +228,7 @@ TEST(ResultFolder, log_and_project_are_kept) {
   EXPECT_EQ(text_of(temporary.path / "project.talus"), "{ \"talus\": 1 }\n");
 }
 
-TEST(ResultFolder, earlier_results_are_replaced) {
+TEST(ResultFolder, EarlierResultsAreReplaced) {
   const TemporaryFolder temporary;
   const BlockSystem system = example_system();
   {
@@ -249,7 +244,7 @@ TEST(ResultFolder, earlier_results_are_replaced) {
   EXPECT_FALSE(fs::exists(temporary.path / "summary.json"));
 }
 
-TEST(ResultFolder, pictures_beside_earlier_results_stay_when_these_are_replaced) {
+TEST(ResultFolder, PicturesBesideEarlierResultsStayWhenTheseAreReplaced) {
   const TemporaryFolder temporary;
   { const ResultWriter writer(temporary.path, example_project(), example_system(), "{}"); }
   std::ofstream(temporary.path / "picture.png") << "dear";
@@ -257,7 +252,7 @@ TEST(ResultFolder, pictures_beside_earlier_results_stay_when_these_are_replaced)
   EXPECT_TRUE(fs::exists(temporary.path / "picture.png"));
 }
 
-TEST(ResultFolder, a_folder_without_results_is_refused_and_left_alone) {
+TEST(ResultFolder, AFolderWithoutResultsIsRefusedAndLeftAlone) {
   const TemporaryFolder temporary;
   std::ofstream(temporary.path / "thesis.tex") << "dear";
   EXPECT_EQ(problem_with(temporary.path), "holds files that are not results");
@@ -265,27 +260,27 @@ TEST(ResultFolder, a_folder_without_results_is_refused_and_left_alone) {
   EXPECT_TRUE(fs::exists(temporary.path / "thesis.tex"));
 }
 
-TEST(ResultFolder, a_folder_with_the_users_own_project_is_refused) {
+TEST(ResultFolder, AFolderWithTheUsersOwnProjectIsRefused) {
   const TemporaryFolder temporary;
   std::ofstream(temporary.path / "project.talus") << "{}";
   EXPECT_EQ(problem_with(temporary.path), "holds files that are not results");
   EXPECT_TRUE(fs::exists(temporary.path / "project.talus"));
 }
 
-TEST(ResultFolder, a_folder_that_is_a_file_or_cannot_be_made_is_refused) {
+TEST(ResultFolder, AFolderThatIsAFileOrCannotBeMadeIsRefused) {
   const TemporaryFolder temporary;
   std::ofstream(temporary.path / "file") << "x";
   EXPECT_EQ(problem_with(temporary.path / "file"), "is a file, not a folder");
   EXPECT_THAT(problem_with(temporary.path / "file/below"), testing::StartsWith("cannot be made: "));
 }
 
-TEST(ResultFolder, a_second_run_does_not_write_where_one_writes) {
+TEST(ResultFolder, ASecondRunDoesNotWriteWhereOneWrites) {
   const TemporaryFolder temporary;
   const ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
   EXPECT_EQ(problem_with(temporary.path), "another run writes its results there");
 }
 
-TEST(ResultFolder, what_holds_no_results_is_an_input_error) {
+TEST(ResultFolder, WhatHoldsNoResultsIsAnInputError) {
   const TemporaryFolder temporary;
   EXPECT_THROW(ResultReader(temporary.path / "nowhere"), InputError);
   EXPECT_THROW(ResultReader reader(temporary.path), InputError);
@@ -293,7 +288,7 @@ TEST(ResultFolder, what_holds_no_results_is_an_input_error) {
   EXPECT_THROW(ResultReader reader(temporary.path), InputError);
 }
 
-TEST(ResultFolder, a_full_disk_is_an_error_with_the_path) {
+TEST(ResultFolder, AFullDiskIsAnErrorWithThePath) {
   // /dev/full fails every write as a full disk does.
   const TemporaryFolder temporary;
   ResultWriter writer(temporary.path, example_project(), example_system(), "{}");

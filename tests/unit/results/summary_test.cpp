@@ -53,21 +53,25 @@ RunReport example_report() {
                  .largest_system = 10,
                  .block_steps_asleep = 11,
                  .wakings = 12,
-                 .stress_recoveries = 13};
-  report.struggles = {{.cause = StruggleCause::inverted,
-                       .blocks = {"B1", "B2"},
-                       .joint = "J1",
-                       .position = Vec3(1, 2, 3),
-                       .rest_position = Vec3(4, 5, 6),
-                       .time = 1.5,
-                       .step = 150,
-                       .relative_penetration = 0.02,
-                       .iterations = 300,
-                       .most_iterations = 160,
-                       .cuts = 4,
-                       .ended_run = true,
-                       .advice = "a finer mesh"},
-                      {.blocks = {"B2", ""}}};
+                 .stress_recoveries = 13,
+                 .correction_limits = 14,
+                 .impact_sweep_limits = 15,
+                 .gmres_limits = 16,
+                 .failed_factorisations = 17};
+  report.troubles = {{.cause = TroubleCause::inverted,
+                      .blocks = {"B1", "B2"},
+                      .joint = "J1",
+                      .position = Vec3(1, 2, 3),
+                      .rest_position = Vec3(4, 5, 6),
+                      .time = 1.5,
+                      .step = 150,
+                      .relative_penetration = 0.02,
+                      .iterations = 300,
+                      .most_iterations = 160,
+                      .cuts = 4,
+                      .ended_run = true,
+                      .advice = "a finer mesh"},
+                     {.blocks = {"B2", ""}}};
   report.events = {{0.75, "J5 opened"}};
   report.expect.resize(2);
   report.expect[0].expectation.quantity = "P1.displacement.z";
@@ -85,7 +89,7 @@ std::vector<std::string> keys(const Json& object) {
   return names;
 }
 
-TEST(Summary, holds_what_the_contract_names) {
+TEST(Summary, HoldsWhatTheContractNames) {
   const Json json = Json::parse(summary_json(example_report()));
   EXPECT_EQ(json["status"], "not-converged");
   EXPECT_EQ(json["reason"], "contact of B1 and B2 at (1, 2, 3) on J1");
@@ -112,13 +116,14 @@ TEST(Summary, holds_what_the_contract_names) {
                              "built": 0, "evaluations": 0, "assemblies": 0}])"));
   EXPECT_EQ(json["work"], Json::parse(R"({"body_pairs": 1, "facet_searches": 2, "facet_pairs": 3000000000,
       "contact_points": 4, "factorisations": 5, "dense_factorisations": 6, "linear_solves": 7, "gmres_iterations": 8,
-      "systems": 9, "largest_system": 10, "block_steps_asleep": 11, "wakings": 12, "stress_recoveries": 13})"));
+      "systems": 9, "largest_system": 10, "block_steps_asleep": 11, "wakings": 12, "stress_recoveries": 13, "correction_limits": 14,
+      "impact_sweep_limits": 15, "gmres_limits": 16, "failed_factorisations": 17})"));
   EXPECT_EQ(json["phases"], Json::parse(R"({"detect": 0.1, "assemble": 0.2, "factor": 0.3, "solve": 0.4,
       "update": 0.5, "write": 0.6})"));
-  EXPECT_EQ(json["struggles"][0], Json::parse(R"({"blocks": ["B1", "B2"], "cause": "inverted-tetrahedron",
+  EXPECT_EQ(json["convergence_trouble"][0], Json::parse(R"({"blocks": ["B1", "B2"], "cause": "inverted-tetrahedron",
       "position": [1, 2, 3], "rest_position": [4, 5, 6], "joint": "J1", "time": 1.5, "step": 150, "relative_penetration": 0.02, "iterations": 300,
       "most_iterations": 160, "cuts": 4, "ended_run": true, "advice": "a finer mesh"})"));
-  EXPECT_EQ(json["struggles"][1]["blocks"], Json::parse(R"(["B2"])"));
+  EXPECT_EQ(json["convergence_trouble"][1]["blocks"], Json::parse(R"(["B2"])"));
   EXPECT_EQ(json["events"], Json::parse(R"([{"time": 0.75, "what": "J5 opened"}])"));
   EXPECT_THAT(keys(json["expect"][0]),
               testing::IsSupersetOf({"quantity", "time", "value", "computed", "error", "tolerance", "passed"}));
@@ -126,7 +131,7 @@ TEST(Summary, holds_what_the_contract_names) {
   EXPECT_EQ(json["expect"][0]["passed"], true);
 }
 
-TEST(Summary, says_why_a_body_was_chosen_where_it_was) {
+TEST(Summary, SaysWhyABodyWasChosenWhereItWas) {
   RunReport report = example_report();
   report.blocks.push_back(report.blocks[0]);
   report.blocks[1].body = BodyKind::rigid;
@@ -137,14 +142,14 @@ TEST(Summary, says_why_a_body_was_chosen_where_it_was) {
   EXPECT_EQ(json["blocks"][1]["body_reason"], "hard rock");
 }
 
-TEST(Summary, what_the_run_did_not_reach_is_null_and_not_passed) {
+TEST(Summary, WhatTheRunDidNotReachIsNullAndNotPassed) {
   const Json json = Json::parse(summary_json(example_report()));
   EXPECT_TRUE(json["expect"][1]["computed"].is_null());
   EXPECT_TRUE(json["expect"][1]["error"].is_null());
   EXPECT_EQ(json["expect"][1]["passed"], false);
 }
 
-TEST(Summary, a_number_that_is_not_finite_is_null) {
+TEST(Summary, ANumberThatIsNotFiniteIsNull) {
   RunReport report = example_report();
   report.max_penetration = std::numeric_limits<double>::quiet_NaN();
   report.blocks[0].velocity.y() = std::numeric_limits<double>::infinity();
@@ -155,14 +160,14 @@ TEST(Summary, a_number_that_is_not_finite_is_null) {
   EXPECT_TRUE(json["blocks"][0]["velocity"][1].is_null());
 }
 
-TEST(Summary, words_of_the_status) {
+TEST(Summary, WordsOfTheStatus) {
   RunReport report;
   EXPECT_EQ(Json::parse(summary_json(report))["status"], "completed");
   report.status = RunStatus::stopped;
   EXPECT_EQ(Json::parse(summary_json(report))["status"], "stopped");
 }
 
-TEST(Summary, what_it_says_of_the_run_is_read_back_from_the_folder) {
+TEST(Summary, WhatItSaysOfTheRunIsReadBackFromTheFolder) {
   const TemporaryFolder temporary;
   const RunReport written = example_report();
   ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
@@ -181,7 +186,23 @@ TEST(Summary, what_it_says_of_the_run_is_read_back_from_the_folder) {
   EXPECT_TRUE(read->blocks.empty());
 }
 
-TEST(Summary, what_a_file_lacks_or_has_wrong_is_left_out_and_a_torn_one_is_none) {
+TEST(Summary, TroubleIsReadUnderItsOldNamesToo) {
+  const TemporaryFolder temporary;
+  std::filesystem::create_directories(temporary.path);
+  const auto file = temporary.path / "summary.json";
+  std::ofstream(file) << R"({"status": "not-converged", "struggles": [{"blocks": ["A", "B"], "cause": "found-late"},
+      {"blocks": ["C"], "cause": "not-settled", "cuts": 2}, {"cause": "inverted-tetrahedron"}]})";
+  const auto old = read_summary(file);
+  ASSERT_TRUE(old);
+  ASSERT_EQ(old->troubles.size(), 3u);
+  EXPECT_EQ(old->troubles[0].cause, TroubleCause::missed_contact);
+  EXPECT_EQ(old->troubles[0].blocks[1], "B");
+  EXPECT_EQ(old->troubles[1].cause, TroubleCause::not_converged);
+  EXPECT_EQ(old->troubles[1].cuts, 2);
+  EXPECT_EQ(old->troubles[2].cause, TroubleCause::inverted);
+}
+
+TEST(Summary, WhatAFileLacksOrHasWrongIsLeftOutAndATornOneIsNone) {
   const TemporaryFolder temporary;
   std::filesystem::create_directories(temporary.path);
   const auto file = temporary.path / "summary.json";
@@ -205,15 +226,16 @@ TEST(Summary, what_a_file_lacks_or_has_wrong_is_left_out_and_a_torn_one_is_none)
   EXPECT_EQ(old->effects[0].built, 0);
   EXPECT_EQ(old->work.factorisations, 0);
   EXPECT_EQ(old->work.wakings, 2);
-  EXPECT_TRUE(old->struggles.empty());
-  const auto odd = read(R"({"status": "stopped", "struggles": [7, {"blocks": "B1", "position": [1, null], "cuts": 3},
+  EXPECT_TRUE(old->troubles.empty());
+  const auto odd =
+      read(R"({"status": "stopped", "convergence_trouble": [7, {"blocks": "B1", "position": [1, null], "cuts": 3},
       {"blocks": ["A", "B", "C"], "cause": "boredom", "position": [1, 2, 3, 4]}]})");
   ASSERT_TRUE(odd);
-  ASSERT_EQ(odd->struggles.size(), 2u);
-  EXPECT_EQ(odd->struggles[0].cuts, 3);
-  EXPECT_EQ(odd->struggles[0].blocks[0], "");
-  EXPECT_EQ(odd->struggles[1].blocks[1], "B");
-  EXPECT_EQ(odd->struggles[1].position, Vec3(1, 2, 3));
+  ASSERT_EQ(odd->troubles.size(), 2u);
+  EXPECT_EQ(odd->troubles[0].cuts, 3);
+  EXPECT_EQ(odd->troubles[0].blocks[0], "");
+  EXPECT_EQ(odd->troubles[1].blocks[1], "B");
+  EXPECT_EQ(odd->troubles[1].position, Vec3(1, 2, 3));
 }
 
 }  // namespace

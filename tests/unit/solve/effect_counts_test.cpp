@@ -48,7 +48,7 @@ const EffectOutcome& of_name(const std::vector<EffectOutcome>& effects, const st
   return *found;
 }
 
-TEST(EffectCounts, every_effect_that_is_called_for_is_built_once_a_stage_and_evaluated) {
+TEST(EffectCounts, EveryEffectThatIsCalledForIsBuiltOnceAStageAndEvaluated) {
   const auto effects = effects_after_run(with_everything());
   EXPECT_EQ(effects.size(), 12u);
   for (const EffectOutcome& effect : effects) {
@@ -60,7 +60,7 @@ TEST(EffectCounts, every_effect_that_is_called_for_is_built_once_a_stage_and_eva
   EXPECT_EQ(of_name(effects, "inertia").assemblies, 2) << "its matrix stays the same through a stage";
 }
 
-TEST(EffectCounts, what_is_not_called_for_is_never_built_and_never_evaluated) {
+TEST(EffectCounts, WhatIsNotCalledForIsNeverBuiltAndNeverEvaluated) {
   struct Without {
     std::string effect;
     std::function<void(Scene&)> take_away;
@@ -106,13 +106,13 @@ TEST(EffectCounts, what_is_not_called_for_is_never_built_and_never_evaluated) {
   }
 }
 
-TEST(EffectCounts, an_effect_of_one_stage_is_built_for_that_stage_alone) {
+TEST(EffectCounts, EffectOfOneStageIsBuiltForThatStageAlone) {
   Scene scene = with_everything();
   scene.project.stages[1].loads.emplace();
   EXPECT_EQ(of_name(effects_after_run(scene), "point load").built, 1);
 }
 
-TEST(EffectCounts, a_scene_without_contact_factors_once_in_a_whole_run) {
+TEST(EffectCounts, SceneWithoutContactFactorsOnceInAWholeRun) {
   for (const BodyKind body : {BodyKind::tetrahedra, BodyKind::rigid}) {
     Scene scene;
     scene.project = test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 40, {}}});
@@ -129,7 +129,7 @@ TEST(EffectCounts, a_scene_without_contact_factors_once_in_a_whole_run) {
   }
 }
 
-TEST(EffectCounts, stress_is_recovered_only_for_frames_and_for_those_who_watch_it) {
+TEST(EffectCounts, StressIsRecoveredOnlyForFramesAndForThoseWhoWatchIt) {
   Scene scene = with_everything();
   scene.project.monitors = {{"P", "B", Vec3(0.5, 0.5, 0.5)}};
   Simulation simulation(scene.project, scene.system);

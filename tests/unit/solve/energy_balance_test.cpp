@@ -11,7 +11,7 @@ double moved(const EnergyLedger& e) {
                    std::abs(e.friction_dissipated), std::abs(e.constraint_work)});
 }
 
-TEST(EnergyBalance, closes_in_a_run_with_impact_friction_and_damping) {
+TEST(EnergyBalance, ClosesInARunWithImpactFrictionAndDamping) {
   Project project = test::rock_project(
       25, {{"settle", StageKind::static_, 0.01, 10, {}}, {"slide", StageKind::dynamic, 0.01, 100, {}}});
   project.gravity = test::tilted_gravity(30);
@@ -53,7 +53,7 @@ EnergyLedger after_ringing(Integrator integrator, double spectral_radius, Strain
   return ledger;
 }
 
-TEST(EnergyBalance, generalized_alpha_with_spectral_radius_one_conserves_what_is_linear) {
+TEST(EnergyBalance, GeneralizedAlphaWithSpectralRadiusOneConservesWhatIsLinear) {
   double most = 0;
   const EnergyLedger ledger = after_ringing(Integrator::generalized_alpha, 1, Strain::incremental, &most);
   EXPECT_GT(most, 1);
@@ -64,7 +64,7 @@ TEST(EnergyBalance, generalized_alpha_with_spectral_radius_one_conserves_what_is
   EXPECT_LT(std::abs(turned.integration_loss), 1e-4 * corotated);
 }
 
-TEST(EnergyBalance, the_papers_integrator_and_newmark_eat_what_rings) {
+TEST(EnergyBalance, ThePapersIntegratorAndNewmarkDampOscillations) {
   double most = 0;
   EXPECT_GT(after_ringing(Integrator::constant_acceleration, 1, Strain::corotational, &most).integration_loss,
             0.5 * most);
@@ -73,7 +73,7 @@ TEST(EnergyBalance, the_papers_integrator_and_newmark_eat_what_rings) {
             0.01 * most);
 }
 
-TEST(EnergyBalance, a_push_that_slackens_gives_nothing_back) {
+TEST(EnergyBalance, AForceThatDecreasesReturnsNoEnergy) {
   // Newmark's method takes Δ²/32 m a² when a push sets in, and would give a quarter back when it halves (Krenk 2006).
   Project project = test::rock_project(0, {{"pushed", StageKind::dynamic, 0.01, 4, {}}});
   project.gravity = Vec3::Zero();
@@ -91,7 +91,7 @@ TEST(EnergyBalance, a_push_that_slackens_gives_nothing_back) {
   }
 }
 
-TEST(EnergyBalance, a_body_on_a_spring_conserves_energy_to_round_off) {
+TEST(EnergyBalance, BodyOnASpringConservesEnergyToRoundOff) {
   // Rigid motion on four held points: exactly linear.
   Project project = test::rock_project(0, {{"swing", StageKind::dynamic, 1e-3, 500, {}}});
   project.solver.integrator = Integrator::generalized_alpha;
@@ -105,7 +105,7 @@ TEST(EnergyBalance, a_body_on_a_spring_conserves_energy_to_round_off) {
   EXPECT_LT(std::abs(ledger.remainder), 1e-8 * 2600);
 }
 
-TEST(EnergyBalance, a_shaken_base_does_the_work_that_friction_takes) {
+TEST(EnergyBalance, ShakenBaseDoesTheWorkThatFrictionTakes) {
   Project project = test::rock_project(
       20, {{"settle", StageKind::static_, 0.01, 20, {}}, {"drag", StageKind::dynamic, 0.005, 200, {}}});
   project.constraints = {{"ground", std::nullopt, {0, 0, 0}, {{0.2, Vec3::Zero()}, {1.2, Vec3(3, 0, 0)}}}};

@@ -30,7 +30,7 @@ double force_on_top_of(const Simulation& simulation, int block) {
   return sum;
 }
 
-TEST(MixedBodies, a_stack_of_all_kinds_carries_its_weight_in_any_order) {
+TEST(MixedBodies, StackOfAllKindsCarriesItsWeightInAnyOrder) {
   std::vector<BodyKind> kinds{BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra};
   do {
     const Project project = test::rock_project(30, {{"stand", StageKind::static_, 0.1, 60, {}}});
@@ -44,7 +44,7 @@ TEST(MixedBodies, a_stack_of_all_kinds_carries_its_weight_in_any_order) {
   } while (std::next_permutation(kinds.begin(), kinds.end()));
 }
 
-TEST(MixedBodies, what_stresses_an_affine_block_is_the_weight_above_its_middle) {
+TEST(MixedBodies, WhatStressesAnAffineBlockIsTheWeightAboveItsMiddle) {
   const Project project = test::rock_project(30, {{"stand", StageKind::static_, 0.01, 60, {}}});
   const BlockSystem system = stack({BodyKind::affine, BodyKind::rigid});
   Simulation simulation(project, system);
@@ -56,7 +56,7 @@ TEST(MixedBodies, what_stresses_an_affine_block_is_the_weight_above_its_middle) 
 }
 
 /// A cube that flies at one of another kind, without gravity or friction: what they have together of momentum stays.
-TEST(MixedBodies, a_collision_keeps_momentum_and_angular_momentum) {
+TEST(MixedBodies, CollisionKeepsMomentumAndAngularMomentum) {
   for (const BodyKind other : {BodyKind::affine, BodyKind::tetrahedra, BodyKind::rigid}) {
     Project project = test::rock_project(0, {{"fly", StageKind::dynamic, 1e-3, 300, {}}});
     project.gravity.setZero();
@@ -82,7 +82,7 @@ TEST(MixedBodies, a_collision_keeps_momentum_and_angular_momentum) {
   }
 }
 
-TEST(MixedBodies, blocks_in_one_piece_are_held_by_a_stage_and_let_go) {
+TEST(MixedBodies, SingleBodiesAreHeldByAStageAndReleased) {
   for (const BodyKind kind : {BodyKind::rigid, BodyKind::affine}) {
     Project project = test::rock_project(
         30, {{"hold", StageKind::dynamic, 0.01, 20, {}}, {"fall", StageKind::dynamic, 0.01, 20, {}}});
@@ -97,7 +97,7 @@ TEST(MixedBodies, blocks_in_one_piece_are_held_by_a_stage_and_let_go) {
   }
 }
 
-TEST(MixedBodies, a_held_point_and_a_load_act_on_a_rigid_block) {
+TEST(MixedBodies, HeldPointAndALoadActOnARigidBlock) {
   Project project = test::rock_project(30, {{"hang", StageKind::static_, 0.01, 5, {}}});
   project.constraints = {{"B", Vec3(0.5, 0.5, 0.9), {{0.0, 0.0, 0.0}}}};
   project.loads = {{"B", Vec3(0.5, 0.5, 0.1), Vec3(0, 0, -1e4)}};

@@ -55,7 +55,7 @@ Outcome awake(Project project, const BlockSystem& system) {
 
 double difference(const BlockMotion& a, const BlockMotion& b) { return (a.displacement - b.displacement).norm(); }
 
-TEST(SimulationSleep, a_resting_block_falls_asleep_in_a_dynamic_stage_and_not_in_a_static_one) {
+TEST(SimulationSleep, RestingBlockFallsAsleepInADynamicStageAndNotInAStaticOne) {
   Project project = test::rock_project(35, {settling(100), moving(60)});
   project.gravity = test::tilted_gravity(30);
   const Outcome outcome = outcome_of(project, test::cube_on_slab());
@@ -66,7 +66,7 @@ TEST(SimulationSleep, a_resting_block_falls_asleep_in_a_dynamic_stage_and_not_in
   EXPECT_EQ(outcome.steps.back().contacts, 0);
 }
 
-TEST(SimulationSleep, nobody_sleeps_who_flies_slides_bears_a_changing_load_or_stands_on_a_moving_base) {
+TEST(SimulationSleep, NoBlockSleepsThatFliesSlidesBearsAChangingLoadOrStandsOnAMovingBase) {
   const BlockSystem system = test::cube_on_slab();
   Project thrown = test::rock_project(30, {moving(400, 1e-3)});
   thrown.velocities = {{"B", Vec3(0, 0, 2), Vec3::Zero()}};  // back on the ground after 0.408 s
@@ -100,7 +100,7 @@ Project pile_project(int steps) {
   return test::rock_project(30, {wait, fall});
 }
 
-TEST(SimulationSleep, a_pile_wakes_as_one_before_a_falling_block_touches_it) {
+TEST(SimulationSleep, PileWakesAsOneBeforeAFallingBlockTouchesIt) {
   const Project project = pile_project(100);
   const BlockSystem system = pile_and_falling_block(2);
   Simulation simulation(project, system);
@@ -123,7 +123,7 @@ TEST(SimulationSleep, a_pile_wakes_as_one_before_a_falling_block_touches_it) {
   }
 }
 
-TEST(SimulationSleep, a_hit_on_sleepers_goes_as_one_on_those_that_never_slept) {
+TEST(SimulationSleep, HitOnSleepersGoesAsOneOnThoseThatNeverSlept) {
   const BlockSystem system = pile_and_falling_block(2);
   for (const int steps : {60, 100}) {  // before and after the impact at 0.64 s
     const Outcome slept = outcome_of(pile_project(steps), system), never = awake(pile_project(steps), system);
@@ -133,7 +133,7 @@ TEST(SimulationSleep, a_hit_on_sleepers_goes_as_one_on_those_that_never_slept) {
   }
 }
 
-TEST(SimulationSleep, a_new_stage_wakes_all_and_a_joint_that_loses_its_strength_lets_its_block_go) {
+TEST(SimulationSleep, NewStageWakesAllAndAJointThatLosesItsStrengthLetsItsBlockGo) {
   Stage slide = moving(50);
   slide.joints = {{"J", 10.0, {}, {}, {}}};
   Project project = test::rock_project(35, {settling(100), moving(50), slide});
@@ -146,7 +146,7 @@ TEST(SimulationSleep, a_new_stage_wakes_all_and_a_joint_that_loses_its_strength_
   EXPECT_LT(difference(slept.blocks[1], never.blocks[1]), 1e-9);
 }
 
-TEST(SimulationSleep, the_ledger_closes_through_falling_asleep_waking_and_stages) {
+TEST(SimulationSleep, LedgerClosesThroughFallingAsleepWakingAndStages) {
   for (const BodyKind body : {BodyKind::tetrahedra, BodyKind::affine, BodyKind::rigid}) {
     Project project = pile_project(100);
     project.stages[1].blocks[0].body = body;
@@ -166,7 +166,7 @@ TEST(SimulationSleep, the_ledger_closes_through_falling_asleep_waking_and_stages
   }
 }
 
-TEST(SimulationSleep, a_stage_that_begins_with_sleepers_counts_their_energy_once) {
+TEST(SimulationSleep, StageThatBeginsWithSleepersCountsTheirEnergyOnce) {
   Project project = test::rock_project(35, {settling(100), moving(50), moving(5), moving(50)});
   project.gravity = test::tilted_gravity(30);
   const BlockSystem system = test::cube_on_slab();
@@ -202,7 +202,7 @@ class AllAsleep : public testing::TestWithParam<AsleepCase> {
                                            test::box_block("B", Vec3(0, 0, 0), Vec3(1, 1, 1), GetParam().body)});
 };
 
-TEST_P(AllAsleep, steps_go_on_and_frames_and_monitors_stay_as_they_were) {
+TEST_P(AllAsleep, StepsGoOnAndFramesAndMonitorsStayAsTheyWere) {
   Simulation simulation(project, system);
   StepReport report;
   while (report.asleep == 0) {
@@ -226,7 +226,7 @@ TEST_P(AllAsleep, steps_go_on_and_frames_and_monitors_stay_as_they_were) {
   EXPECT_EQ(row.monitors[0].stress, row_before.monitors[0].stress);
 }
 
-TEST_P(AllAsleep, frames_show_what_one_without_sleep_does) {
+TEST_P(AllAsleep, FramesShowWhatOneWithoutSleepDoes) {
   const auto end = [&](double sleep_tolerance) {
     project.solver.sleep_tolerance = sleep_tolerance;
     Simulation simulation(project, system);
@@ -262,7 +262,7 @@ constexpr AsleepCase kinds[] = {{BodyKind::tetrahedra, Strain::corotational},
                                 {BodyKind::rigid, Strain::corotational}};
 INSTANTIATE_TEST_SUITE_P(Bodies, AllAsleep, testing::ValuesIn(kinds));
 
-TEST(SimulationSleep, a_flying_block_costs_the_same_work_beside_sleepers_as_alone) {
+TEST(SimulationSleep, FlyingBlockCostsTheSameWorkBesideSleepersAsAlone) {
   const auto work_of_last_steps = [](int sleepers) {
     Project project = test::rock_project(30, {settling(60), moving(100)});
     project.stages[0].blocks = {{"falling", BodyKind::fixed}};

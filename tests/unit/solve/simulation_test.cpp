@@ -17,7 +17,7 @@ using test::tilted_gravity;
 constexpr auto scene = test::rock_project;
 constexpr auto blocks = test::block_system;
 
-TEST(Simulation, free_fall_is_exact) {
+TEST(Simulation, FreeFallIsExact) {
   const Project project = scene(30, {{"fall", StageKind::dynamic, 0.01, 100, {}}});
   const BlockSystem system = blocks({test::box_block("B", Vec3(0, 0, 10), Vec3(1, 1, 11))});
   Simulation simulation(project, system);
@@ -27,7 +27,7 @@ TEST(Simulation, free_fall_is_exact) {
   EXPECT_NEAR(motion.velocity.z() / -9.81, 1, 1e-10);
 }
 
-TEST(Simulation, a_block_on_a_plane_slides_at_the_acceleration_of_coulomb) {
+TEST(Simulation, BlockOnAPlaneSlidesAtTheAccelerationOfCoulomb) {
   Project project =
       scene(15, {{"settle", StageKind::static_, 0.01, 20, {}}, {"slide", StageKind::dynamic, 0.01, 100, {}}});
   project.gravity = tilted_gravity(30);
@@ -43,7 +43,7 @@ TEST(Simulation, a_block_on_a_plane_slides_at_the_acceleration_of_coulomb) {
   EXPECT_LT(iterations, 120 * 4);
 }
 
-TEST(Simulation, a_block_below_its_friction_angle_does_not_creep) {
+TEST(Simulation, BlockBelowItsFrictionAngleDoesNotCreep) {
   Project project =
       scene(35, {{"settle", StageKind::static_, 0.01, 50, {}}, {"rest", StageKind::dynamic, 0.01, 1000, {}}});
   project.gravity = tilted_gravity(30);
@@ -56,7 +56,7 @@ TEST(Simulation, a_block_below_its_friction_angle_does_not_creep) {
   EXPECT_LT((block_motion(simulation.bodies(), 1).displacement - settled).norm(), 1e-9);
 }
 
-TEST(Simulation, a_block_dropped_on_another_lands_and_rests_without_gaining_energy) {
+TEST(Simulation, BlockDroppedOnAnotherLandsAndRestsWithoutGainingEnergy) {
   const Project project = scene(30, {{"drop", StageKind::dynamic, 0.005, 800, {}}});
   const BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
                                      test::box_block("lower", Vec3(1, 1, 0), Vec3(3, 3, 1)),
@@ -76,17 +76,17 @@ TEST(Simulation, a_block_dropped_on_another_lands_and_rests_without_gaining_ener
   EXPECT_LT(last.max_relative_penetration, 1e-3);
 }
 
-TEST(Simulation, a_bar_pulled_by_a_point_load_and_held_at_its_foot_stretches_as_hooke_says) {
+TEST(Simulation, BarPulledByAPointLoadAndHeldAtItsFootStretchesAsHookeSays) {
   // One column of tetrahedra, held at every node of the foot, pulled at every node of the top: uniform stress needs
   // consistent nodal forces, which for Kuhn's split of the top square are 1/3, 1/6, 1/6, 1/3.
   Project project = scene(0, {{"pull", StageKind::static_, 1.0, 60, {}}});
   project.gravity = Vec3::Zero();
   project.materials[0].poisson = 0;
   const double force = 1e6;
-  const double shares[4] = {1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3};
+  const double parts[4] = {1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3};
   for (int i = 0; i < 4; ++i) {
     project.constraints.push_back({"B", Vec3(i & 1, i >> 1, 0), {{0.0, 0.0, 0.0}}});
-    project.loads.push_back({"B", Vec3(i & 1, i >> 1, 2), Vec3(0, 0, shares[i] * force)});
+    project.loads.push_back({"B", Vec3(i & 1, i >> 1, 2), Vec3(0, 0, parts[i] * force)});
   }
   const BlockSystem system = blocks({test::box_block("B", Vec3(0, 0, 0), Vec3(1, 1, 2))});
   Simulation simulation(project, system);
@@ -96,7 +96,7 @@ TEST(Simulation, a_bar_pulled_by_a_point_load_and_held_at_its_foot_stretches_as_
   EXPECT_NEAR(simulation.frame(0).stress[0][2] / force, 1, 1e-3);
 }
 
-TEST(Simulation, repeats_itself_to_the_last_bit) {
+TEST(Simulation, RepeatsItselfToTheLastBit) {
   const Project project = scene(20, {{"drop", StageKind::dynamic, 0.01, 60, {}}});
   const BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
                                      test::box_block("B", Vec3(1.1, 1.2, 0.1), Vec3(2.3, 2.1, 1.3))});
@@ -108,7 +108,7 @@ TEST(Simulation, repeats_itself_to_the_last_bit) {
   EXPECT_EQ(final_positions(), final_positions());
 }
 
-TEST(Simulation, two_threads_give_the_same_bits_as_one) {
+TEST(Simulation, TwoThreadsGiveTheSameBitsAsOne) {
   const Project project = scene(20, {{"drop", StageKind::dynamic, 0.01, 40, {}}});
   Block cube;
   cube.name = "B";
@@ -125,7 +125,7 @@ TEST(Simulation, two_threads_give_the_same_bits_as_one) {
   EXPECT_EQ(final_positions(1), final_positions(2));
 }
 
-TEST(Simulation, initial_velocities_begin_with_the_first_dynamic_stage) {
+TEST(Simulation, InitialVelocitiesBeginWithTheFirstDynamicStage) {
   Project project = scene(0, {{"wait", StageKind::static_, 0.01, 5, {}}, {"fly", StageKind::dynamic, 0.01, 50, {}}});
   project.gravity = Vec3::Zero();
   project.velocities = {{"B", Vec3(2, 0, 0), Vec3::Zero()}};
@@ -135,7 +135,7 @@ TEST(Simulation, initial_velocities_begin_with_the_first_dynamic_stage) {
   EXPECT_NEAR(block_motion(simulation.bodies(), 0).displacement.x(), 2 * 0.5, 1e-12);
 }
 
-TEST(Simulation, cohesion_holds_until_its_strength_and_then_for_good_no_more) {
+TEST(Simulation, CohesionHoldsUntilItsStrengthAndThenForGoodNoMore) {
   // A block on a vertical wall, glued by its face of 1 m²: weight 25.5 kN.
   const auto fall_after_a_second = [](double cohesion) {
     Project project = scene(0, {{"hang", StageKind::dynamic, 0.01, 100, {}}});
@@ -151,7 +151,7 @@ TEST(Simulation, cohesion_holds_until_its_strength_and_then_for_good_no_more) {
   EXPECT_NEAR(fall_after_a_second(1e4), 0.5 * 9.81, 0.05);
 }
 
-TEST(Simulation, a_step_that_cannot_settle_ends_the_run_with_the_contact_named) {
+TEST(Simulation, StepThatCannotConvergeEndsTheRunAndNamesTheContact) {
   Project project = scene(30, {{"drop", StageKind::dynamic, 0.01, 100, {}}});
   project.solver.open_close_limit = 2;  // too few for any change of state
   const BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
@@ -162,10 +162,10 @@ TEST(Simulation, a_step_that_cannot_settle_ends_the_run_with_the_contact_named) 
   EXPECT_FALSE(simulation.converged());
   EXPECT_GT(last.cuts, 0);
   EXPECT_THAT(simulation.failure(), testing::AllOf(testing::HasSubstr("ground"), testing::HasSubstr("joint J")));
-  ASSERT_FALSE(simulation.struggles().empty());
-  const Struggle& end = simulation.struggles().back();
+  ASSERT_FALSE(simulation.troubles().empty());
+  const ConvergenceTrouble& end = simulation.troubles().back();
   EXPECT_TRUE(end.ended_run);
-  EXPECT_EQ(end.cause, StruggleCause::not_settled);
+  EXPECT_EQ(end.cause, TroubleCause::not_converged);
   EXPECT_THAT(end.blocks, testing::ElementsAre("ground", "B"));
   EXPECT_EQ(end.joint, "J");
   EXPECT_NEAR(end.position.z(), 0, 0.02) << "where the cube's foot meets the ground";
@@ -173,11 +173,11 @@ TEST(Simulation, a_step_that_cannot_settle_ends_the_run_with_the_contact_named) 
   EXPECT_EQ(end.step, last.step);
   EXPECT_THAT(end.advice, testing::HasSubstr("open_close_limit"));
   int cuts = 0;
-  for (const Struggle& struggle : simulation.struggles()) cuts += struggle.cuts;
+  for (const ConvergenceTrouble& trouble : simulation.troubles()) cuts += trouble.cuts;
   EXPECT_EQ(cuts, last.cuts);
 }
 
-TEST(Simulation, a_block_that_falls_flat_settles_in_few_iterations_however_long_the_step) {
+TEST(Simulation, BlockThatFallsFlatConvergesInFewIterationsHoweverLongTheStep) {
   for (const double step : {0.01, 0.1, 1.0}) {
     Project project = scene(20, {{"fall", StageKind::dynamic, step, 2, {}}});
     project.gravity = tilted_gravity(30);
@@ -193,7 +193,7 @@ TEST(Simulation, a_block_that_falls_flat_settles_in_few_iterations_however_long_
   }
 }
 
-TEST(Simulation, a_step_is_cut_where_blocks_turn_into_each_other_unforeseen) {
+TEST(Simulation, CutsAStepThatMissesAContact) {
   Project project = scene(30, {{"swing", StageKind::dynamic, 0.01, 1, {}}});
   project.gravity.setZero();
   project.velocities = {{.block = "B", .angular = {0, 40, 0}}};
@@ -206,13 +206,13 @@ TEST(Simulation, a_step_is_cut_where_blocks_turn_into_each_other_unforeseen) {
   Simulation simulation(project, system);
   const StepReport report = simulation.step();
   ASSERT_TRUE(simulation.converged()) << simulation.failure();
-  ASSERT_FALSE(simulation.struggles().empty());
-  EXPECT_EQ(simulation.struggles()[0].cause, StruggleCause::found_late);
-  EXPECT_THAT(simulation.struggles()[0].blocks, testing::ElementsAre("ground", "B"));
+  ASSERT_FALSE(simulation.troubles().empty());
+  EXPECT_EQ(simulation.troubles()[0].cause, TroubleCause::missed_contact);
+  EXPECT_THAT(simulation.troubles()[0].blocks, testing::ElementsAre("ground", "B"));
   EXPECT_GT(report.cuts, 0);
 }
 
-TEST(Simulation, steps_that_are_cut_and_settle_say_where_and_easy_ones_say_nothing) {
+TEST(Simulation, TellsWhereStepsAreCutAndNothingOfEasyOnes) {
   Project project = scene(30, {{"drop", StageKind::dynamic, 0.01, 30, {}}});
   const BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
                                      test::box_block("B", Vec3(1.1, 1.2, 0.1), Vec3(2.3, 2.1, 1.3))});
@@ -222,13 +222,41 @@ TEST(Simulation, steps_that_are_cut_and_settle_say_where_and_easy_ones_say_nothi
     int hard = 0, cuts = 0;
     while (!simulation.finished()) {
       cuts += simulation.step().cuts;
-      for (const Struggle& struggle : simulation.struggles()) {
+      for (const ConvergenceTrouble& trouble : simulation.troubles()) {
         ++hard;
-        EXPECT_THAT(struggle.blocks, testing::ElementsAre("ground", "B"));
+        EXPECT_THAT(trouble.blocks, testing::ElementsAre("ground", "B"));
       }
     }
     EXPECT_EQ(hard > 0, limit == 3) << hard;
     EXPECT_EQ(cuts > 0, limit == 3) << cuts;
+  }
+}
+
+TEST(Simulation, TellsOfStepsThatUseAllRoundsOfCorrection) {
+  Project project = scene(30, {{"settle", StageKind::static_, 0.01, 20, {}}});
+  project.materials[0].density = 2.6e6;  // heavy, so that one round is not enough
+  project.solver.penetration_tolerance = 1e-8;
+  const BlockSystem system = test::cube_on_slab();
+  for (const int limit : {StepTolerances{}.correction_limit, 1}) {
+    Tolerances tolerances;
+    tolerances.solver.step.correction_limit = limit;
+    Simulation simulation(project, system, tolerances);
+    while (!simulation.finished()) simulation.step();
+    EXPECT_EQ(simulation.work().correction_limits > 0, limit == 1) << limit;
+  }
+}
+
+TEST(Simulation, TellsOfStepsThatUseAllSweepsOfImpulses) {
+  Project project = scene(30, {{"drop", StageKind::dynamic, 0.005, 100, {}}});
+  project.joints[0].restitution = 0.5;
+  BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
+                               test::box_block("B", Vec3(1, 1, 0.1), Vec3(2, 2, 1.1), BodyKind::rigid)});
+  for (const int limit : {ImpactTolerances{}.sweep_limit, 1}) {
+    Tolerances tolerances;
+    tolerances.solver.impact.sweep_limit = limit;
+    Simulation simulation(project, system, tolerances);
+    while (!simulation.finished()) simulation.step();
+    EXPECT_EQ(simulation.work().impact_sweep_limits > 0, limit == 1) << limit;
   }
 }
 

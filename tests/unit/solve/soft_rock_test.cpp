@@ -28,7 +28,7 @@ double least_volume(const Simulation& simulation) {
 }
 
 /// With ν = 0 a frictionless block neither spreads nor needs to: σ = μ(a² − 1)/a across its base, the load over 1 m².
-TEST(SoftRock, an_affine_block_is_squeezed_as_the_formula_says) {
+TEST(SoftRock, AffineBlockIsSqueezedAsTheFormulaSays) {
   Project project = soft_project({{"press", StageKind::static_, 1, 40, {}}});
   project.gravity.setZero();
   project.joints[0].normal_stiffness = 1e12;
@@ -45,7 +45,7 @@ TEST(SoftRock, an_affine_block_is_squeezed_as_the_formula_says) {
   EXPECT_NEAR(least_volume(simulation), height, 1e-6);
 }
 
-TEST(SoftRock, a_block_that_is_thrown_down_hard_keeps_its_shape_and_gains_no_energy) {
+TEST(SoftRock, BlockThatIsThrownDownHardKeepsItsShapeAndGainsNoEnergy) {
   Project project = soft_project({{"fall", StageKind::dynamic, 2e-3, 300, {}}});
   project.velocities = {{.block = "B", .linear = {0, 0, -10}}};  // as fast as its waves
   Simulation simulation(project, test::cube_on_slab());

@@ -12,7 +12,7 @@ void run_to_the_end(Simulation& simulation) {
   ASSERT_TRUE(simulation.converged()) << simulation.failure();
 }
 
-TEST(Stages, a_static_stage_ends_in_equilibrium_before_its_steps_are_used_up) {
+TEST(Stages, StaticStageEndsInEquilibriumBeforeItsStepsAreUsedUp) {
   Stage settle{"settle", StageKind::static_, 0.01, 500, {}};
   settle.until_equilibrium = true;
   Project project = test::rock_project(35, {settle, {"rest", StageKind::dynamic, 0.01, 100, {}}});
@@ -34,8 +34,8 @@ TEST(Stages, a_static_stage_ends_in_equilibrium_before_its_steps_are_used_up) {
   EXPECT_LT((block_motion(simulation.bodies(), 1).displacement - settled).norm(), 1e-9);
 }
 
-/// With all its inertia in every step the column takes 525.
-TEST(Stages, blocks_that_lean_on_each_other_come_to_rest_in_a_few_static_steps) {
+/// With full inertia in every step the column takes 525.
+TEST(Stages, BlocksThatLeanOnEachOtherComeToRestInAFewStaticSteps) {
   Stage settle{"settle", StageKind::static_, 1e-3, 200, {}};
   settle.until_equilibrium = true;
   settle.equilibrium_tolerance = 1e-9;
@@ -50,7 +50,7 @@ TEST(Stages, blocks_that_lean_on_each_other_come_to_rest_in_a_few_static_steps) 
   EXPECT_LT(steps, 50);
 }
 
-TEST(Stages, what_slides_in_a_static_stage_creeps_by_the_same_way_each_step) {
+TEST(Stages, SlidingInAStaticStageCreepsByTheSameDisplacementEachStep) {
   Project project = test::rock_project(15, {{"settle", StageKind::static_, 0.01, 40, {}}});
   project.gravity = test::tilted_gravity(30);
   const BlockSystem system = test::cube_on_slab();
@@ -62,7 +62,7 @@ TEST(Stages, what_slides_in_a_static_stage_creeps_by_the_same_way_each_step) {
   EXPECT_NEAR((block_motion(simulation.bodies(), 1).displacement.x() - half) / (20 * beta * a * 1e-4), 1, 1e-4);
 }
 
-TEST(Stages, what_slides_never_comes_to_equilibrium) {
+TEST(Stages, WhatSlidesNeverComesToEquilibrium) {
   Stage settle{"settle", StageKind::static_, 0.01, 50, {}};
   settle.until_equilibrium = true;
   Project project = test::rock_project(15, {settle});
@@ -73,7 +73,7 @@ TEST(Stages, what_slides_never_comes_to_equilibrium) {
   EXPECT_NEAR(simulation.time(), 0.5, 1e-12);
 }
 
-TEST(Stages, a_joint_that_loses_its_strength_lets_the_block_go) {
+TEST(Stages, JointThatLosesItsStrengthLetsTheBlockGo) {
   Stage rest{"rest", StageKind::dynamic, 0.01, 50, {}}, slide = rest;
   slide.name = "slide";
   slide.joints = {{"J", 10.0, {}, {}, {}}};
@@ -89,7 +89,7 @@ TEST(Stages, a_joint_that_loses_its_strength_lets_the_block_go) {
 }
 
 /// A static stage leaves a creeping block on the border between sticking and sliding.
-TEST(Stages, what_slid_when_a_static_stage_ended_slides_on_with_its_whole_acceleration) {
+TEST(Stages, SlidingGoesOnWithItsWholeAccelerationAfterAStaticStage) {
   for (const Integrator integrator : {Integrator::newmark, Integrator::generalized_alpha}) {
     Project project = test::rock_project(
         15, {{"settle", StageKind::static_, 0.001, 20, {}}, {"slide", StageKind::dynamic, 0.01, 5, {}}});
@@ -105,7 +105,7 @@ TEST(Stages, what_slid_when_a_static_stage_ended_slides_on_with_its_whole_accele
   }
 }
 
-TEST(Stages, a_block_held_in_a_stage_stands_still_keeps_its_stress_and_falls_when_let_go) {
+TEST(Stages, BlockHeldInAStageStandsStillKeepsItsStressAndFallsWhenLetGo) {
   Stage wait{"wait", StageKind::dynamic, 0.01, 20, {}}, fall{"fall", StageKind::dynamic, 0.01, 50, {}};
   wait.blocks = {{"B", BodyKind::fixed}};
   fall.blocks = {{"B", BodyKind::tetrahedra}};
@@ -127,7 +127,7 @@ TEST(Stages, a_block_held_in_a_stage_stands_still_keeps_its_stress_and_falls_whe
   }
 }
 
-TEST(Stages, a_load_by_table_pushes_as_its_table_says) {
+TEST(Stages, LoadByTablePushesAsItsTableSays) {
   // A force that grows as t from nothing: ∫∫ F/m = F' t³/6m.
   Project project = test::rock_project(0, {{"push", StageKind::dynamic, 0.001, 1000, {}}});
   project.gravity = Vec3::Zero();
@@ -140,7 +140,7 @@ TEST(Stages, a_load_by_table_pushes_as_its_table_says) {
   EXPECT_NEAR(block_motion(simulation.bodies(), 0).displacement.x() * 6, 1, 1e-5);
 }
 
-TEST(Stages, a_held_point_follows_its_table) {
+TEST(Stages, HeldPointFollowsItsTable) {
   Project project = test::rock_project(0, {{"lift", StageKind::static_, 0.1, 100, {}}});
   project.gravity = Vec3::Zero();
   for (int i = 0; i < 4; ++i)
@@ -153,7 +153,7 @@ TEST(Stages, a_held_point_follows_its_table) {
   EXPECT_NEAR(simulation.frame(0).displacement[0].y(), 0, 1e-7) << "a free component followed the table";
 }
 
-TEST(Stages, adaptive_steps_keep_their_limits_and_land_where_fixed_ones_do) {
+TEST(Stages, AdaptiveStepsKeepTheirLimitsAndLandWhereFixedOnesDo) {
   Project project = test::rock_project(15, {{"slide", StageKind::dynamic, 0.05, {}, 1.0}});
   project.gravity = test::tilted_gravity(30);
   project.solver.time_step_control = TimeStepControl::adaptive;
@@ -174,7 +174,7 @@ TEST(Stages, adaptive_steps_keep_their_limits_and_land_where_fixed_ones_do) {
   EXPECT_NEAR(block_motion(simulation.bodies(), 1).velocity.x() / expected, 1, 2e-3);
 }
 
-TEST(Stages, the_augmented_lagrangian_brings_penetration_to_its_tolerance_and_moves_nothing_else) {
+TEST(Stages, AugmentedLagrangianBringsPenetrationToItsTolerance) {
   Project project = test::rock_project(30, {{"settle", StageKind::static_, 0.01, 40, {}}});
   project.materials[0].density = 2.6e6;  // heavy, so that there is something to bring down
   const BlockSystem system = test::cube_on_slab();

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "base/temporary_folder.hpp"
 #include "study/accuracy/accuracy_files.hpp"
-#include "study/temporary_folder.hpp"
 
 // Studies of a free elastic bar whose answer is known. It deforms as one, u = (z − L/2)·s(t) with
 // ρL²/12·s̈ + E·s = P(t)/A, and is pulled at both ends by a force that grows from zero, P = kt, so that nothing begins
@@ -181,7 +181,7 @@ TEST_F(AccuracyStudyTest, ARunThatDoesNotConvergeIsARowAndTheOthersAreJudgedWith
   EXPECT_GT(json["iterations"], 0);
 }
 
-/// At 7° a step the equations of a block that deforms do not settle, and the step is cut: it is another one than it
+/// At 7° a step the equations of a block that deforms do not converge, and the step is cut: it is another one than it
 /// says.
 TEST_F(AccuracyStudyTest, RunsWhoseStepsWereCutTakeNoPartInTheOrder) {
   const AccuracyStudy study =

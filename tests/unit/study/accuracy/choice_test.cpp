@@ -15,6 +15,9 @@ const Offers offers{CostAndError{1, 0.1}, CostAndError{2, 0.2},  CostAndError{3,
 TEST(Choice, TheFrontIsWhatNothingCheaperBeats) {
   EXPECT_THAT(pareto_front(offers), testing::ElementsAre(true, false, true, false, false, true));
   EXPECT_THAT(pareto_front(Offers{CostAndError{1, 0}, CostAndError{1, 0}}), testing::ElementsAre(true, true));
+  EXPECT_THAT(pareto_front(Offers{CostAndError{1, 0.1}, CostAndError{2, 0.1}, CostAndError{1, 0.2}}),
+              testing::ElementsAre(true, false, false))
+      << "dearer and no better, or worse and no cheaper";
 }
 
 TEST(Choice, TheCheapestWithinTheTargetIsTaken) {

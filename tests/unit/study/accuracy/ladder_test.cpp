@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "io/project_file.hpp"
+#include "support/sample.hpp"
 
 namespace talus {
 namespace {
@@ -12,10 +12,6 @@ using testing::Contains;
 using testing::Field;
 using testing::HasSubstr;
 using testing::SizeIs;
-
-Project sample(const std::string& name) {
-  return read_project(std::string(TALUS_SOURCE_DIR) + "/samples/" + name + "/" + name + ".talus");
-}
 
 std::vector<std::string> labels(const Ladder& ladder) {
   std::vector<std::string> labels;

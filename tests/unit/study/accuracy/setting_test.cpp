@@ -3,15 +3,11 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "io/project_file.hpp"
 #include "study/accuracy/setting_json.hpp"
+#include "support/sample.hpp"
 
 namespace talus {
 namespace {
-
-Project sample(const std::string& name) {
-  return read_project(std::string(TALUS_SOURCE_DIR) + "/samples/" + name + "/" + name + ".talus");
-}
 
 TEST(Setting, TheProjectsOwnGivesItBack) {
   for (const char* name : {"free_fall", "incline_slide", "wedge", "block_ladder", "jiweishan"}) {

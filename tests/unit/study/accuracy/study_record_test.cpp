@@ -5,9 +5,9 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "base/temporary_folder.hpp"
 #include "io/whole_file.hpp"
 #include "study/accuracy/accuracy_files.hpp"
-#include "study/temporary_folder.hpp"
 
 namespace talus {
 namespace {
@@ -72,11 +72,11 @@ TEST_F(StudyRecordTest, IsReadFromItsJsonAloneWithAllButTheProject) {
 TEST_F(StudyRecordTest, ChoosesAnewForAnotherTarget) {
   AccuracyStudy study = read_study(folder_.path() / "fall.accuracy")->study;
   EXPECT_EQ(study.recommended, -1);
-  aim_at(study, 1e3);
+  set_target(study, 1e3);
   ASSERT_GE(study.recommended, 0);
   for (const AccuracyRow& row : study.rows)
     EXPECT_LE(study.rows[static_cast<std::size_t>(study.recommended)].run->cpu_seconds, row.run->cpu_seconds);
-  aim_at(study, std::nullopt);
+  set_target(study, std::nullopt);
   EXPECT_EQ(study.recommended, -1);
 }
 

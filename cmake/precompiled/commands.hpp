@@ -1,0 +1,5 @@
+// The same for the command line.
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "core.hpp"

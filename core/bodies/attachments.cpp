@@ -1,0 +1,174 @@
+#include "bodies/attachments.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "bodies/finite_rotation.hpp"
+
+namespace talus {
+
+void Attachments::clear() {
+  points_.clear();
+  terms_.clear();
+  turns_.clear();
+}
+
+void Attachments::add_term(int first, int dof_block, double weight) {
+  for (std::size_t i = first; i < terms_.size(); ++i)
+    if (terms_[i].dof_block == dof_block) {
+      terms_[i].weight += weight;
+      return;
+    }
+  terms_.push_back({dof_block, weight});
+}
+
+void Attachments::add_turn(int first, const RigidBody& rigid, int node, double weight) {
+  const Vec3 arm = weight * (set_.nodes.position[node] - set_.nodes.position[rigid.centre]);
+  for (std::size_t i = first; i < turns_.size(); ++i)
+    if (turns_[i].dof_block == rigid.rotation_dof_block) {
+      turns_[i].arm += arm;
+      return;
+    }
+  turns_.push_back({.dof_block = rigid.rotation_dof_block, .radius = rigid.radius, .arm = arm});
+}
+
+void Attachments::add(std::span<const int> nodes, std::span<const double> weights) {
+  Point point{static_cast<int>(terms_.size()), 0, static_cast<int>(turns_.size()), 0, Vec3::Zero()};
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const int node = nodes[k];
+    const double weight = weights[k];
+    const Body& body = set_.bodies[set_.nodes.body[node]];
+    if (body.fixed) {
+      point.held += weight * set_.nodes.prescribed[node];
+    } else if (body.kind == BodyKind::tetrahedra) {
+      add_term(point.term_begin, set_.nodes.dof_block[node], weight);
+    } else if (body.kind == BodyKind::affine) {
+      const auto& carried = set_.carried[node - body.first_node + body.first_carried];
+      for (int c = 0; c < 4; ++c)
+        add_term(point.term_begin, set_.nodes.dof_block[body.first_control_node + c], weight * carried[c]);
+    } else {
+      const RigidBody& rigid = set_.rigid[body.rigid];
+      add_term(point.term_begin, set_.nodes.dof_block[rigid.centre], weight);
+      add_turn(point.turn_begin, rigid, node, weight);
+    }
+  }
+  point.term_end = static_cast<int>(terms_.size());
+  point.turn_end = static_cast<int>(turns_.size());
+  points_.push_back(point);
+}
+
+const Vec3& Attachments::moved_by(const Turn& turn, const Increment& d) {
+  const auto unknowns = d.segment<3>(3 * turn.dof_block);
+  if (unknowns == turn.unknowns) return turn.moved;
+  turn.unknowns = unknowns;
+  const Vec3 theta = turn.unknowns / turn.radius;
+  const double angle = theta.norm();
+  turn.moved = turn_of(theta, turn.arm);
+  turn.stretch = angle > 0 ? cayley_vector(theta).norm() / angle : 1;
+  return turn.moved;
+}
+
+Vec3 Attachments::lever_at(const Turn& turn, const Increment& d, Arms arms) {
+  const Vec3& moved = moved_by(turn, d);
+  return arms == Arms::mean ? Vec3(turn.stretch * (turn.arm + 0.5 * moved)) : Vec3(turn.arm + moved);
+}
+
+Vec3 Attachments::increment(int index, const Increment& d) const {
+  const Point& point = points_[index];
+  Vec3 u = point.held;
+  for (int i = point.term_begin; i < point.term_end; ++i) u += terms_[i].weight * d.segment<3>(3 * terms_[i].dof_block);
+  for (int i = point.turn_begin; i < point.turn_end; ++i) u += moved_by(turns_[i], d);
+  return u;
+}
+
+double Attachments::farthest_against(int index, const Increment& d, const Vec3& direction,
+                                     const Eigen::VectorXd& change) const {
+  const Point& point = points_[index];
+  double sum = 0;
+  for (int i = point.term_begin; i < point.term_end; ++i)
+    sum += std::min(0.0, terms_[i].weight * direction.dot(change.segment<3>(3 * terms_[i].dof_block)));
+  for (int i = point.turn_begin; i < point.turn_end; ++i) {
+    const Vec3 theta = change.segment<3>(3 * turns_[i].dof_block) / turns_[i].radius;
+    sum += std::min(0.0, direction.dot(theta.cross(arm_at(turns_[i], d))));
+  }
+  return sum;
+}
+
+void Attachments::join_dof_blocks(int index, DisjointSets& together) const {
+  const Point& point = points_[index];
+  int first = -1;
+  const auto join = [&](int dof_block) {
+    if (first < 0) first = dof_block;
+    together.join(first, dof_block);
+  };
+  for (int i = point.term_begin; i < point.term_end; ++i) join(terms_[i].dof_block);
+  for (int i = point.turn_begin; i < point.turn_end; ++i) join(turns_[i].dof_block);
+}
+
+void Attachments::add_force(int index, const Increment& d, const Vec3& force, Arms arms, Eigen::VectorXd& sum) const {
+  const Point& point = points_[index];
+  for (int i = point.term_begin; i < point.term_end; ++i)
+    sum.segment<3>(3 * terms_[i].dof_block) += terms_[i].weight * force;
+  for (int i = point.turn_begin; i < point.turn_end; ++i)
+    sum.segment<3>(3 * turns_[i].dof_block) += lever_at(turns_[i], d, arms).cross(force) / turns_[i].radius;
+}
+
+void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const {
+  const Point& point = points_[index];
+  for (int a = point.term_begin; a < point.term_end; ++a)
+    for (int b = point.term_begin; b <= a; ++b)
+      sum.add(terms_[a].dof_block, terms_[b].dof_block, terms_[a].weight * terms_[b].weight * spring);
+  for (int a = point.turn_begin; a < point.turn_end; ++a) {
+    const Mat3 turned = cross_matrix(arm_at(turns_[a], d)) * spring / turns_[a].radius;  // (∂u/∂θ)ᵀ spring
+    for (int b = point.term_begin; b < point.term_end; ++b)
+      sum.add(turns_[a].dof_block, terms_[b].dof_block, terms_[b].weight * turned);
+    for (int b = point.turn_begin; b <= a; ++b)
+      sum.add(turns_[a].dof_block, turns_[b].dof_block,
+              -turned * cross_matrix(arm_at(turns_[b], d)) / turns_[b].radius);
+  }
+}
+
+void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const {
+  const Point& point = points_[index];
+  for (int a = point.term_begin; a < point.term_end; ++a) {
+    for (int b = point.term_begin; b < point.term_end; ++b)
+      sum.add(terms_[a].dof_block, terms_[b].dof_block, terms_[a].weight * terms_[b].weight * spring);
+    for (int b = point.turn_begin; b < point.turn_end; ++b) {
+      const Mat3 arm = cross_matrix(arm_at(turns_[b], d)) / turns_[b].radius;
+      sum.add(terms_[a].dof_block, turns_[b].dof_block, -terms_[a].weight * spring * arm);
+      sum.add(turns_[b].dof_block, terms_[a].dof_block, terms_[a].weight * arm * spring);
+    }
+  }
+  for (int a = point.turn_begin; a < point.turn_end; ++a)
+    for (int b = point.turn_begin; b < point.turn_end; ++b)
+      sum.add(turns_[a].dof_block, turns_[b].dof_block,
+              -cross_matrix(arm_at(turns_[a], d)) * spring * cross_matrix(arm_at(turns_[b], d)) /
+                  (turns_[a].radius * turns_[b].radius));
+}
+
+void Attachments::add_lever_difference(int index, const Increment& d, const Mat3& spring, Arms arms,
+                                       UnsymmetricBlocks& sum) const {
+  if (arms == Arms::end) return;
+  const Point& point = points_[index];
+  for (int a = point.turn_begin; a < point.turn_end; ++a) {
+    const Turn& turn = turns_[a];
+    const Mat3 left = cross_matrix(lever_at(turn, d, arms) - arm_at(turn, d)) * spring / turn.radius;
+    for (int b = point.term_begin; b < point.term_end; ++b)
+      sum.add(turn.dof_block, terms_[b].dof_block, terms_[b].weight * left);
+    for (int b = point.turn_begin; b < point.turn_end; ++b)
+      sum.add(turn.dof_block, turns_[b].dof_block, -left * cross_matrix(arm_at(turns_[b], d)) / turns_[b].radius);
+  }
+}
+
+void Attachments::add_turning(int index, const Increment& d, const Vec3& force, Arms arms,
+                              UnsymmetricBlocks& sum) const {
+  const Point& point = points_[index];
+  for (int i = point.turn_begin; i < point.turn_end; ++i) {
+    const Turn& turn = turns_[i];
+    const Vec3 arm = (arms == Arms::mean ? 0.5 * turn.stretch : 1) * arm_at(turn, d);
+    sum.add(turn.dof_block, turn.dof_block,
+            (arm * force.transpose() - arm.dot(force) * Mat3::Identity()) / (turn.radius * turn.radius));
+  }
+}
+
+}  // namespace talus

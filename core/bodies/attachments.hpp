@@ -1,0 +1,85 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/disjoint_sets.hpp"
+#include "bodies/body_set.hpp"
+#include "bodies/step_context.hpp"
+#include "linear/symmetric_blocks.hpp"
+#include "linear/unsymmetric_blocks.hpp"
+
+namespace talus {
+
+/// Points that are fixed to bodies, or differences of such points, as the unknowns of a step move them
+/// (docs/theory.md):
+///   u(D) = u₀ + Σ weight·D_block + Σ (exp(θ̂) − 1) arm  [m]
+/// with one term of the first kind a node of tetrahedra, four an affine body and one a rigid body, which has one of the
+/// second. u₀ is what nodes do that are moved by prescription. Contacts, loads and constraints know bodies by this
+/// alone.
+class Attachments {
+ public:
+  explicit Attachments(const BodySet& set) : set_(set) {}
+
+  /// Forgets all points.
+  void clear();
+  /// A point at Σ weight·node: the bodies stand at the start of the step. Points are numbered from 0.
+  void add(std::span<const int> nodes, std::span<const double> weights);
+  int size() const { return static_cast<int>(points_.size()); }
+
+  /// u(D) [m].
+  Vec3 increment(int point, const Increment& d) const;
+  /// sum += Jᵀ force with J = ∂u/∂D, where rotations turn the body on from D (BodySet::advance), or with the mean of J
+  /// over the step: a force on the point, as forces and moments on the bodies [N].
+  void add_force(int point, const Increment& d, const Vec3& force, Arms arms, Eigen::VectorXd& sum) const;
+  /// sum += Jᵀ spring J [N/m]; `spring` is symmetric.
+  void add_spring(int point, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const;
+  /// The same for a matrix that is not symmetric.
+  void add_spring(int point, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const;
+  /// sum += ∂/∂D of what add_force adds, at a constant force: the arms of turning bodies change [N/m].
+  void add_turning(int point, const Increment& d, const Vec3& force, Arms arms, UnsymmetricBlocks& sum) const;
+  /// With mean arms: what sum += Jᵀ spring J of a spring at the point lacks, since Jᵀ has other arms than J [N/m]. With
+  /// those at the end, nothing.
+  void add_lever_difference(int point, const Increment& d, const Mat3& spring, Arms arms, UnsymmetricBlocks& sum) const;
+  /// Whether some point lies on a rigid body: else add_turning adds nothing.
+  bool any_turns() const { return !turns_.empty(); }
+  /// The most negative change of direction·u that there can be when each degree-of-freedom block goes on from D by a
+  /// fraction of its own, 0 to 1, of `change`, to first order in the change [m].
+  double farthest_against(int point, const Increment& d, const Vec3& direction, const Eigen::VectorXd& change) const;
+  /// The degree-of-freedom blocks that move the point belong together.
+  void join_dof_blocks(int point, DisjointSets& together) const;
+  /// force·u₀ [J].
+  double work_on_held(int point, const Vec3& force) const { return force.dot(points_[point].held); }
+
+ private:
+  struct Term {
+    int dof_block;
+    double weight;
+  };
+  struct Turn {
+    int dof_block;
+    double radius;  // m
+    Vec3 arm;       // m, at the start of the step, times the weights
+    // Every contact effect asks for the same few D one after the other: the last one's answer is kept.
+    mutable Vec3 unknowns = Vec3::Zero();  // radius·θ
+    mutable Vec3 moved = Vec3::Zero();     // (exp(θ̂) − 1) arm
+    mutable double stretch = 1;            // tan(|θ|/2) over |θ|/2
+  };
+  struct Point {
+    int term_begin, term_end, turn_begin, turn_end;
+    Vec3 held;
+  };
+  void add_term(int first, int dof_block, double weight);
+  void add_turn(int first, const RigidBody& rigid, int node, double weight);
+  static const Vec3& moved_by(const Turn& turn, const Increment& d);
+  static Vec3 arm_at(const Turn& turn, const Increment& d) { return turn.arm + moved_by(turn, d); }
+  /// With which a force turns the body.
+  static Vec3 lever_at(const Turn& turn, const Increment& d, Arms arms);
+
+  const BodySet& set_;
+  std::vector<Point> points_;
+  std::vector<Term> terms_;
+  std::vector<Turn> turns_;
+};
+
+}  // namespace talus

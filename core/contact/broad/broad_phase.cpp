@@ -1,0 +1,187 @@
+#include "contact/broad/broad_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/surface.hpp"
+
+namespace talus {
+namespace {
+
+// The margin of a search for facets lasts so many steps at the pace of both bodies, within these fractions of the
+// mesh size. Wider: fewer searches, but more pairs to filter in every step.
+constexpr double steps_ahead = 20, least_margin = 0.05, most_margin = 0.2;
+// Of what a pair has gone and is away: left for the rounding of sums.
+constexpr double rounding = 1e-12;
+
+}  // namespace
+
+BroadPhase::BroadPhase(const ContactFeatures& features, std::span<const ContactBody> bodies,
+                       const ContactSettings& settings, ContactWork& work)
+    : features_(features),
+      asleep_(bodies.size(), 0),
+      settings_(settings),
+      odometers_(bodies.size()),
+      facets_(features, odometers_),
+      neighbours_(bodies.size()),
+      is_taken_(features.facets.size(), 0),
+      work_(work) {
+  set_bodies(bodies);
+}
+
+void BroadPhase::set_bodies(std::span<const ContactBody> bodies) {
+  bodies_.assign(bodies.begin(), bodies.end());
+  largest_size_ = 0;
+  for (const ContactBody& b : bodies) {
+    if (!b.fixed) largest_size_ = std::max(largest_size_, b.surface->size);
+  }
+  for (int b = 0; b < static_cast<int>(bodies.size()); ++b) stand(b);
+  for (int p : listed_) begin(pairs_[p]);  // scales are others now
+}
+
+void BroadPhase::set_asleep(int body, bool asleep) {
+  if (static_cast<bool>(asleep_[body]) == asleep) return;
+  asleep_[body] = asleep;
+  stand(body);
+}
+
+void BroadPhase::stand(int body) {
+  const double widest = bodies_[body].fixed ? largest_size_ : bodies_[body].surface->size;
+  neighbours_.set(body, {settings_.tolerances.largest_depth * widest, bodies_[body].surface->size, rests(body)});
+}
+
+void BroadPhase::moved(int body, double displacement) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  odometers_.add(body, displacement + epsilon * facets_.farthest_coordinate(body));
+}
+
+void BroadPhase::read_motion(std::span<const Vec3> x) {
+  for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
+    const auto nodes = static_cast<int>(bodies_[b].surface->ring.size());
+    if (!asleep_[b]) odometers_.read(b, bodies_[b].first_node, nodes, x);
+  }
+}
+
+PairScale BroadPhase::scale(int body_a, int body_b) const {
+  double size = std::numeric_limits<double>::infinity(), compliance = 0;
+  for (int b : {body_a, body_b}) {
+    if (bodies_[b].fixed) continue;
+    size = std::min(size, bodies_[b].surface->size);
+    compliance += 1 / bodies_[b].young;
+  }
+  return {size, settings_.stiffness / (compliance * size)};
+}
+
+double BroadPhase::search_distance(int body_a, int body_b, double reach) const {
+  return std::max(reach, settings_.tolerances.largest_depth * scale(body_a, body_b).size);
+}
+
+int BroadPhase::new_pair(int body_a, int body_b) {
+  if (free_.empty()) {
+    free_.push_back(static_cast<int>(pairs_.size()));
+    pairs_.emplace_back();
+  }
+  const int number = free_.back();
+  free_.pop_back();
+  pairs_[number].a = body_a, pairs_[number].b = body_b;
+  begin(pairs_[number]);
+  return number;
+}
+
+void BroadPhase::begin(BodyPair& pair) const {
+  pair.depth = search_distance(pair.a, pair.b, 0);
+  pair.search_at = -1;
+}
+
+/// Pairs that stay neighbours keep what they have found.
+void BroadPhase::list_neighbours() {
+  const auto bodies = [&](int p) { return std::pair(pairs_[p].a, pairs_[p].b); };
+  std::size_t kept = 0, next = 0;
+  new_.clear();
+  for (const auto& pair : neighbours_.pairs()) {
+    while (next < listed_.size() && bodies(listed_[next]) < pair) free_.push_back(listed_[next++]);
+    if (next < listed_.size() && bodies(listed_[next]) == pair) {
+      listed_[kept++] = listed_[next++];
+    } else {
+      new_.push_back(pair);
+    }
+  }
+  free_.insert(free_.end(), listed_.begin() + static_cast<long>(next), listed_.end());
+  listed_.resize(kept);
+  for (const auto& [a, b] : new_) listed_.push_back(new_pair(a, b));
+  std::sort(listed_.begin(), listed_.end(), [&](int p, int q) { return bodies(p) < bodies(q); });
+}
+
+/// How far apart the bodies' boxes are, or at the least are if that is more than `worthwhile`.
+double BroadPhase::distance_of(const BodyPair& pair, double worthwhile, std::span<const Vec3> x) {
+  ++work_.body_pairs;
+  const auto apart = [&] { return facets_.box_of(pair.a).apart(facets_.box_of(pair.b)); };
+  const double least = apart() - facets_.gone_since(pair.a) - facets_.gone_since(pair.b);
+  if (least > worthwhile) return least;
+  facets_.refit(pair.a, x);
+  facets_.refit(pair.b, x);
+  return apart();
+}
+
+void BroadPhase::search(BodyPair& pair, std::span<const Vec3> x, double distance) {
+  const double size = scale(pair.a, pair.b).size, displacement = odometers_.pace(pair.a) + odometers_.pace(pair.b);
+  const double margin = std::clamp(steps_ahead * displacement, least_margin * size, most_margin * size);
+  const double apart = distance_of(pair, distance + margin, x);
+  const auto when_within = [&](double d) { return (gone(pair) + d) * (1 - rounding); };
+  pair.candidates.clear();
+  pair.facets.clear();
+  if (apart > distance + margin) {
+    pair.search_at = pair.filter_at = when_within(apart);
+    return;
+  }
+  found_.clear();
+  facets_.pairs_within(pair.a, pair.b, distance + margin, found_);
+  std::sort(found_.begin(), found_.end());
+  take_candidates(pair);
+  pair.search_at = when_within(distance + margin);
+  pair.filter_at = pair.candidates.empty() ? pair.search_at : -1;
+  ++work_.searches;
+  work_.facet_pairs_searched += static_cast<long>(found_.size());
+}
+
+void BroadPhase::take_candidates(BodyPair& pair) {
+  if (pair.candidates.capacity() < found_.size()) pair.candidates.reserve(2 * found_.size());  // once, as they slide on
+  if (pair.facets.capacity() < found_.size()) pair.facets.reserve(2 * found_.size());
+  for (const auto& [f, g] : found_) {
+    pair.candidates.push_back({f, g});
+    for (int facet : {f, g}) {
+      if (!is_taken_[facet]) pair.facets.push_back(facet);
+      is_taken_[facet] = 1;
+    }
+  }
+  for (int facet : pair.facets) is_taken_[facet] = 0;
+}
+
+void BroadPhase::filter(BodyPair& pair, std::span<const Vec3> x, double distance) {
+  for (int f : pair.facets) facets_.refresh(f, x);
+  work_.facet_pairs += static_cast<long>(pair.candidates.size());
+  const std::size_t first = near_.size();
+  for (const FacetPair& f : pair.candidates) {
+    if (facets_.box(f.a).within(facets_.box(f.b), distance)) near_.push_back(f);
+  }
+  if (near_.size() > first) return;
+  double apart = std::numeric_limits<double>::infinity();
+  for (const FacetPair& f : pair.candidates) apart = std::min(apart, facets_.box(f.a).apart(facets_.box(f.b)));
+  pair.filter_at = std::min(pair.search_at, (gone(pair) + apart) * (1 - rounding));
+}
+
+std::span<const FacetPair> BroadPhase::find(std::span<const Vec3> x, double reach) {
+  if (neighbours_.follow(x, reach, odometers_, facets_)) list_neighbours();
+  near_.clear();
+  for (int p : listed_) {
+    BodyPair& pair = pairs_[p];
+    const double distance = std::max(reach, pair.depth), now = gone(pair) + distance;
+    if (!(now <= pair.search_at)) search(pair, x, distance);
+    if (!(now <= pair.filter_at)) filter(pair, x, distance);
+  }
+  odometers_.have_seen();
+  return near_;
+}
+
+}  // namespace talus

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "contact/broad/neighbours.hpp"
+#include "contact/contact_settings.hpp"
+#include "contact/contact_work.hpp"
+
+namespace talus {
+
+/// What two bodies' contact is measured against.
+struct PairScale {
+  double size;       ///< m, the smaller mesh size; a fixed body does not count
+  double stiffness;  ///< Pa/m, κE*/h
+};
+
+/// A facet of the body with the lower number and one of the other.
+struct FacetPair {
+  int a, b;
+};
+
+/// Finds the pairs of facets whose boxes are near each other. Work follows motion: neighbouring bodies are sought when
+/// one has left the box it was given, facets of two bodies when these have gone further than the margin of their last
+/// search, and pairs of facets found are looked at only where one may be near by now.
+class BroadPhase {
+ public:
+  /// Counts what it looks at in `work`; this and the features outlive it.
+  BroadPhase(const ContactFeatures& features, std::span<const ContactBody> bodies, const ContactSettings& settings,
+             ContactWork& work);
+
+  /// Some bodies are held from now on, or no longer.
+  void set_bodies(std::span<const ContactBody> bodies);
+  /// A body falls asleep or wakes. Scales do not change.
+  void set_asleep(int body, bool asleep);
+
+  /// No node of the body moved by more than `displacement` [m] since this was said last. Before find(), everything that
+  /// moved must be told of, or …
+  void moved(int body, double displacement);
+  /// … read off the positions, which costs a look at all nodes of bodies that are not asleep.
+  void read_motion(std::span<const Vec3> x);
+
+  /// Pairs of facets whose boxes are within the search distance of their bodies at positions x; sorted by bodies and
+  /// then by facets. What is found does not depend on earlier calls. Two fixed bodies have none, nor have two of which
+  /// one is asleep and the other asleep or fixed.
+  std::span<const FacetPair> find(std::span<const Vec3> x, double reach);
+
+  /// How far apart the features of two bodies may lie and yet touch: the reach outside, the depth inside.
+  double search_distance(int body_a, int body_b, double reach) const;
+  PairScale scale(int body_a, int body_b) const;
+
+  /// Unit normals of the facets at the last positions; only those of facets in the pairs found are up to date.
+  std::span<const Vec3> normals() const { return facets_.normals(); }
+
+ private:
+  /// Two bodies that are neighbours. Whether something is to be done is asked of how far both have gone together, plus
+  /// the search distance.
+  struct BodyPair {
+    int a, b;
+    double depth;  // m, the search distance without a reach
+    double search_at, filter_at;
+    std::vector<FacetPair> candidates;  // sorted
+    std::vector<int> facets;            // among the candidates
+  };
+  double gone(const BodyPair& pair) const { return odometers_.travelled(pair.a) + odometers_.travelled(pair.b); }
+  bool rests(int body) const { return bodies_[body].fixed || asleep_[body]; }
+  void stand(int body);
+  void list_neighbours();
+  int new_pair(int body_a, int body_b);
+  void begin(BodyPair& pair) const;
+  double distance_of(const BodyPair& pair, double worthwhile, std::span<const Vec3> x);
+  void search(BodyPair& pair, std::span<const Vec3> x, double distance);
+  void take_candidates(BodyPair& pair);
+  void filter(BodyPair& pair, std::span<const Vec3> x, double distance);
+
+  const ContactFeatures& features_;
+  std::vector<ContactBody> bodies_;
+  std::vector<char> asleep_;
+  ContactSettings settings_;
+  double largest_size_ = 0;  // m, of bodies that are not fixed
+
+  Odometers odometers_;
+  FacetBoxes facets_;
+  Neighbours neighbours_;
+  std::vector<BodyPair> pairs_;     // in no order, with the lists of former pairs for new ones
+  std::vector<int> listed_, free_;  // numbers of pairs_: neighbours in order; unused
+  std::vector<std::pair<int, int>> new_, found_;
+  std::vector<char> is_taken_;  // a facet
+  std::vector<FacetPair> near_;
+  ContactWork& work_;
+};
+
+}  // namespace talus

@@ -1,0 +1,88 @@
+#include "contact/broad/neighbours.hpp"
+
+#include <algorithm>
+
+namespace talus {
+namespace {
+
+constexpr double steps_in_box = 32;       // at its pace a body stays in its box for so many steps …
+constexpr double least_box_margin = 0.1;  // … and at least for this fraction of its mesh size
+constexpr double spared = 0.999;          // of the margin; what is left is for rounding
+constexpr double reach_allowance = 2;     // the reach planned for, of the one that asks for a plan
+constexpr double reach_forgotten = 16;    // a plan for so many times the reach is too wide
+
+}  // namespace
+
+void Neighbours::make_due(int body) {
+  if (!bodies_[body].is_due) due_.push_back(body);
+  bodies_[body].is_due = true;
+}
+
+void Neighbours::set(int body, const Stance& stance) {
+  bodies_[body].stance = stance;
+  make_due(body);
+}
+
+void Neighbours::plan_for(double reach) {
+  if (reach <= planned_reach_ && reach_forgotten * reach >= planned_reach_) return;
+  planned_reach_ = reach_allowance * reach;
+  for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
+    if (!bodies_[b].stance.rests) make_due(b);
+  }
+}
+
+void Neighbours::give_box(int body, std::span<const Vec3> x, const Odometers& odometers, FacetBoxes& facets) {
+  Body& b = bodies_[body];
+  if (odometers.travelled(body) <= b.leaves_at) return;
+  facets.refit(body, x);
+  const double margin = std::max(least_box_margin * b.stance.size, steps_in_box * odometers.pace(body));
+  boxes_[body] = facets.box_of(body);
+  boxes_[body].widen(margin);
+  b.leaves_at = odometers.travelled(body) + spared * margin;
+  reboxed_.push_back(body);
+}
+
+void Neighbours::rebuild_or_refit() {
+  refitted_ += reboxed_.size();
+  if (refitted_ >= bodies_.size()) {  // so that a tree whose bodies have gone apart costs no more than to build it
+    tree_.build(boxes_);
+    refitted_ = 0;
+  } else {
+    for (int b : reboxed_) tree_.refit(b, boxes_);
+  }
+}
+
+void Neighbours::find_pairs() {
+  fresh_.clear();
+  for (int b : due_) {
+    found_.clear();
+    const Stance& own = bodies_[b].stance;
+    tree_.within(boxes_[b], std::max(planned_reach_, own.least_distance), boxes_, stack_, found_);
+    for (int other : found_) {
+      if (other != b && !(own.rests && bodies_[other].stance.rests)) fresh_.push_back(std::minmax(b, other));
+    }
+  }
+  std::sort(fresh_.begin(), fresh_.end());
+  fresh_.erase(std::unique(fresh_.begin(), fresh_.end()), fresh_.end());
+  std::erase_if(pairs_, [&](const auto& pair) { return bodies_[pair.first].is_due || bodies_[pair.second].is_due; });
+  pairs_.insert(pairs_.end(), fresh_.begin(), fresh_.end());
+  std::sort(pairs_.begin(), pairs_.end());
+}
+
+bool Neighbours::follow(std::span<const Vec3> x, double reach, const Odometers& odometers, FacetBoxes& facets) {
+  boxes_.resize(bodies_.size());
+  plan_for(reach);
+  for (int b : odometers.moved()) {
+    if (!(odometers.travelled(b) <= bodies_[b].leaves_at)) make_due(b);
+  }
+  if (due_.empty()) return false;
+  reboxed_.clear();
+  for (int b : due_) give_box(b, x, odometers, facets);
+  rebuild_or_refit();
+  find_pairs();
+  for (int b : due_) bodies_[b].is_due = false;
+  due_.clear();
+  return true;
+}
+
+}  // namespace talus

@@ -1,0 +1,409 @@
+#include "contact/detection/contact_detector.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "contact/body_width.hpp"
+#include "contact/broad/broad_phase.hpp"
+#include "contact/contact_features.hpp"
+#include "contact/history/contact_memory.hpp"
+#include "contact/history/coupling.hpp"
+#include "contact/narrow/edge_edge_search.hpp"
+#include "contact/narrow/face_face_search.hpp"
+#include "contact/narrow/facet_wise_search.hpp"
+#include "contact/narrow/updated_normal.hpp"
+#include "contact/narrow/vertex_face_search.hpp"
+#include "contact/narrow/vertex_vertex_search.hpp"
+
+namespace talus {
+namespace {
+
+/// Of the size: pairs of facets that are farther than the reach by less are kept, for two measures of one gap
+/// differ by rounding. What is kept for nothing is found to be no contact.
+constexpr double reach_slack = 1e-9;
+
+}  // namespace
+
+struct ContactDetector::State {
+  State(std::vector<ContactBody> b, std::vector<JointLaw> l, std::vector<std::vector<int>> joints, ContactSettings s)
+      : bodies(std::move(b)),
+        laws(std::move(l)),
+        pair_joint(std::move(joints)),
+        settings(s),
+        features(bodies),
+        broad(features, bodies, settings, work),
+        memory(bodies.size(), s.model == ContactModel::facet_wise, s.tolerances),
+        coupling(features),
+        asleep(bodies.size(), 0),
+        penetration(bodies.size(), 0.0),
+        moved(bodies.size(), 0),
+        found(s.tolerances.least_stencil_weight),
+        ahead(s.tolerances.least_stencil_weight) {}
+
+  bool rests(int body) const { return bodies[body].fixed || asleep[body]; }
+  bool joints_bond() const;
+  double bond_reach() const;
+  void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach);
+  void measure_bodies(std::span<const Vec3> x);
+  StepGeometry look(std::span<const Vec3> x, double reach);
+  void find_points(std::span<const Vec3> x, double reach);
+  bool is_given(std::uint64_t key) const;
+  double initial_interference(const FoundPoint& found, double normal_stiffness) const;
+  ContactPoint complete(const FoundPoint& found, bool& known) const;
+  void complete_all(ContactSet& contacts);
+  void bond(std::span<ContactPoint> points) const;
+  void weaken_broken(std::span<ContactPoint> points) const;
+  void write(double reach, ContactSet& contacts);
+  void change_rest(std::span<const int> changed);
+
+  std::vector<ContactBody> bodies;
+  std::vector<JointLaw> laws;
+  std::vector<std::vector<int>> pair_joint;
+  ContactSettings settings;
+  ContactFeatures features;
+  ContactWork work;
+  BroadPhase broad;
+  FacetWiseSearch facet_wise;
+  FaceFaceSearch face_face;
+  VertexFaceSearch vertex_face;
+  EdgeEdgeSearch edge_edge;
+  VertexVertexSearch vertex_vertex;
+  ContactMemory memory;
+  Coupling coupling;
+  std::vector<char> asleep;         // a body
+  std::vector<double> penetration;  // m, a movable body: the deepest of the last step
+  std::vector<double> widths;       // m, a body, as it was seen first
+  std::vector<double> first_areas;  // m², a facet, as it was seen first
+  std::vector<int> pressed;         // bodies whose penetration the next step may change
+  std::vector<char> moved;          // a body: it took part in a step and neither was fixed nor asleep
+  bool all_have_moved = false;      // that are free to
+
+  /// Where a point comes from.
+  struct Origin {
+    int found;
+    bool known;  // it goes on from a former one
+  };
+  std::vector<FacetPair> near;
+  FoundPoints found, ahead;
+  std::vector<MissedContact> missed;
+  std::vector<Origin> origins;
+  std::vector<std::uint64_t> families;  // of the points handed out
+};
+
+ContactDetector::ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws,
+                                 std::vector<std::vector<int>> pair_joint, ContactSettings settings)
+    : state_(std::make_unique<State>(std::move(bodies), std::move(laws), std::move(pair_joint), settings)) {}
+
+ContactDetector::~ContactDetector() = default;
+
+bool ContactDetector::State::joints_bond() const {
+  return std::any_of(laws.begin(), laws.end(),
+                     [](const JointLaw& law) { return law.cohesion > 0 || law.tensile_strength > 0; });
+}
+
+/// A bond of a soft joint holds over a gap that no step's displacement would reach.
+double ContactDetector::State::bond_reach() const {
+  double widest = 0;
+  for (const JointLaw& law : laws) {
+    if (law.normal_stiffness > 0) widest = std::max(widest, law.tensile_strength / law.normal_stiffness);
+  }
+  return widest;
+}
+
+/// The planes of both facets tell most of the pairs that are apart; the boxes know it only along the axes.
+void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach) {
+  near.clear();
+  const std::span<const Vec3> normals = broad.normals();
+  const auto apart = [&](int facet, int from, double distance) {
+    const auto &n = features.facets[facet].nodes, &m = features.facets[from].nodes;
+    const Vec3 &normal = normals[from], &origin = x[m[0]];
+    const double h0 = normal.dot(x[n[0]] - origin), h1 = normal.dot(x[n[1]] - origin),
+                 h2 = normal.dot(x[n[2]] - origin);
+    return std::min({h0, h1, h2}) > distance || std::max({h0, h1, h2}) < -distance;
+  };
+  int body_a = -1, body_b = -1;
+  double distance = 0;
+  for (const FacetPair& pair : pairs) {
+    const int a = features.facets[pair.a].body, b = features.facets[pair.b].body;
+    if (a != body_a || b != body_b) {
+      body_a = a, body_b = b;
+      distance = broad.search_distance(a, b, reach) + reach_slack * broad.scale(a, b).size;
+    }
+    if (!apart(pair.a, pair.b, distance) && !apart(pair.b, pair.a, distance)) near.push_back(pair);
+  }
+}
+
+void ContactDetector::State::measure_bodies(std::span<const Vec3> x) {
+  for (const ContactBody& body : bodies) widths.push_back(least_width(body, x));
+  for (const ContactFacet& facet : features.facets) first_areas.push_back(facet_area(facet, x));
+}
+
+/// Fills `near` with the pairs of facets that may touch.
+StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach) {
+  keep_near_pairs(broad.find(x, reach), x, reach);
+  return {.features = features,
+          .broad = broad,
+          .x = x,
+          .normals = broad.normals(),
+          .penetration = penetration,
+          .widths = widths,
+          .first_areas = first_areas,
+          .tolerances = settings.tolerances,
+          .reach = reach,
+          .moved = moved,
+          .memory = memory,
+          .work = work};
+}
+
+void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
+  if (widths.empty()) measure_bodies(x);
+  const StepGeometry step = look(x, reach);
+  found.clear();
+  if (settings.model == ContactModel::facet_wise) {
+    facet_wise.find(step, near, found);
+  } else {
+    face_face.find(step, near, found);
+    vertex_face.find(step, near, found);
+    edge_edge.find(step, near, vertex_face, found);
+    vertex_vertex.find(
+        step, near, [&](std::uint64_t key) { return memory.remembers(key); }, found);
+  }
+  std::sort(found.points.begin(), found.points.end(),
+            [](const FoundPoint& p, const FoundPoint& q) { return p.key < q.key; });
+}
+
+/// A contact that is found deep was there before and was missed, where one feature takes over from another. It goes on
+/// from what another contact did there in the last step, and pushes against what comes on top: pushing back all of it
+/// would make energy from nothing.
+double ContactDetector::State::initial_interference(const FoundPoint& f, double normal_stiffness) const {
+  return f.gap < 0 ? std::max(0.0, -f.gap - memory.known_compression(f, normal_stiffness)) : 0;
+}
+
+ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) const {
+  ContactPoint p{};
+  p.key = f.key;
+  for (int k = 0; k < 2; ++k) {
+    p.bodies[k] = f.bodies[k];
+    p.smooth_faces[k] = f.smooth_faces[k];
+  }
+  p.joint = f.joint >= 0 ? f.joint : pair_joint[p.bodies[0]][p.bodies[1]];
+  p.position = f.position;
+  p.normal = f.normal;
+  p.area = f.area;
+  const PairScale scale = broad.scale(p.bodies[0], p.bodies[1]);
+  p.size = scale.size;
+
+  const JointLaw& law = laws[p.joint];
+  const double loaded_area = f.area > 0 ? f.area : scale.size * scale.size;
+  const double normal = law.normal_stiffness > 0 ? law.normal_stiffness : scale.stiffness;
+  const double shear = law.shear_stiffness > 0 ? law.shear_stiffness : settings.shear_ratio * normal;
+  p.normal_stiffness = normal * loaded_area;
+  p.shear_stiffness = shear * loaded_area;
+  p.friction = law.friction;
+  p.restitution = law.restitution;
+
+  p.mode = f.gap > 0 ? ContactMode::open : ContactMode::stick;
+  p.shear_start = Vec3::Zero();
+  const auto past = memory.transferred_to(f, scale.size);
+  known = past.has_value();
+  if (past) {
+    p.bonded = past->bonded && f.area > 0;
+    p.mode = past->mode;
+    p.shear_start = past->shear;
+    p.multiplier = past->multiplier;
+    p.slip_start = past->slip;
+    p.initial_interference = past->initial_interference;
+    p.penalty_scaling = past->penalty_scaling;
+    p.normal_stiffness *= p.penalty_scaling;
+    p.shear_stiffness *= p.penalty_scaling;
+    // A vertex is stiffer than the corner of an area that it was: the same gap would push harder all of a sudden.
+    if (past->lost_area)
+      p.initial_interference = std::max(p.initial_interference, -f.gap - past->spring_force / p.normal_stiffness);
+  } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {
+    p.initial_interference = initial_interference(f, p.normal_stiffness);
+  }
+  p.gap = f.gap + p.initial_interference;
+  return p;
+}
+
+void ContactDetector::State::complete_all(ContactSet& contacts) {
+  origins.clear();
+  memory.transfer(found.points);
+  for (int i = 0; i < static_cast<int>(found.points.size()); ++i) {
+    if (found.points[i].dropped) continue;
+    Origin origin{i, false};
+    contacts.points.push_back(complete(found.points[i], origin.known));
+    origins.push_back(origin);
+  }
+  if (joints_bond() || memory.any_bonded()) bond(contacts.points);
+  if (memory.any_broken()) weaken_broken(contacts.points);
+}
+
+/// Bonds of joints that have just come to be, and the strength of all.
+void ContactDetector::State::bond(std::span<ContactPoint> points) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ContactPoint& p = points[i];
+    const JointLaw& law = laws[p.joint];
+    const bool is_new = !origins[i].known && !moved[p.bodies[0]] && !moved[p.bodies[1]];
+    if (is_new && p.area > 0)
+      p.bonded = (law.cohesion > 0 || law.tensile_strength > 0) && p.gap < settings.tolerances.bonded_gap * p.size;
+    if (!p.bonded) continue;
+    p.cohesion = law.cohesion * p.area;
+    p.tension = law.tensile_strength * p.area;
+  }
+}
+
+void ContactDetector::State::weaken_broken(std::span<ContactPoint> points) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ContactPoint& p = points[i];
+    if (!p.bonded && memory.ever_broken(found.points[origins[i].found].family))
+      p.friction = laws[p.joint].residual_friction;
+  }
+}
+
+void ContactDetector::State::write(double reach, ContactSet& contacts) {
+  contacts.clear();
+  families.clear();
+  complete_all(contacts);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    FoundPoint& f = found.points[origins[i].found];
+    ContactPoint& p = contacts.points[i];
+    f.dropped = !p.bonded && p.gap > reach;
+    if (f.dropped) continue;
+    p.stencil_begin = static_cast<int>(contacts.nodes.size());
+    contacts.nodes.insert(contacts.nodes.end(), found.nodes.begin() + f.stencil_begin,
+                          found.nodes.begin() + f.stencil_end);
+    contacts.weights.insert(contacts.weights.end(), found.weights.begin() + f.stencil_begin,
+                            found.weights.begin() + f.stencil_end);
+    p.stencil_end = static_cast<int>(contacts.nodes.size());
+    if (kept < i) contacts.points[kept] = p;
+    origins[kept] = origins[i];
+    ++kept;
+    families.push_back(f.family);
+  }
+  contacts.points.resize(kept);
+  origins.resize(kept);
+  contacts.sort_out();
+  work.points += static_cast<long>(kept);
+}
+
+void ContactDetector::detect(std::span<const Vec3> x, double reach, ContactSet& contacts) {
+  State& s = *state_;
+  if (!s.settings.motion_told) s.broad.read_motion(x);
+  s.find_points(x, std::max(reach, s.bond_reach()));
+  s.write(reach, contacts);
+  s.coupling.cover(s.found);
+}
+
+ContactDetector::UpdatedNormal ContactDetector::updated_normal(int point, const std::function<Vec3(int)>& start,
+                                                               const std::function<Vec3(int)>& end) const {
+  const FoundPoint& found = state_->found.points[state_->origins[point].found];
+  const Vec3 normal = talus::updated_normal(state_->features, found, start, end);
+  return {normal, normal.dot(found.normal) * found.gap};
+}
+
+bool ContactDetector::State::is_given(std::uint64_t key) const {
+  const auto same = std::lower_bound(found.points.begin(), found.points.end(), key,
+                                     [](const FoundPoint& p, std::uint64_t k) { return p.key < k; });
+  return same != found.points.end() && same->key == key && !same->dropped;
+}
+
+std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts(std::span<const Vec3> end,
+                                                                                 double reach, double tolerance) {
+  State& s = *state_;
+  s.missed.clear();
+  if (s.settings.model == ContactModel::facet_wise) return {};
+  if (!s.settings.motion_told) s.broad.read_motion(end);
+  const StepGeometry step = s.look(end, reach);
+  s.ahead.clear();
+  s.face_face.find(step, s.near, s.ahead);
+  s.vertex_face.find(step, s.near, s.ahead);
+  s.edge_edge.find(step, s.near, s.vertex_face, s.ahead);
+  for (const FoundPoint& point : s.ahead.points) {
+    const double depth = -point.gap / s.broad.scale(point.bodies[0], point.bodies[1]).size;
+    if (point.dropped || depth < tolerance || s.is_given(point.key)) continue;
+    s.missed.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth});
+  }
+  return s.missed;
+}
+
+void ContactDetector::moved(int body, double displacement) { state_->broad.moved(body, displacement); }
+
+const std::vector<std::pair<int, int>>& ContactDetector::coupled_nodes() const { return state_->coupling.pairs(); }
+
+std::uint64_t ContactDetector::coupling_generation() const { return state_->coupling.generation(); }
+
+void ContactDetector::accept(const ContactSet& contacts, std::span<const ContactOutcome> outcomes) {
+  State& s = *state_;
+  if (contacts.points.size() != s.families.size() || outcomes.size() != s.families.size()) {
+    throw std::logic_error("ContactDetector::accept: outcomes of another set of contacts");
+  }
+  s.memory.accept(contacts.points, s.families, outcomes);
+  s.vertex_vertex.accept();
+  for (int b = 0; !s.all_have_moved && b < static_cast<int>(s.bodies.size()); ++b) s.moved[b] |= !s.rests(b);
+  s.all_have_moved = true;
+  for (int body : s.pressed) s.penetration[body] = s.bodies[body].fixed ? 0 : s.memory.resting().deepest(body);
+  s.pressed.clear();
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (!(outcomes[i].gap < 0)) continue;
+    for (int body : contacts.points[i].bodies) {
+      if (s.bodies[body].fixed) continue;
+      s.penetration[body] = std::max(s.penetration[body], -outcomes[i].gap);
+      s.pressed.push_back(body);
+    }
+  }
+}
+
+void ContactDetector::set_laws(std::vector<JointLaw> laws) { state_->laws = std::move(laws); }
+
+/// What two bodies remember is put aside once both rest, and goes on when one does not any more.
+void ContactDetector::State::change_rest(std::span<const int> changed) {
+  for (int b : changed) features.set_movable(bodies[b], !rests(b));
+  memory.rest(changed, [&](int body) { return rests(body); });
+  for (const ContactHistory& history : memory.histories())
+    pressed.insert(pressed.end(), history.bodies.begin(), history.bodies.end());
+  families.clear();
+  all_have_moved = false;
+}
+
+void ContactDetector::set_fixed(const std::vector<bool>& fixed) {
+  State& s = *state_;
+  if (fixed.size() != s.bodies.size()) throw std::logic_error("ContactDetector::set_fixed: not one entry a body");
+  std::vector<int> changed;
+  for (int b = 0; b < static_cast<int>(fixed.size()); ++b) {
+    if (s.bodies[b].fixed != fixed[b]) changed.push_back(b);
+    s.bodies[b].fixed = fixed[b];
+  }
+  s.change_rest(changed);
+  s.broad.set_bodies(s.bodies);
+  s.coupling.clear();
+}
+
+void ContactDetector::set_asleep(const std::vector<char>& asleep) {
+  State& s = *state_;
+  if (asleep.size() != s.bodies.size()) throw std::logic_error("ContactDetector::set_asleep: not one entry a body");
+  std::vector<int> changed;
+  for (int b = 0; b < static_cast<int>(asleep.size()); ++b) {
+    if (static_cast<bool>(s.asleep[b]) == static_cast<bool>(asleep[b])) continue;
+    changed.push_back(b);
+    s.asleep[b] = asleep[b];
+    s.broad.set_asleep(b, asleep[b]);
+  }
+  if (changed.empty()) return;
+  s.change_rest(changed);
+  s.coupling.drop_immovable();
+}
+
+std::vector<RestingContact> ContactDetector::resting() const {
+  const State& s = *state_;
+  std::vector<RestingContact> rows;
+  s.memory.resting().list([&](int a, int b) { return !s.bodies[a].fixed || !s.bodies[b].fixed; }, rows);
+  return rows;
+}
+
+const ContactWork& ContactDetector::work() const { return state_->work; }
+
+const ContactTolerances& ContactDetector::tolerances() const { return state_->settings.tolerances; }
+
+}  // namespace talus

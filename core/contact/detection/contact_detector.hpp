@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "contact/contact_body.hpp"
+#include "contact/contact_point.hpp"
+#include "contact/contact_settings.hpp"
+#include "contact/contact_work.hpp"
+
+namespace talus {
+
+/// Finds the contact points of all bodies and remembers them from step to step (docs/contact.md).
+class ContactDetector {
+ public:
+  /// `laws`: one a joint. `pair_joint(a, b)`: the joint of two bodies' facets that lie on no common joint plane.
+  ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws, std::vector<std::vector<int>> pair_joint,
+                  ContactSettings settings);
+  ~ContactDetector();
+
+  /// Contact points at the positions x [m] (all bodies' nodes), for gaps up to `reach` [m]; bonded points also over
+  /// wider ones. The order is that of the keys. Points remember shear force, multiplier, slip, bond and mode by key, or
+  /// from the former points that they go on from (docs/contact.md, "Memory"). Until a step is accepted in which one of
+  /// the two bodies could move, their face–face points that touch are bonded if the joint has cohesion or tension. May
+  /// be called again with other positions before accept(): nothing is remembered but by that.
+  /// What this costs follows what moves: bodies that are apart are not looked at until they may have come near.
+  void detect(std::span<const Vec3> x, double reach, ContactSet& contacts);
+
+  /// The normal of a contact once its features have turned.
+  struct UpdatedNormal {
+    Vec3 normal;
+    double gap;  ///< m, at the positions of detect(), along that normal; the initial interference is in it
+  };
+  /// Of a point of what detect() gave last, found with nodes at `start` [m], when they will be at `end` [m].
+  UpdatedNormal updated_normal(int point, const std::function<Vec3(int node)>& start,
+                               const std::function<Vec3(int node)>& end) const;
+
+  /// A contact that detect() could not give: as its features stand at the start, none could touch there.
+  struct MissedContact {
+    int bodies[2];
+    Vec3 position;  ///< m, on the first body
+    double depth;   ///< of the mesh size
+  };
+  /// Contacts deeper than `tolerance` of their mesh size once the nodes are at `end` [m], other than those that
+  /// detect() gave last; vertex–vertex contacts are not looked for, nor is anything in the facet-wise model. Motion
+  /// must be told of before, with settings for that, and again if the nodes go back.
+  std::span<const MissedContact> missed_contacts(std::span<const Vec3> end, double reach, double tolerance);
+
+  /// No node of the body moved by more than `displacement` [m] since this was said last, or since the start: for
+  /// settings with `motion_told`, once for every body that moved at all before detect() sees its new positions. Fixed
+  /// bodies may move too (prescribed motion).
+  void moved(int body, double displacement);
+
+  /// Pairs of nodes (i < j, of bodies that are neither fixed nor asleep; also of one body, where corners merge) that
+  /// the contacts couple or may soon: the sparse pattern is planned for them. Sorted. All nodes of a single body (rigid
+  /// or affine) are meant by its first, its handle: no pair lies within such a body.
+  const std::vector<std::pair<int, int>>& coupled_nodes() const;
+
+  /// Counts the changes of coupled_nodes(): while it stays the same, so does the pattern.
+  std::uint64_t coupling_generation() const;
+
+  /// Takes the outcomes of an accepted step, one for each point of `contacts`, which must be what detect() gave last,
+  /// with the modes of the last iterate. Throws std::logic_error if their numbers differ, or if bodies were held,
+  /// released, put to sleep or woken since.
+  void accept(const ContactSet& contacts, std::span<const ContactOutcome> outcomes);
+
+  /// Strength changed between stages.
+  void set_laws(std::vector<JointLaw> laws);
+
+  /// Bodies are held or released between stages: `fixed` has an entry a body; throws std::logic_error if it has not.
+  /// Two held bodies make no contacts, and theirs are remembered until one is released; what a pair's size and
+  /// stiffness are measured by changes, and so does the plan of coupled_nodes().
+  void set_fixed(const std::vector<bool>& fixed);
+
+  /// Bodies fall asleep or wake: `asleep` has an entry a body; throws std::logic_error if it has not. A body that is
+  /// asleep does not move. Two of them, or one and a fixed one, make no contacts and cost nothing; what their contacts
+  /// remember goes on, when one of the two wakes, as if they had been awake. A sleeper and a body that is awake have
+  /// contacts as usual. To be called when something changes, between accept() and detect() or to detect anew.
+  void set_asleep(const std::vector<char>& asleep);
+
+  /// Contacts of bodies that are at rest, one of them asleep: those that detect() does not give. Sorted by bodies.
+  std::vector<RestingContact> resting() const;
+
+  /// What has been looked at so far, in all.
+  const ContactWork& work() const;
+
+  const ContactTolerances& tolerances() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace talus

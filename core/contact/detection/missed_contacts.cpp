@@ -1,0 +1,65 @@
+#include "contact/detection/missed_contacts.hpp"
+
+#include <algorithm>
+
+namespace talus {
+
+bool MissedContacts::rotates(const Increment& d, double least_rotation) const {
+  return std::any_of(set_.moving.begin(), set_.moving.end(), [&](int b) {
+    const Body& body = set_.bodies[b];
+    const int nodes_end = body.first_node + body.node_count;
+    Vec3 mean = Vec3::Zero();
+    for (int n = body.first_node; n < nodes_end; ++n) mean += set_.node_increment(n, d) / body.node_count;
+    for (int n = body.first_node; n < nodes_end; ++n)
+      if ((set_.node_increment(n, d) - mean).norm() >= least_rotation) return true;
+    return false;
+  });
+}
+
+void MissedContacts::place_nodes(const Increment& d) {
+  end_ = set_.nodes.position;
+  std::fill(displacements_.begin(), displacements_.end(), 0.0);
+  for (const auto* moved : {&set_.moving, &set_.driven})
+    for (const int b : *moved) {
+      const Body& body = set_.bodies[b];
+      for (int n = body.first_node; n < body.first_node + body.node_count; ++n) {
+        const Vec3 step = set_.node_increment(n, d);
+        end_[n] += step;
+        displacements_[b] = std::max(displacements_[b], step.norm());
+      }
+    }
+}
+
+void MissedContacts::tell(ContactDetector& detector) const {
+  for (std::size_t b = 0; b < displacements_.size(); ++b)
+    if (displacements_[b] > 0) detector.moved(static_cast<int>(b), displacements_[b]);
+}
+
+double MissedContacts::known_depth(const ContactDetector::MissedContact& contact, const ContactLinks& links,
+                                   const Increment& d) const {
+  double deepest = 0;
+  for (int i = 0; i < links.moves().size(); ++i) {
+    const ContactPoint& point = links.point(i);
+    if (point.bodies[0] != contact.bodies[0] || point.bodies[1] != contact.bodies[1]) continue;
+    deepest = std::max(deepest, (point.initial_interference - links.gap(i, d)) / point.size);
+  }
+  return deepest;
+}
+
+std::optional<ContactDetector::MissedContact> MissedContacts::seek(ContactDetector& detector, const ContactLinks& links,
+                                                                   const Increment& d, double reach, double tolerance,
+                                                                   double least_rotation) {
+  if (!rotates(d, least_rotation)) return std::nullopt;
+  place_nodes(d);
+  tell(detector);
+  std::optional<ContactDetector::MissedContact> deepest;
+  for (const ContactDetector::MissedContact& contact : detector.missed_contacts(end_, reach, tolerance)) {
+    if (deepest && contact.depth <= deepest->depth) continue;
+    // However deep others lie, one that is twice as deep as they may be was missed.
+    if (contact.depth > tolerance + std::min(tolerance, known_depth(contact, links, d))) deepest = contact;
+  }
+  tell(detector);
+  return deepest;
+}
+
+}  // namespace talus

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "contact/contact_links.hpp"
+#include "contact/detection/contact_detector.hpp"
+
+namespace talus {
+
+/// Contacts that a step has missed. It knows what may touch from the features as they stand at its start. Where a block
+/// rotates, an edge may come into contact whose normals at the start did not allow it; by the next step it is deep.
+class MissedContacts {
+ public:
+  explicit MissedContacts(const BodySet& set)
+      : set_(set), end_(set.nodes.position.size()), displacements_(set.bodies.size()) {}
+
+  /// The deepest contact at the end of a step that has converged to the increment `d`, if it is deeper, by more than
+  /// `tolerance` of its mesh size, than the deepest of those that the step knows between the same two blocks. Of the
+  /// latter no more than `tolerance` counts, else the error of one contact would hide the next. Contacts are looked for
+  /// only if a node of some block goes `least_rotation` [m] or more against the mean of its block: without that, no
+  /// feature comes into contact all of a sudden. `reach` [m]: as for detect() of this step. The detector is told of the
+  /// motion to the end and back.
+  std::optional<ContactDetector::MissedContact> seek(ContactDetector& detector, const ContactLinks& links,
+                                                     const Increment& d, double reach, double tolerance,
+                                                     double least_rotation);
+
+ private:
+  bool rotates(const Increment& d, double least_rotation) const;
+  void place_nodes(const Increment& d);
+  void tell(ContactDetector& detector) const;
+  double known_depth(const ContactDetector::MissedContact& contact, const ContactLinks& links,
+                     const Increment& d) const;
+  const BodySet& set_;
+  std::vector<Vec3> end_;              // m, of all nodes
+  std::vector<double> displacements_;  // m, a body
+};
+
+}  // namespace talus

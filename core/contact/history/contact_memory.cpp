@@ -1,0 +1,226 @@
+#include "contact/history/contact_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/units.hpp"
+
+namespace talus {
+
+void ContactMemory::transfer(std::span<const FoundPoint> points) {
+  face_face_families_.clear();
+  transfers_.clear();
+  auto point = points.begin();
+  for (History& history : histories_) {
+    while (point != points.end() && point->key < history.key) ++point;
+    history.continues = point != points.end() && point->key == history.key && !point->dropped;
+  }
+  if (by_key_alone_) return;
+  for (const FoundPoint& p : points) {
+    if (p.dropped || !(p.area > 0)) continue;
+    if (face_face_families_.empty() || face_face_families_.back() != p.family) face_face_families_.push_back(p.family);
+  }
+  std::sort(face_face_families_.begin(), face_face_families_.end());
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    const History& history = histories_[i];
+    if (history.continues) continue;
+    if (history.area > 0 && std::binary_search(face_face_families_.begin(), face_face_families_.end(), history.family))
+      continue;
+    if (const FoundPoint* successor = successor_of(history, points))
+      transfers_.emplace_back(successor->key, static_cast<int>(i));
+  }
+  std::sort(transfers_.begin(), transfers_.end());
+}
+
+const FoundPoint* ContactMemory::successor_of(const History& history, std::span<const FoundPoint> points) const {
+  const FoundPoint* successor = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  bool same_features = false;
+  for (const FoundPoint& p : points) {
+    if (p.dropped || p.bodies != history.bodies || p.normal.dot(history.normal) < tolerances_.transfer_agreement)
+      continue;
+    // What continues beside it was a contact of its own, unless it is left over of a face–face contact.
+    const bool same = p.family == history.family && (history.area > 0 || !with_key(p.key));
+    const double reach =
+        (same ? tolerances_.transfer_along_features : tolerances_.transfer_across_features) * history.size;
+    const double gap = std::max(0.0, p.gap), squared = (p.position - history.position).squaredNorm() + gap * gap;
+    if (!(squared < reach * reach) || (same_features && !same)) continue;
+    if (squared < least || (same && !same_features)) least = squared, successor = &p, same_features = same;
+  }
+  return successor;
+}
+
+const ContactMemory::History* ContactMemory::with_key(std::uint64_t key) const {
+  const auto same = std::lower_bound(histories_.begin(), histories_.end(), key,
+                                     [](const History& m, std::uint64_t k) { return m.key < k; });
+  return same != histories_.end() && same->key == key ? &*same : nullptr;
+}
+
+const ContactMemory::History* ContactMemory::nearest_face_face(const FoundPoint& point, double distance) const {
+  const double from = point.position.x() - distance, to = point.position.x() + distance;
+  const auto first = std::lower_bound(by_family_.begin(), by_family_.end(), point.family, [&](int m, std::uint64_t f) {
+    return histories_[m].family != f ? histories_[m].family < f : histories_[m].position.x() < from;
+  });
+  const History* nearest = nullptr;
+  double least = distance * distance;
+  for (auto it = first; it != by_family_.end() && histories_[*it].family == point.family; ++it) {
+    const History& history = histories_[*it];
+    if (history.position.x() > to) break;
+    const double squared = (history.position - point.position).squaredNorm();
+    if (history.area > 0 && squared < least) least = squared, nearest = &history;
+  }
+  return nearest;
+}
+
+void ContactMemory::add_forces(const History& history, const FoundPoint& point, TransferredHistory& sum) const {
+  const double ratio = history.area > 0 && point.area > 0 ? point.area / history.area : 1;  // tractions stay
+  if (history.normal ==
+      point.normal) {  // to the bit: else rounding would make what sticks at its strength slip some day
+    sum.shear += ratio * history.shear;
+  } else {
+    const double length = history.shear.norm();
+    const Vec3 in_plane = history.shear - point.normal * point.normal.dot(history.shear);
+    const double left = in_plane.norm();
+    if (left > tolerances_.least_turned_shear * length) sum.shear += in_plane * (ratio * length / left);
+  }
+  sum.multiplier += ratio * history.multiplier;
+  sum.spring_force += ratio * std::max(0.0, history.normal_force - history.multiplier);
+}
+
+std::optional<ContactMemory::TransferredHistory> ContactMemory::transferred_to(const FoundPoint& point,
+                                                                               double size) const {
+  const History* own = with_key(point.key);
+  if (!own && point.area > 0 && !by_key_alone_)
+    own = nearest_face_face(point, tolerances_.transfer_along_features * size);
+  const auto received = std::lower_bound(transfers_.begin(), transfers_.end(), std::pair(point.key, 0));
+  const bool has_transfers = received != transfers_.end() && received->first == point.key;
+  if (!own && !has_transfers) return std::nullopt;
+
+  const History& first = own ? *own : histories_[received->second];
+  TransferredHistory all{.slip = first.slip,
+                         .initial_interference = first.initial_interference,
+                         .penalty_scaling = first.penalty_scaling,
+                         .mode = first.mode,
+                         .bonded = first.bonded,
+                         .lost_area = first.area > 0 && point.area == 0};
+  if (own) add_forces(*own, point, all);
+  for (auto it = received; it != transfers_.end() && it->first == point.key; ++it)
+    add_forces(histories_[it->second], point, all);
+  return all;
+}
+
+double ContactMemory::depth_along(int body, const Vec3& direction, int but) const {
+  const double flush = std::cos(radians(tolerances_.flush_angle));
+  double deepest = 0;
+  const auto look = [&](const History& history) {
+    const bool first = history.bodies[0] == body;
+    if (history.bodies[first ? 1 : 0] == but || !((first ? 1 : -1) * history.normal.dot(direction) > flush)) return;
+    deepest = std::max(deepest, history.initial_interference - history.gap);
+  };
+  for (int i = of_body_begin_[body]; i < of_body_begin_[body + 1]; ++i) look(histories_[of_body_[i]]);
+  resting_.visit(body, look);
+  return deepest;
+}
+
+double ContactMemory::known_compression(const FoundPoint& point, double stiffness) const {
+  const auto contacts_of = [&](int body) {
+    return std::span(of_body_).subspan(of_body_begin_[body], of_body_begin_[body + 1] - of_body_begin_[body]);
+  };
+  const auto first = contacts_of(point.bodies[0]), second = contacts_of(point.bodies[1]);
+  const double flush = std::cos(radians(tolerances_.flush_angle));
+  double most = 0;
+  for (const int m : first.size() < second.size() ? first : second) {
+    const History& history = histories_[m];
+    if (history.bodies != point.bodies || !(history.normal.dot(point.normal) > flush)) continue;
+    most = std::max(most, std::min(-history.gap, (history.normal_force - history.multiplier) / stiffness));
+  }
+  return most;
+}
+
+bool ContactMemory::ever_broken(std::uint64_t family) const {
+  return std::binary_search(broken_.begin(), broken_.end(), family);
+}
+
+void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const std::uint64_t> families,
+                           std::span<const ContactOutcome> outcomes) {
+  histories_.clear();
+  any_bonded_ = false;
+  const std::size_t broken_before = broken_.size();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ContactPoint& p = points[i];
+    const ContactOutcome& o = outcomes[i];
+    const bool bonded = p.bonded && !o.broke;
+    if (o.broke) broken_.push_back(families[i]);
+    if (p.mode == ContactMode::open && !bonded) continue;
+    any_bonded_ = any_bonded_ || bonded;
+    histories_.push_back({.key = p.key,
+                          .family = families[i],
+                          .bodies = {p.bodies[0], p.bodies[1]},
+                          .joint = p.joint,
+                          .position = p.position,
+                          .normal = p.normal,
+                          .shear = o.shear_force,
+                          .gap = o.gap,
+                          .size = p.size,
+                          .area = p.area,
+                          .normal_force = o.normal_force,
+                          .multiplier = o.multiplier,
+                          .slip = p.slip_start + o.slip,
+                          .initial_interference = p.initial_interference,
+                          .penalty_scaling = p.penalty_scaling,
+                          .mode = p.mode,
+                          .bonded = bonded,
+                          .continues = false});
+  }
+  if (broken_.size() > broken_before) {
+    std::sort(broken_.begin(), broken_.end());
+    broken_.erase(std::unique(broken_.begin(), broken_.end()), broken_.end());
+  }
+  sort_by_family();
+  sort_by_body();
+}
+
+void ContactMemory::sort_by_family() {
+  by_family_.resize(histories_.size());
+  std::iota(by_family_.begin(), by_family_.end(), 0);
+  std::sort(by_family_.begin(), by_family_.end(), [&](int a, int b) {
+    const History &p = histories_[a], &q = histories_[b];
+    if (p.family != q.family) return p.family < q.family;
+    return p.position.x() != q.position.x() ? p.position.x() < q.position.x() : a < b;
+  });
+}
+
+void ContactMemory::sort_by_body() {
+  std::fill(of_body_begin_.begin(), of_body_begin_.end(), 0);
+  for (const History& history : histories_)
+    for (const int body : history.bodies) ++of_body_begin_[body];
+  std::partial_sum(of_body_begin_.begin(), of_body_begin_.end(), of_body_begin_.begin());  // where each body's end
+  of_body_.resize(2 * histories_.size());
+  for (int m = static_cast<int>(histories_.size()) - 1; m >= 0; --m)
+    for (const int body : histories_[m].bodies) of_body_[--of_body_begin_[body]] = m;
+}
+
+void ContactMemory::rest(std::span<const int> changed, const std::function<bool(int)>& rests) {
+  const auto awake = [&](int body) { return !rests(body); };
+  for (int body : changed) {
+    if (awake(body)) {
+      resting_.take(
+          body, [](int) { return true; }, histories_);
+    } else {
+      resting_.take(body, awake, histories_);
+    }
+  }
+  std::erase_if(histories_, [&](const History& history) {
+    if (awake(history.bodies[0]) || awake(history.bodies[1])) return false;
+    resting_.put(history);
+    return true;
+  });
+  std::sort(histories_.begin(), histories_.end(), [](const History& p, const History& q) { return p.key < q.key; });
+  any_bonded_ = std::any_of(histories_.begin(), histories_.end(), [](const History& m) { return m.bonded; });
+  sort_by_family();
+  sort_by_body();
+}
+
+}  // namespace talus

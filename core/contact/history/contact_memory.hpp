@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "contact/found_point.hpp"
+#include "contact/history/resting_contacts.hpp"
+#include "model/tolerances.hpp"
+
+namespace talus {
+
+/// The histories of contacts, from one accepted step to the next, and which points go on from which. Those of two
+/// bodies at rest are put aside and cost nothing.
+class ContactMemory {
+ public:
+  /// The history that a point goes on from: of one former contact, or the forces of several added up.
+  struct TransferredHistory {
+    Vec3 shear = Vec3::Zero();          ///< N on the first body, in the point's plane
+    double spring_force = 0;            ///< N, compression beside the multiplier
+    double multiplier = 0;              ///< N
+    double slip, initial_interference;  ///< m, as ContactPoint's
+    double penalty_scaling;             ///< as ContactPoint's
+    ContactMode mode;
+    bool bonded;
+    bool lost_area;  ///< it was a face–face contact before, and now only a vertex or an edge touches
+  };
+
+  /// `by_key_alone`: the facet-wise model knows nothing of the features around.
+  ContactMemory(std::size_t bodies, bool by_key_alone, const ContactTolerances& tolerances)
+      : by_key_alone_(by_key_alone), tolerances_(tolerances), resting_(bodies), of_body_begin_(bodies + 1, 0) {}
+
+  /// Must precede transferred_to(): gives every former contact to the point that has its key. The force of one that
+  /// lost its key is transferred, once: of a face–face contact to nobody while the same smooth faces are in face–face
+  /// contact, for then their traction is taken up by the corners there; else, as of vertices and edges, to the nearest
+  /// point of the same smooth faces or sharp edges, or of the same bodies close by. `points` are sorted by key.
+  void transfer(std::span<const FoundPoint> points);
+
+  /// The history of the former contact with the point's key, and the forces transferred to it. A new face–face point
+  /// takes the traction of the nearest former one of the same smooth faces. Forces keep their length as they turn into
+  /// the point's plane. Nothing where the point is really new. `size`: its mesh size [m].
+  std::optional<TransferredHistory> transferred_to(const FoundPoint& point, double size) const;
+
+  /// Whether the contact with this key was closed or bonded when the last step was accepted.
+  bool remembers(std::uint64_t key) const { return with_key(key) != nullptr; }
+
+  /// How deep the body lay, when the last step was accepted, in those that pushed it along `direction`, other than
+  /// `but`; 0 where none did. [m]
+  double depth_along(int body, const Vec3& direction, int but) const;
+  /// How far a spring of this stiffness [N/m] may give at a point from the beginning, and neither push harder nor hold
+  /// more than one did between the same bodies, along this normal or nearly so, when the last step was accepted. [m]
+  double known_compression(const FoundPoint& point, double stiffness) const;
+
+  /// Whether a bond between these two smooth faces ever broke.
+  bool ever_broken(std::uint64_t family) const;
+  bool any_broken() const { return !broken_.empty(); }
+  bool any_bonded() const { return any_bonded_ || resting_.any_bonded(); }
+
+  /// Replaces everything by the outcomes of a step, but for contacts of bodies that both rest: they are not looked for.
+  /// Contacts that are open and not bonded are forgotten. `families` belong to the points, which are sorted by key.
+  void accept(std::span<const ContactPoint> points, std::span<const std::uint64_t> families,
+              std::span<const ContactOutcome> outcomes);
+
+  /// Bodies rest from now on or no longer: `changed` are those of which that may have changed. What was put aside goes
+  /// on as if it had never been.
+  void rest(std::span<const int> changed, const std::function<bool(int body)>& rests);
+
+  /// Of pairs of bodies of which one is not at rest.
+  const std::vector<ContactHistory>& histories() const { return histories_; }
+  const RestingContacts& resting() const { return resting_; }
+
+ private:
+  using History = ContactHistory;
+  const History* with_key(std::uint64_t key) const;
+  const History* nearest_face_face(const FoundPoint& point, double distance) const;
+  const FoundPoint* successor_of(const History& history, std::span<const FoundPoint> points) const;
+  void add_forces(const History& history, const FoundPoint& point, TransferredHistory& sum) const;
+  void sort_by_family();
+  void sort_by_body();
+
+  bool by_key_alone_;
+  ContactTolerances tolerances_;
+  bool any_bonded_ = false;
+  RestingContacts resting_;
+  std::vector<History> histories_;                        // sorted by key
+  std::vector<int> by_family_;                            // numbers of memos_, sorted by family and then along x
+  std::vector<int> of_body_;                              // numbers of memos_: those of body b from …
+  std::vector<int> of_body_begin_;                        // … of_body_begin_[b] to of_body_begin_[b + 1]
+  std::vector<std::uint64_t> face_face_families_;         // families with an area, sorted
+  std::vector<std::pair<std::uint64_t, int>> transfers_;  // key of a point, number of a history; sorted
+  std::vector<std::uint64_t> broken_;                     // families, sorted
+};
+
+}  // namespace talus

@@ -1,0 +1,207 @@
+#include "contact/narrow/edge_edge_search.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "contact/history/contact_memory.hpp"
+#include "contact/narrow/inside.hpp"
+#include "contact/narrow/normal_cones.hpp"
+#include "contact/narrow/vertex_face_search.hpp"
+
+namespace talus {
+namespace {
+
+/// Convex, and not as good as flat. Most edges of a mesh are flat, and this is all they cost.
+bool is_convex_edge(const StepGeometry& step, const ContactEdge& e) {
+  const Vec3 r = step.x[e.opposite[1]] - step.x[e.nodes[0]], u = step.x[e.nodes[1]] - step.x[e.nodes[0]];
+  const double below = step.normals[e.facets[0]].dot(r), along = r.dot(u), length = u.squaredNorm();
+  const double least = step.tolerances.convex_edge_angle;
+  return below < 0 && below * below * length > least * least * (r.squaredNorm() * length - along * along);
+}
+
+/// Is the normal that of two facets beside the edges in face–face contact? Then these have the contact. Both facets may
+/// be within the face–face angle of the normal though they are not of each other.
+bool lies_between_faces(const StepGeometry& step, const ContactEdge& a, const ContactEdge& b, const Vec3& n) {
+  const double least_cosine = step.face_face_cosine();
+  for (const int f : a.facets) {
+    const Vec3 of_a = step.fresh_normal(f);
+    if (!(-n.dot(of_a) > least_cosine)) continue;
+    for (const int g : b.facets) {
+      const Vec3 of_b = step.fresh_normal(g);
+      if (n.dot(of_b) > least_cosine && of_a.dot(of_b) < -least_cosine) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the edge e, which crosses a convex edge of another body at the fraction `at` of its length and `depth` [m]
+/// behind it, cuts through that body. It does if a point of e is inside it: as far to either side of the crossing as
+/// that is deep; or in the middle of the part of e that lies behind both faces adjacent to the convex edge; or of the
+/// part that lies behind all facets at the ends of the convex edge.
+bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactEdge& convex_edge, double at,
+                  double depth) {
+  const Vec3 &from = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - from;
+  const int body = step.features.facets[convex_edge.facets[0]].body;
+  const auto is_inside = [&](double fraction) { return lies_inside(step, body, from + fraction * along); };
+  const double aside = depth / along.norm();
+  if (is_inside(at - aside) || is_inside(at + aside)) return true;
+  double begin = 0, end = 1;
+  const auto cut_by = [&](int facet, int node) {
+    const Vec3 n = step.fresh_normal(facet);
+    const double height = n.dot(from - step.x[node]), rise = n.dot(along);
+    if (rise > 0) end = std::min(end, -height / rise);
+    if (rise < 0) begin = std::max(begin, -height / rise);
+    if (rise == 0 && height > 0) end = begin;
+  };
+  const auto middle_is_inside = [&] { return begin < end && is_inside((begin + end) / 2); };
+  for (const int f : convex_edge.facets) cut_by(f, convex_edge.nodes[0]);
+  if (middle_is_inside()) return true;
+  for (const int node : convex_edge.nodes)
+    for (const int f : step.features.facets_at(node)) cut_by(f, node);
+  return middle_is_inside();
+}
+
+/// Where two edges cross, seen along a normal into whose cones both bodies' facets let them.
+struct Crossing {
+  const ContactEdge &a, &b;
+  double s = 0, t = 0;                                             // fractions along a and b
+  std::array<double, 2> from_ends_of_a = {}, from_ends_of_b = {};  // m
+  Vec3 normal = Vec3::Zero();                                      // from b's body to a's
+  Vec3 position = Vec3::Zero();                                    // on a
+  double gap = 0;                                                  // m
+};
+
+std::optional<Crossing> crossing_of(const StepGeometry& step, const ContactEdge& a, const ContactEdge& b) {
+  const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
+  const Vec3 u = step.x[a.nodes[1]] - a0, w = step.x[b.nodes[1]] - b0, c = u.cross(w), r = b0 - a0;
+  const double squared = c.squaredNorm();
+  if (!(squared > step.tolerances.parallel_edges * u.squaredNorm() * w.squaredNorm())) return {};
+  const double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
+  const double past_end = step.tolerances.past_edge_end;
+  if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return {};
+
+  const auto into_a = into_facets(step, a), into_b = into_facets(step, b);
+  const double tolerance = step.cone_tolerance();
+  const auto in_both_cones = [&](const Vec3& m) {
+    return m.dot(into_a[0]) >= -tolerance && m.dot(into_a[1]) >= -tolerance && m.dot(into_b[0]) <= tolerance &&
+           m.dot(into_b[1]) <= tolerance;
+  };
+  Vec3 n = c / std::sqrt(squared);
+  if (!in_both_cones(n)) {
+    n = -n;
+    if (!in_both_cones(n)) return {};
+  }
+  const double la = u.norm(), lb = w.norm();
+  return Crossing{a, b, s, t, {s * la, (1 - s) * la}, {t * lb, (1 - t) * lb}, n, a0 + s * u, -n.dot(r)};
+}
+
+/// Edges may cross beside the bodies, and still far behind each other along the normal: near the end of a convex edge,
+/// or where both are acute. What has come in is inside.
+bool passes_beside(const StepGeometry& step, const Crossing& c) {
+  return !(cuts_through(step, c.a, c.b, c.s, -c.gap) && cuts_through(step, c.b, c.a, c.t, -c.gap));
+}
+
+/// An end nearer to the other edge than `near` has the contact if it ends its body in this direction and was found
+/// there.
+bool end_has_it(const StepGeometry& step, const VertexFaceSearch& vertices, const ContactEdge& e,
+                const std::array<double, 2>& from_ends, const Vec3& inwards, const ContactEdge& other, double near) {
+  const auto has_it = [&](int node) {
+    if (!step.features.corner[node] || rise(step, node, inwards) < -step.cone_tolerance()) return false;
+    return std::any_of(other.facets.begin(), other.facets.end(),
+                       [&](int f) { return vertices.has(node, step.features.facets[f].smooth_face); });
+  };
+  return (from_ends[0] <= near && has_it(e.nodes[0])) || (from_ends[1] <= near && has_it(e.nodes[1]));
+}
+
+/// What crosses an edge of the mesh nearer than `near` to the sharp edge that it ends at came past that one.
+bool sharp_edge_has_it(const StepGeometry& step, const ContactEdge& e, const std::array<double, 2>& from_ends,
+                       double near) {
+  const int smooth_face = step.features.facets[e.facets[0]].smooth_face;
+  const auto on_edge = [&](int node) {
+    const auto facets = step.features.facets_at(node);
+    return std::any_of(facets.begin(), facets.end(),
+                       [&](int f) { return step.features.facets[f].smooth_face != smooth_face; });
+  };
+  return !e.is_sharp && ((from_ends[0] < near && on_edge(e.nodes[0])) || (from_ends[1] < near && on_edge(e.nodes[1])));
+}
+
+FoundPoint point_at(const StepGeometry& step, const Crossing& c, std::uint64_t key) {
+  FoundPoint p{};
+  p.key = key;
+  p.kind = PointKind::edge_edge;
+  p.family = sharp_edge_family(c.a.sharp_edge, c.b.sharp_edge);
+  p.facets = {c.a.facets[0], c.b.facets[0]};
+  p.smooth_faces = {-1, -1};
+  p.node = -1;
+  p.joint = -1;
+  for (int f : c.a.facets) {
+    for (int g : c.b.facets) p.joint = std::max(p.joint, step.common_joint(f, g));
+  }
+  p.normal = c.normal;
+  p.position = c.position;
+  return p;
+}
+
+}  // namespace
+
+void EdgeEdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexFaceSearch& vertices,
+                          FoundPoints& found) {
+  const auto convex_edge = [&](const ContactFacet& facet, int k) {
+    return facet.owns_edge[k] && is_convex_edge(step, step.features.edges[facet.edges[k]]);
+  };
+  for (const FacetPair& pair : pairs) {
+    const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
+    const std::array<bool, 3> of_b = {convex_edge(b, 0), convex_edge(b, 1), convex_edge(b, 2)};
+    if (!of_b[0] && !of_b[1] && !of_b[2]) continue;
+    for (int i = 0; i < 3; ++i) {
+      if (!convex_edge(a, i)) continue;
+      for (int j = 0; j < 3; ++j) {
+        if (of_b[j]) cross(step, a.edges[i], b.edges[j], vertices, found);
+      }
+    }
+  }
+}
+
+void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const VertexFaceSearch& vertices,
+                           FoundPoints& found) {
+  const std::optional<Crossing> crossing = crossing_of(step, step.features.edges[edge_a], step.features.edges[edge_b]);
+  if (!crossing) return;
+  const Crossing& c = *crossing;
+  const auto &of_a = c.from_ends_of_a, &of_b = c.from_ends_of_b;
+  const int body_a = step.features.facets[c.a.facets[0]].body, body_b = step.features.facets[c.b.facets[0]].body;
+  if (!(c.gap <= step.reach) || (c.gap < 0 && c.gap < -step.depth(body_a, body_b))) return;
+  const std::uint64_t key = edge_key(edge_a, edge_b);
+  const double edge_tolerance = step.edge_tolerance(body_a, body_b);
+  const bool appears_deep = -c.gap > edge_tolerance && step.have_moved(body_a, body_b) && !step.memory.remembers(key);
+  if (appears_deep && passes_beside(step, c)) return;
+  // An end is near where both are in one place, or nearer than the edge seems deep: then it came past that one.
+  const double near = std::max(edge_tolerance, -c.gap);
+  if (end_has_it(step, vertices, c.a, of_a, c.normal, c.b, near)) return;
+  if (end_has_it(step, vertices, c.b, of_b, -c.normal, c.a, near)) return;
+  if (sharp_edge_has_it(step, c.a, of_a, near) || sharp_edge_has_it(step, c.b, of_b, near)) return;
+  if (lies_between_faces(step, c.a, c.b, c.normal)) return;
+
+  const FoundPoint p = point_at(step, c, key);
+  const double size = step.broad.scale(body_a, body_b).size;
+  if (found_before(p, std::min({of_a[0], of_a[1], of_b[0], of_b[1]}), step.tolerances.same_place * size, step, found))
+    return;
+  found.add_between(p, c.a.nodes, c.s, c.b.nodes, c.t, step.features, step.x);
+}
+
+/// At the end of an edge the next edge, or a vertex, may have found the same contact.
+bool EdgeEdgeSearch::found_before(const FoundPoint& p, double from_end, double near, const StepGeometry& step,
+                                  const FoundPoints& found) const {
+  if (from_end > near) return false;
+  const double same_normal = step.face_face_cosine();
+  const auto body = [&](const FoundPoint& q, int k) { return step.features.facets[q.facets[k]].body; };
+  for (const FoundPoint& q : found.points) {
+    if (q.dropped || q.kind == PointKind::face_face || body(p, 0) != body(q, 0) || body(p, 1) != body(q, 1)) continue;
+    if ((q.position - p.position).norm() < near && q.normal.dot(p.normal) > same_normal) return true;
+  }
+  return false;
+}
+
+}  // namespace talus

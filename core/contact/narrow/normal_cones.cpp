@@ -1,0 +1,42 @@
+#include "contact/narrow/normal_cones.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace talus {
+
+double rise(const StepGeometry& step, int node, const Vec3& normal) {
+  double least = 1;
+  for (int q : step.features.ring(node)) {
+    const Vec3 along = step.x[q] - step.x[node];
+    const double length = along.norm();
+    if (length > 0) least = std::min(least, along.dot(normal) / length);
+  }
+  return least;
+}
+
+bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal, double tolerance) {
+  for (const int facet : step.features.facets_at(node))
+    for (const int number : step.features.facets[facet].edges) {
+      const ContactEdge& e = step.features.edges[number];
+      if (!e.is_sharp || (e.nodes[0] != node && e.nodes[1] != node)) continue;
+      const Vec3 along = (step.x[e.nodes[1]] - step.x[e.nodes[0]]).stableNormalized();
+      if (std::abs(along.dot(normal)) > tolerance) continue;
+      const std::array<Vec3, 2> into = into_facets(step, e);
+      const bool convex = into[1].dot(step.fresh_normal(e.facets[0])) < 0;
+      if (convex && into[0].dot(normal) >= -tolerance && into[1].dot(normal) >= -tolerance) return true;
+    }
+  return false;
+}
+
+std::array<Vec3, 2> into_facets(const StepGeometry& step, const ContactEdge& e) {
+  const Vec3 origin = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - origin).stableNormalized();
+  std::array<Vec3, 2> into;
+  for (int k = 0; k < 2; ++k) {
+    const Vec3 r = step.x[e.opposite[k]] - origin;
+    into[k] = (r - along * along.dot(r)).stableNormalized();
+  }
+  return into;
+}
+
+}  // namespace talus

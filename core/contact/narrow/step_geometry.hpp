@@ -1,0 +1,98 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "contact/broad/broad_phase.hpp"
+#include "contact/found_point.hpp"
+
+namespace talus {
+
+class ContactMemory;
+
+/// What the searches for contact points look at: the surfaces as they are at the start of the step, how deep bodies lie
+/// in each other, and what follows from that for where one feature ends and the next begins.
+struct StepGeometry {
+  const ContactFeatures& features;
+  const BroadPhase& broad;
+  std::span<const Vec3> x;              ///< m, a node
+  std::span<const Vec3> normals;        ///< a facet; up to date for those in the pairs that are searched
+  std::span<const double> penetration;  ///< m, a body: the deepest of the last step
+  std::span<const double> widths;       ///< m, a body: where it is thinnest
+  std::span<const double> first_areas;  ///< m², a facet: before any body deformed
+  const ContactTolerances& tolerances;
+  double reach;                 ///< m, the gap up to which contacts matter
+  std::span<const char> moved;  ///< a body: it took part in a step and was not fixed
+  const ContactMemory& memory;
+  ContactWork& work;  ///< where the searches count what they come up against
+
+  /// Whether one of the two could move before: only then is it known how deep they may be in each other.
+  bool have_moved(int body_a, int body_b) const { return moved[body_a] || moved[body_b]; }
+  /// The deepest that two bodies lay in each other at the end of the last step. [m]
+  double deepest(int body_a, int body_b) const { return std::max(penetration[body_a], penetration[body_b]); }
+  /// How near features of two bodies must be to count as being in one place. It grows with how deep the two lay in each
+  /// other. Features in vertex–vertex contact are rounded by as much. [m]
+  double edge_tolerance(int body_a, int body_b) const;
+  /// No place on a facet that is farther than this from its sharp edge counts as at the edge. [m]
+  double largest_edge_tolerance(int body_a, int body_b) const;
+  /// A place on a facet of `body` is `distance` [m] from a convex sharp edge; the facet across that edge has the normal
+  /// `across`. Whether the place counts as past the edge, so that the facet across it has the contact with `other`, if
+  /// any. It does where the distance is next to nothing. It also does where a third body held either of the two along
+  /// `across` in the last step, and the distance is no more than a few times as deep as they lay in it: blocks that lie
+  /// on a third sink into it, their faces are out of line by about as much, and they must slide past each other.
+  bool within_edge_tolerance(double distance, int body, int other, const Vec3& across) const;
+  /// How deep features of two bodies can lie in each other. At most as deep as the tolerances say, and as half the
+  /// width of the thinner body, for beyond its middle a feature belongs to its far side. Once they have moved, also no
+  /// deeper than this step can add to what the last one left: a feature that seems to lie deeper has passed beside the
+  /// other body. [m]
+  double depth(int body_a, int body_b) const;
+  /// Penetration that is certainly more than rounding. [m]
+  double noticeable_depth(int body_a, int body_b) const;
+  /// Of `points` of the body `other` some lie below a facet. Whether they came there from outside, past a convex sharp
+  /// edge of the facet: then the contact is false. At an edge whose facet across has the normal `across`, and
+  /// `counts(across)` holds, they did so if
+  /// - none is deeper below the facet across than the edge tolerance, or
+  /// - they are less wide, from the edge, than the deepest is deep, and none is deeper below the facet across:
+  /// something
+  ///   slides along that one, however far it reaches below this one, or
+  /// - the edge is sharper than 90° and they are clearly less deep below the facet across. (There the width says
+  ///   nothing: what is below both facets is always wider than deep.)
+  template <class Counts>
+  bool came_past_sharp_edge(int facet, std::span<const Vec3> points, int other, const Counts& counts) const;
+  /// Joint that both facets carry, or −1.
+  int common_joint(int facet_a, int facet_b) const;
+  Vec3 fresh_normal(int facet) const;  ///< of any facet, also one that is not in the pairs searched
+  /// Sine of the angle by which normals may leave the normal cone of a feature.
+  double cone_tolerance() const;
+  /// Cosine of the largest angle between the normal of one facet and the opposite of another's in face–face contact.
+  double face_face_cosine() const;
+};
+
+template <class Counts>
+bool StepGeometry::came_past_sharp_edge(int facet, std::span<const Vec3> points, int other,
+                                        const Counts& counts) const {
+  const ContactFacet& f = features.facets[facet];
+  const Vec3 centre = (x[f.nodes[0]] + x[f.nodes[1]] + x[f.nodes[2]]) / 3;
+  const auto depth_below = [&](const Vec3& normal, int node, const Vec3& p) { return normal.dot(x[node] - p); };
+  for (const int node : f.nodes)
+    for (const int across : features.facets_at(node)) {
+      if (features.facets[across].smooth_face == f.smooth_face) continue;
+      const Vec3 n = fresh_normal(across);
+      if (!(depth_below(n, node, centre) > edge_tolerance(f.body, other)) || !counts(n)) continue;
+      const double cosine = n.dot(normals[facet]), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+      double width = 0, deepest = 0, below = 0;
+      for (const Vec3& p : points) {
+        const double here = depth_below(normals[facet], node, p), there = depth_below(n, node, p);
+        deepest = std::max(deepest, here);
+        below = std::max(below, there);
+        width = std::max(width, (there - here * cosine) / sine);
+      }
+      const bool past_acute_edge = cosine < 0 && below <= tolerances.clearly_shallower * deepest;
+      const bool beside = past_acute_edge || (width < deepest && below <= deepest);
+      if (beside || within_edge_tolerance(below, f.body, other, n)) return true;
+    }
+  return false;
+}
+
+}  // namespace talus

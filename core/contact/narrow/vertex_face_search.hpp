@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/narrow/step_geometry.hpp"
+
+namespace talus {
+
+/// Vertices on facets, each once for every smooth face. Face–face points must be there already.
+class VertexFaceSearch {
+ public:
+  void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+  /// Whether the last search, or the face–face search before it, found the vertex on the smooth face; even if the
+  /// contact was false.
+  bool has(int node, int smooth_face) const;
+
+ private:
+  struct Touch {
+    std::uint64_t key;
+    int node, facet;
+    bool node_is_first;
+    std::array<double, 3> at;  // barycentric coordinates on the facet
+    double inside;             // the smallest of them: of a smooth face's facets the one where it is largest is taken
+  };
+  struct Held {
+    int node;
+    int point;    // −1: covered
+    int body;     // that holds it
+    Vec3 normal;  // towards the node's body
+  };
+  void touch(const StepGeometry& step, int node, int facet, bool node_is_first);
+  void add(const StepGeometry& step, const Touch& touch, FoundPoints& found);
+  void drop_false(const StepGeometry& step, FoundPoints& found);
+  void drop_doubled(const StepGeometry& step, FoundPoints& found);
+  bool past_sharp_edge(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
+                       const FoundPoints& found) const;
+  bool deeper(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
+              const FoundPoints& found) const;
+
+  std::vector<Touch> touches_;
+  std::vector<std::uint64_t> taken_;
+  std::vector<Held> held_;
+};
+
+}  // namespace talus

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/narrow/step_geometry.hpp"
+
+namespace talus {
+
+/// Contact where no feature has a normal of its own: of a corner with a corner or with a convex sharp edge, and of
+/// sharp edges along each other, at the ends of what they have in common and where they cross at a small angle. Both
+/// features are taken as rounded, by as little as the bodies lie in each other: the normal points from the core of one
+/// to that of the other. While they are apart that is the direction between the closest points; where they touch it
+/// lies between the normals of the facets around and turns into one of them as the corner slides past. Points of all
+/// other kinds must be there already.
+class VertexVertexSearch {
+ public:
+  VertexVertexSearch();
+
+  /// `remembered` tells of a key whether its contact was closed at the end of the last step.
+  void find(const StepGeometry& step, std::span<const FacetPair> pairs,
+            const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found);
+
+  /// The step was accepted whose features find() saw last.
+  void accept() { former_.swap(seen_); }
+
+ private:
+  /// A place on the surface of a body, a corner or a point of a sharp edge, and what is around it.
+  struct Feature {
+    int body;
+    std::array<int, 2> nodes;  // the corner, or the ends of the edge within the edge tolerance; −1: none
+    Vec3 place, core;
+    std::vector<std::pair<int, Vec3>> faces;  // smooth faces around, also at such ends, and their normals
+  };
+  struct Place {
+    int node;         // a corner; −1: on an edge, …
+    int edge;         // … this one, …
+    double fraction;  // … at this fraction of its length
+  };
+  /// Two places nearest each other, which may touch.
+  struct Candidate {
+    std::uint64_t key;
+    Place own, other;
+    double apart;  // m, of the cores
+    bool own_is_first;
+  };
+  /// What was seen of two features: where one was as seen from the other, and whether they are known not to pass.
+  struct Sight {
+    std::uint64_t key;
+    Vec3 from_feature;
+    bool is_solid;
+  };
+  /// A body that presses on a smooth face.
+  struct Pressure {
+    int smooth_face, by;
+    Vec3 normal;  // towards the body of the smooth face
+    Vec3 place;   // m
+    bool operator<(const Pressure& p) const { return smooth_face < p.smooth_face; }
+  };
+
+  static std::span<const int> facets_at(const ContactFeatures& features, const Place& place);
+  static std::array<int, 2> ends_of(const ContactFeatures& features, const Place& place);
+  static bool in_cone(const StepGeometry& step, const Place& place, const Vec3& inwards);
+  static void take(const StepGeometry& step, const Place& place, double edge_tolerance, Feature& feature);
+  void add_vertex_at_edge(const StepGeometry& step, int node, int edge, bool node_is_first);
+  void add_edge_along_edge(const StepGeometry& step, int edge_a, int edge_b);
+  void list_face_face(const FoundPoints& found);
+  void list_pressures(const StepGeometry& step, const FoundPoints& found);
+  void add(const StepGeometry& step, const Candidate& m, const std::function<bool(std::uint64_t)>& remembered,
+           FoundPoints& found);
+  std::optional<Vec3> normal_of(const StepGeometry& step, const Candidate& m, double edge_tolerance) const;
+  bool face_face_holds(const StepGeometry& step, std::span<const int> facets, std::span<const int> others,
+                       bool are_first);
+  bool lies_flush(const StepGeometry& step, const Feature& own, const Feature& other) const;
+  bool passes(const StepGeometry& step, std::uint64_t key, bool remembered);
+  bool stands_for_others(const StepGeometry& step, const Vec3& normal, bool own_is_first, FoundPoints& found) const;
+
+  std::vector<Candidate> candidates_;
+  std::vector<std::uint64_t> face_face_families_;  // families, sorted
+  struct AdjacentFace {
+    std::uint64_t family;
+    Vec3 normal;
+  };
+  std::vector<AdjacentFace> adjacent_faces_;  // at the place that is looked at: those in face–face contact
+  std::vector<Pressure> pressures_;           // sorted by smooth face
+  std::vector<Sight> seen_, former_;          // sorted by key
+  Feature own_, other_;
+};
+
+}  // namespace talus

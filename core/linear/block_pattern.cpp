@@ -1,0 +1,42 @@
+#include "linear/block_pattern.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace talus {
+
+BlockPattern::BlockPattern(int nodes, std::vector<std::pair<int, int>> couplings) : column_begin_(nodes + 1, 0) {
+  for (auto& [column, row] : couplings)
+    if (column > row) std::swap(column, row);
+  for (int i = 0; i < nodes; ++i) couplings.emplace_back(i, i);
+  std::sort(couplings.begin(), couplings.end());
+  couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
+  rows_.reserve(couplings.size());
+  for (const auto& [column, row] : couplings) {
+    ++column_begin_[column + 1];
+    rows_.push_back(row);
+  }
+  for (int i = 0; i < nodes; ++i) column_begin_[i + 1] += column_begin_[i];
+}
+
+BlockPattern BlockPattern::part(std::span<const int> nodes, std::span<const int> local) const {
+  BlockPattern part;
+  for (const int node : nodes) {
+    for (int slot = column_begin_[node]; slot < column_begin_[node + 1]; ++slot)
+      part.rows_.push_back(local[rows_[slot]]);
+    part.column_begin_.push_back(static_cast<int>(part.rows_.size()));
+  }
+  return part;
+}
+
+int BlockPattern::slot(int i, int j) const {
+  const auto [column, row] = std::minmax(i, j);
+  const int first = column_begin_[column];
+  if (row == column) return first;
+  const auto begin = rows_.begin() + first + 1, end = rows_.begin() + column_begin_[column + 1];
+  const auto found = std::lower_bound(begin, end, row);
+  assert(found != end && *found == row && "an effect couples nodes that it did not announce");
+  return static_cast<int>(found - rows_.begin());
+}
+
+}  // namespace talus

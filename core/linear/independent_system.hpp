@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "linear/coupled_parts.hpp"
+#include "linear/dense_solver.hpp"
+#include "linear/linear_work.hpp"
+#include "linear/sparse_part.hpp"
+#include "linear/tangent_factor.hpp"
+
+namespace talus {
+
+/// Equations that share no unknown with the others, such as those of a block that can touch no other.
+/// - A small system is solved with a dense factor.
+/// - A large one whose matrix has just changed is split where only open contacts join its parts: small parts are solved
+///   with dense factors, larger ones with a sparse factor of their own.
+/// - The rest is solved by GMRES, preconditioned with a Cholesky factor of the symmetric part of the whole system. An
+///   old factor is kept while it converges fast enough. Where the factor belongs to the present matrix and there is no
+///   unsymmetric part, one solve with it suffices.
+class IndependentSystem {
+ public:
+  /// `nodes`: ascending; `pattern`: of these nodes among themselves. Orders and analyses it.
+  IndependentSystem(std::vector<int> nodes, BlockPattern pattern);
+
+  int first_node() const { return nodes_.front(); }
+  int size() const { return static_cast<int>(nodes_.size()); }
+  bool is_of(const std::vector<int>& nodes, const BlockPattern& pattern) const {
+    return nodes_ == nodes && matrix_.pattern() == pattern;
+  }
+  /// The matrix is about to change so much that its factor is no good preconditioner any more.
+  void outdate() { outdated_ = true; }
+
+  /// Takes its part of the global right-hand side and forgets the unsymmetric part. Returns the norm of that part.
+  double take_right_side(const Eigen::VectorXd& b);
+  /// Adds blocks of the unsymmetric part: two nodes of this system, by their numbers in it.
+  void take_unsymmetric(const UnsymmetricBlocks::Pair& pair) { unsymmetric_.push_back(pair); }
+  /// Writes the solution into the global unknowns; zero in small parts whose right-hand sides are, together in norm, no
+  /// larger than `negligible`. Throws NotPositiveDefinite with the global node.
+  void solve(const SymmetricBlocks& whole, const LinearSettings& settings, double negligible, LinearWork& work,
+             Eigen::VectorXd& x);
+
+ private:
+  struct Sparse {
+    TangentFactor factor;
+    int patience = 5;    ///< GMRES iterations that cost as much as a factor
+    int iterations = 0;  ///< of the last solution
+    CoupledParts parts;
+    std::vector<DenseSolver> of_size;  ///< for a part of so many nodes: kept, so that each size is allocated once
+    SparsePart large_part;
+    Eigen::VectorXd right, solution, solution_of_parts;
+  };
+  void solve_densely(LinearWork& work);
+  void solve_parts(const LinearSettings& settings, double negligible, LinearWork& work);
+  void solve_sparsely(const LinearSettings& settings, LinearWork& work);
+  void factor(LinearWork& work);
+
+  std::vector<int> nodes_;  ///< among all
+  std::vector<int> own_;    ///< their numbers here, 0, 1, …
+  SymmetricBlocks matrix_;
+  std::vector<UnsymmetricBlocks::Pair> unsymmetric_;
+  Eigen::VectorXd right_, solution_;
+  bool current_ = false;   ///< the factor belongs to the present symmetric matrix
+  int solved_before_ = 0;  ///< times that the present symmetric matrix was solved
+  bool outdated_ = true;   ///< the factor, if there is any, is no good preconditioner any more
+  bool symmetric_ = true;  ///< the dense factor was made without an unsymmetric part
+  DenseSolver dense_;
+  std::unique_ptr<Sparse> sparse_;  ///< null: it is small
+};
+
+}  // namespace talus

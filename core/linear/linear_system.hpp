@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "linear/independent_system.hpp"
+
+namespace talus {
+
+/// The linear equations of an iteration, T x = b, where the tangent T is a symmetric matrix plus an unsymmetric part.
+/// Blocks that do not touch share no equation: each connected part of the pattern is a system of its own, which is
+/// factored only when it has changed and solved only while its residual is not negligible.
+class LinearSystem {
+ public:
+  explicit LinearSystem(LinearSettings settings) : settings_(settings) {}
+
+  /// Finds the independent systems. Those whose nodes and couplings are as before keep their analysis and factor.
+  void set_pattern(const BlockPattern& pattern);
+  /// The matrix is about to change so much that old factors are no good preconditioners any more.
+  void outdate();
+
+  /// Solves for x: to the tolerance of the settings, or exactly where there is no unsymmetric part and the factors are
+  /// current. Systems whose right-hand sides are, all together in norm, no larger than `negligible` are not solved: x
+  /// is zero there. Throws NotPositiveDefinite.
+  void solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks& unsymmetric, const Eigen::VectorXd& b,
+             double negligible, Eigen::VectorXd& x);
+  const LinearWork& work() const { return work_; }
+
+ private:
+  LinearSettings settings_;
+  std::vector<int> system_of_, number_in_system_;  ///< of each node
+  std::vector<IndependentSystem> systems_;         ///< by their first nodes
+  std::vector<double> sizes_;                      ///< norm of each system's right-hand side
+  LinearWork work_;
+};
+
+}  // namespace talus

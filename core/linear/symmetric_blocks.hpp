@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "linear/block_pattern.hpp"
+
+namespace talus {
+
+/// The symmetric matrix of the simultaneous equations, paper (1), as 3×3 blocks of movable nodes: the lower triangle,
+/// column by column, on a pattern that is set once and refilled many times.
+class SymmetricBlocks {
+ public:
+  /// `couplings`: pairs of movable nodes that some effect couples, in any order; the diagonal is always there.
+  void set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
+    set_pattern(BlockPattern(nodes, std::move(couplings)));
+  }
+  void set_pattern(BlockPattern pattern);
+
+  /// Adds `block` at row i, column j, and its transpose at (j, i). The pair must be in the pattern.
+  void add(int i, int j, const Mat3& block);
+  /// Adds `block` at the row and column of a slot of the pattern, its transpose at (column, row). For stencils that
+  /// keep their slots: finding them takes longer than adding.
+  void add_at(int slot, const Mat3& block) { values_[slot] += weight_ * block; }
+
+  /// What is added from now on counts this much.
+  void set_weight(double weight) { weight_ = weight; }
+
+  void set_zero();
+  /// Takes over the values of a matrix with the same pattern.
+  void assign(const SymmetricBlocks& other) { values_ = other.values_; }
+  /// Takes over the columns of some nodes of a larger matrix, of which this pattern is their part. Has a bit changed?
+  bool assign_part(const SymmetricBlocks& whole, std::span<const int> nodes);
+  /// Norm of the diagonal.
+  double diagonal_norm() const;
+  /// y = K x.
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+
+  int nodes() const { return pattern_.nodes(); }
+  const BlockPattern& pattern() const { return pattern_; }
+  const Mat3& value(int slot) const { return values_[slot]; }
+
+ private:
+  BlockPattern pattern_;
+  std::vector<Mat3> values_;  ///< of each slot
+  double weight_ = 1;
+};
+
+}  // namespace talus

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "results/frame.hpp"
+#include "results/run_report.hpp"
+
+namespace talus {
+
+struct BlockSystem;
+struct Project;
+
+struct BodySet;
+
+/// How a run talks to the one who started it. All functions are called from the solving thread, after a step.
+class RunObserver {
+ public:
+  virtual ~RunObserver() = default;
+  /// After every accepted step. `fraction` of the model time that is done, 0…1.
+  virtual void on_step(const StepReport& step, const HistoryRow& history, double fraction) = 0;
+  /// The same step, before `on_step`: the bodies at its end.
+  virtual void on_bodies(const StepReport&, const BodySet&) {}
+  /// After every frame that was written.
+  virtual void on_frame(std::shared_ptr<const Frame> frame) = 0;
+  /// With every frame: what each effect has cost so far.
+  virtual void on_effects(const std::vector<EffectOutcome>&) {}
+  /// After every step that was hard somewhere: the hardest places of the run so far, the hardest first.
+  virtual void on_troubles(const std::vector<ConvergenceTrouble>&) {}
+  /// Asked between steps; may block (a pause). False ends the run cleanly as `stopped`.
+  virtual bool go_on() = 0;
+};
+
+struct RunOptions {
+  std::filesystem::path out;  ///< results folder
+  std::string project_text;   ///< kept beside the results
+  int threads = 1;            ///< at most; their number changes no bit of the results
+};
+
+/// Runs all stages of the project on its blocks and writes the results folder.
+/// Non-convergence is a status of the report, not an exception.
+RunReport run(const Project& project, const BlockSystem& system, const RunOptions& options, RunObserver& observer);
+
+}  // namespace talus

@@ -1,0 +1,30 @@
+#include "solve/awake_bodies.hpp"
+
+#include "solve/simulation_state.hpp"
+
+namespace talus {
+
+void hold_bodies(SimulationState& s) {
+  if (!s.composition.effects.empty()) s.bodies.stress = s.stress.all();
+  std::vector<bool> held = s.held;
+  for (std::size_t b = 0; b < held.size(); ++b) held[b] = held[b] || s.sleep.asleep()[b];
+  s.bodies.hold(held);
+}
+
+void update_sleepers(SimulationState& s) {
+  hold_bodies(s);
+  s.detector.set_asleep(s.sleep.asleep());
+  s.resting = s.detector.resting();
+  s.pattern_generation = ~0ull;
+  s.increment.setZero(s.bodies.unknowns());
+  s.first_guess.forget(s.bodies.unknowns());
+  s.falls_asleep = false;
+}
+
+void account_for_awake_bodies(SimulationState& s) {
+  for (NormalContact* normal : s.composition.normal) normal->accept(s.increment);
+  if (s.composition.shear) s.composition.shear->resume(s.increment);
+  s.energy.awake_changed(s.composition);
+}
+
+}  // namespace talus

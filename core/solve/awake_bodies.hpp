@@ -1,0 +1,18 @@
+#pragma once
+
+namespace talus {
+
+struct SimulationState;
+
+/// Which bodies are held, by the stage or by sleep, and what follows from it. A held body has no unknowns.
+
+/// Holds the bodies that the stage holds or that sleep, with the stress that they have now.
+void hold_bodies(SimulationState& s);
+
+/// Some bodies fell asleep or woke: holds and releases them, and tells detection, equations and first guess.
+void update_sleepers(SimulationState& s);
+
+/// After contacts were sought for those that are awake now: the energy ledger goes on with what these hold.
+void account_for_awake_bodies(SimulationState& s);
+
+}  // namespace talus

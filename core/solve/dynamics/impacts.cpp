@@ -1,0 +1,142 @@
+#include "solve/dynamics/impacts.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "base/stopwatch.hpp"
+#include "effects/inertia.hpp"
+
+namespace talus {
+
+namespace {
+
+struct Stencil {
+  std::span<const int> nodes;
+  std::span<const double> weights;
+};
+
+Stencil stencil(const ContactSet& contacts, const ContactPoint& point) {
+  const auto count = static_cast<std::size_t>(point.stencil_end - point.stencil_begin);
+  return {std::span(contacts.nodes).subspan(point.stencil_begin, count),
+          std::span(contacts.weights).subspan(point.stencil_begin, count)};
+}
+
+/// At which the bodies part [m/s].
+double speed_of(const BodySet& set, const ContactSet& contacts, const ContactPoint& point, double step) {
+  const auto [nodes, weights] = stencil(contacts, point);
+  return point.normal.dot(velocity_of(set, nodes, weights, step));
+}
+
+double mass_of(const Body& body) { return body.fixed ? 1e300 : body.density * body.reference_volume; }
+
+}  // namespace
+
+void Impacts::note_speeds(const ContactSet& contacts, const StepContext& step) {
+  const Stopwatch watch(seconds_);
+  closing_.clear();
+  for (const int i : contacts.loose) closing_.push_back(-speed_of(set_, contacts, contacts.points[i], step.length));
+}
+
+Impacts::Range Impacts::range(const ContactPoint& point, double closing, double speed, const ContactOutcome& end,
+                              double step) const {
+  const double leaves = point.restitution.value_or(0) * std::max(0.0, closing);
+  const bool has_met = point.gap > 0;  // in this step
+  return {has_met ? leaves : std::min(0.0, speed), std::max(leaves, -end.gap / (tolerances_.steps_to_part * step))};
+}
+
+void Impacts::add_up_springs(const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes) {
+  springs_.assign(set_.bodies.size(), 0);
+  for (const int i : contacts.loose) {
+    if (!(outcomes[i].normal_force > 0)) continue;
+    const ContactPoint& point = contacts.points[i];
+    for (const int body : point.bodies) springs_[body] += point.normal_stiffness;
+  }
+}
+
+bool Impacts::left_to_springs(const ContactPoint& point, double step) const {
+  if (point.restitution) return false;
+  const double followed = tolerances_.followed_oscillation;
+  const auto deforms = [&](int b) { return !set_.bodies[b].fixed && set_.bodies[b].kind != BodyKind::rigid; };
+  const auto swings_slowly = [&](int b) {
+    return springs_[b] * step * step < followed * followed * mass_of(set_.bodies[b]);
+  };
+  const auto& [a, b] = point.bodies;
+  return deforms(a) || deforms(b) || (swings_slowly(a) && swings_slowly(b));
+}
+
+bool Impacts::gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {
+  struck_.clear();
+  bool as_it_should = true;
+  add_up_springs(contacts, outcomes);
+  for (std::size_t k = 0; k < contacts.loose.size(); ++k) {
+    const int i = contacts.loose[k];
+    const ContactPoint& point = contacts.points[i];
+    if (!(outcomes[i].normal_force > 0) || left_to_springs(point, step)) continue;
+    const double speed = speed_of(set_, contacts, point, step);
+    struck_.push_back({i, range(point, closing_[k], speed, outcomes[i], step)});
+    const auto& [lowest, highest] = struck_.back().range;
+    const double lighter = std::min(mass_of(set_.bodies[point.bodies[0]]), mass_of(set_.bodies[point.bodies[1]]));
+    const double rounding = tolerances_.negligible_speed * outcomes[i].normal_force * step / lighter;
+    as_it_should = as_it_should && speed > lowest - rounding && speed < highest + rounding;
+  }
+  return !as_it_should;
+}
+
+double Impacts::update(Hit& hit) {
+  const Vec3 v = hit.where.velocity(set_);
+  const double speed = hit.normal.dot(v), mobility = hit.normal.dot(hit.where.mobility() * hit.normal);
+  const double without = speed - mobility * hit.pushed;
+  const double wanted = std::clamp(without, hit.range.lowest, hit.range.highest);
+  const double pushed = std::max(-hit.push, (wanted - without) / mobility);
+
+  const Vec3 sideways = v - speed * hit.normal;
+  const double sluggish = hit.where.mobility().trace();  // no less than the mobility in any direction
+  Vec3 shear = hit.shear + hit.sheared - sideways / sluggish;
+  shear -= hit.normal * hit.normal.dot(shear);
+  const double strength = hit.friction * (hit.push + pushed), length = shear.norm();
+  if (length > strength) shear *= strength / length;
+
+  const Vec3 change = (pushed - hit.pushed) * hit.normal + (shear - hit.shear - hit.sheared);
+  hit.pushed = pushed;
+  hit.sheared = shear - hit.shear;
+  hit.where.strike(set_, change);
+  return change.norm();
+}
+
+void Impacts::find_impulses(double largest_push) {
+  double change = largest_push;
+  for (int sweep = 0; change > tolerances_.impulse_accuracy * largest_push; ++sweep) {
+    if (sweep == tolerances_.sweep_limit) {
+      ++sweep_limits_;
+      return;
+    }
+    change = 0;
+    for (Hit& hit : hits_) change = std::max(change, update(hit));
+  }
+}
+
+double Impacts::apply(const ContactSet& contacts, const StepContext& step,
+                      const std::vector<ContactOutcome>& outcomes) {
+  const Stopwatch watch(seconds_);
+  ++evaluations_;
+  if (!gather(contacts, step.length, outcomes)) return 0;
+  hits_.clear();
+  double largest = 0;
+  for (const auto& [i, range] : struck_) {
+    const ContactPoint& point = contacts.points[i];
+    const auto [nodes, weights] = stencil(contacts, point);
+    hits_.push_back({.where = {set_, masses_, nodes, weights, step.length},
+                     .normal = point.normal,
+                     .range = range,
+                     .friction = point.friction,
+                     .push = outcomes[i].normal_force * step.length,
+                     .shear = outcomes[i].shear_force * step.length});
+    largest = std::max(largest, hits_.back().push);
+  }
+  const double before = Inertia::kinetic_energy(set_);
+  find_impulses(largest);
+  set_.carry_velocities();
+  return before - Inertia::kinetic_energy(set_);
+}
+
+}  // namespace talus

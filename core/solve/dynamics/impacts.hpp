@@ -1,0 +1,76 @@
+#pragma once
+
+#include <vector>
+
+#include "bodies/impulse.hpp"
+#include "contact/contact_point.hpp"
+#include "effects/effect.hpp"
+#include "model/solver_tolerances.hpp"
+
+namespace talus {
+
+/// Newton's law of impact: bodies whose contacts touched in a step part at its end at `restitution` times the speed at
+/// which they met. Springs that are stiff for the step throw bodies back at a speed that depends on where in the step
+/// they met; impulses correct it (Moreau 1988; nonlinear Gauss–Seidel of Jean 1999). Over the step as a whole a contact
+/// never pulls, and shears by no more than its strength. Where a joint has no restitution, the rebound is left to
+/// blocks that deform and to springs that the step can follow; rigid bodies that stiffer springs stop do not part.
+class Impacts {
+ public:
+  /// `set` outlives the impacts.
+  explicit Impacts(BodySet& set, const ImpactTolerances& tolerances = {})
+      : set_(set), tolerances_(tolerances), masses_(set) {}
+
+  /// Before a step is accepted: bodies and contacts are as at its start.
+  void note_speeds(const ContactSet& contacts, const StepContext& step);
+  /// After it was accepted, and bodies have moved; forces and gaps are those at its end. Returns the kinetic energy
+  /// that impacts take [J].
+  double apply(const ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes);
+
+  double seconds() const { return seconds_; }
+  long evaluations() const { return evaluations_; }
+  long sweep_limits() const { return sweep_limits_; }  ///< steps whose impulses were not found within the sweep limit
+
+ private:
+  /// Speeds of parting that are left as they are [m/s].
+  struct Range {
+    double lowest, highest;
+  };
+  struct Struck {
+    int point;
+    Range range;
+  };
+  /// A contact that pushed at the end of the step.
+  struct Hit {
+    StruckPoint where;
+    Vec3 normal;
+    Range range;
+    double friction;
+    double push;        // N s, of the springs over the step
+    Vec3 shear;         // N s
+    double pushed = 0;  // N s, by the impact
+    Vec3 sheared = Vec3::Zero();
+  };
+  /// Sums up what pushes each body, [N/m].
+  void add_up_springs(const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes);
+  /// Whether the springs of a contact that pushes decide its rebound.
+  bool left_to_springs(const ContactPoint& point, double step) const;
+  Range range(const ContactPoint& point, double closing, double speed, const ContactOutcome& end, double step) const;
+  /// Collects the contacts that pushed. Whether some of them do not part as they should.
+  bool gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
+  /// Finds the impulses of all hits, contact by contact.
+  void find_impulses(double largest_push);
+  /// The impulse of one contact while the others stay; returns by how much it changed [N s].
+  double update(Hit& hit);
+
+  BodySet& set_;
+  ImpactTolerances tolerances_;
+  InverseMasses masses_;
+  std::vector<double> closing_;  // m/s, of ContactSet::loose at the start of the step
+  std::vector<double> springs_;  // N/m, of all contacts that push a body
+  std::vector<Struck> struck_;
+  std::vector<Hit> hits_;
+  double seconds_ = 0;
+  long evaluations_ = 0, sweep_limits_ = 0;
+};
+
+}  // namespace talus

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "solve/equilibrium/open_close.hpp"
+
+namespace talus {
+
+/// Where the iteration of a step begins: at that one of a few guesses which leaves the smallest residual. The guesses
+/// are no motion; the increment of the last step; that of the last two extrapolated; and what velocity and spin give.
+/// The paper's integrator turns the velocity of a sticking node round each step, so that velocity alone is no good
+/// guess.
+class FirstGuess {
+ public:
+  explicit FirstGuess(const FirstGuessTolerances& tolerances = {}) : tolerances_(tolerances) {}
+
+  /// A stage begins, or bodies fell asleep or woke: forgets the last steps.
+  void forget(int unknowns);
+  /// The increment of a step of `length` [s] was accepted.
+  void remember(const Increment& taken, double length);
+  /// Between OpenClose::begin_step and converge.
+  void choose(OpenClose& open_close, const BodySet& bodies, const StepContext& step, Increment& d);
+
+ private:
+  FirstGuessTolerances tolerances_;
+  Increment last_, earlier_, guess_;
+  double last_length_ = 0, earlier_length_ = 0;  ///< s; 0: there is none
+};
+
+}  // namespace talus

@@ -1,0 +1,300 @@
+#include "solve/equilibrium/open_close.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/stopwatch.hpp"
+
+namespace talus {
+
+namespace {
+
+/// Watches whether the residual still falls.
+class Progress {
+ public:
+  explicit Progress(const ConvergenceTolerances& tolerances) : tolerances_(tolerances) {}
+
+  /// Takes the residual of the next iteration [N]; whether it no longer falls.
+  bool has_stalled(double residual) {
+    iterations_ = residual > tolerances_.stalled_fraction * lowest_ ? iterations_ + 1 : 0;
+    if (iterations_ == 0) lowest_ = residual;
+    return iterations_ >= tolerances_.stalled_iterations;
+  }
+
+ private:
+  const ConvergenceTolerances& tolerances_;
+  double lowest_ = 1e300;  // N, when it fell last
+  int iterations_ = 0;     // since then
+};
+
+}  // namespace
+
+void OpenClose::begin_stage(Composition& composition) {
+  composition_ = &composition;
+  residual_.begin_stage(composition);
+}
+
+SolveTimes OpenClose::times() const {
+  SolveTimes times = residual_.times();
+  times.assemble += interior_.times().assemble;
+  times.factor += pattern_seconds_ + linear_.work().factor_seconds + interior_.times().factor;
+  times.solve += linear_.work().solve_seconds + interior_.times().solve;
+  return times;
+}
+
+void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
+  const Stopwatch watch(pattern_seconds_);
+  residual_.set_pattern(nodes, std::move(couplings));
+  const BlockPattern& pattern = residual_.matrix().pattern();
+  unsymmetric_.set_pattern(pattern);
+  linear_.set_pattern(pattern);
+  search_.set_size(nodes);
+  zero_.setZero(3 * nodes);
+}
+
+void OpenClose::begin_step(const StepContext& step) {
+  tolerance_ = step.dynamic_factor > 0 ? tolerances_.dynamic_residual : tolerances_.static_residual;
+  if (residual_.begin_step(step)) linear_.outdate();
+}
+
+double OpenClose::residual_at(const Increment& d) {
+  residual_.evaluate(d, Friction::coupled);
+  return residual_.norm();
+}
+
+void OpenClose::solve_at_step_start(Friction friction) {
+  residual_.assemble(zero_, tolerances_.first_closing);
+  linear_.outdate();  // solved exactly
+  unsymmetric_.set_zero();
+  if (friction == Friction::coupled) residual_.add_unsymmetric(zero_, unsymmetric_);
+  linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), 0, direction_);
+}
+
+const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
+  residual_.evaluate_without_inertia();
+  solve_at_step_start(Friction::frozen);
+  if (ShearContact* shear = composition_->shear; shear && shear->let_slide(-direction_)) {
+    solve_at_step_start(Friction::coupled);
+    shear->stick();
+  }
+  direction_ *= -(1 - step.integration.alpha_m) / (step.integration.beta * step.length * step.length);
+  return direction_;
+}
+
+OpenCloseResult OpenClose::converge(Increment& d) {
+  OpenCloseResult result;
+  Progress progress(tolerances_);
+  int newton_iterations = 0;  // since the start, or since the last fallback
+  bool interior_point_left = interior_point_applies();
+  first_guess_ = d;
+  residual_.evaluate(d, Friction::coupled);
+  for (;; ++result.iterations) {
+    result.residual = residual_.norm();
+    result.force_scale = residual_.force_scale();
+    if (!std::isfinite(result.residual)) return result;
+    result.converged = has_converged(result, progress.has_stalled(result.residual), d);
+    if (result.converged) return result;
+    if (result.iterations >= iteration_limit_) break;
+    if (result.iterations >= tolerances_.hard_step && result.worst_dof_block < 0)
+      result.worst_dof_block = worst_dof_block();
+    if (newton_iterations == tolerances_.newton_iterations) {
+      newton_iterations = 0;
+      if (!converge_with_fallbacks(d, result.iterations, interior_point_left)) break;
+    } else {
+      assemble(d, result.iterations == 0 ? tolerances_.first_closing : 0);
+      search_.set_all_pending();
+      find_direction(d, Friction::coupled);
+      iterate(d, newton_iterations < tolerances_.closing_iterations);
+      ++newton_iterations;
+    }
+  }
+  result.residual = residual_.norm();
+  result.worst_dof_block = worst_dof_block();
+  return result;
+}
+
+bool OpenClose::has_converged(const OpenCloseResult& now, bool stalled, const Increment& d) const {
+  if (now.residual <= tolerance_ * now.force_scale) return true;
+  const double rounding =
+      std::max(tolerances_.rounding_residual * now.force_scale, tolerances_.rounding_factor * residual_.rounding());
+  const bool is_rounding = stalled && now.residual <= rounding;
+  const bool stands_still = now.iterations == 0 && now.residual <= residual_.rounding_of_positions() && d.isZero(0);
+  return is_rounding || stands_still;
+}
+
+void OpenClose::assemble(const Increment& d, double touching) {
+  residual_.assemble(d, touching);
+  residual_.measure_rounding();
+}
+
+void OpenClose::find_direction(const Increment& d, Friction friction) {
+  unsymmetric_.set_zero();
+  if (friction == Friction::coupled) residual_.add_unsymmetric(d, unsymmetric_);
+  search_.pick_pending(residual_.gradient(), part_);
+  linear_.solve(residual_.matrix(), unsymmetric_, part_,
+                tolerances_.negligible_system * tolerance_ * residual_.force_scale(), direction_);
+  part_ = -direction_;
+  direction_ *= residual_.longest_step_fraction(d, part_);
+}
+
+void OpenClose::iterate(Increment& d, bool early) {
+  begin_search(d);
+  const double negligible = negligible_residual();
+  start_ = d;
+  advance_from_start(d, Friction::coupled);
+  search_.keep(residual_.gradient(), direction_, [&](const PartwiseLineSearch::State& part) {
+    const bool little_turned =
+        part.slope_before < 0 && std::abs(part.slope) < -tolerances_.slope_turned * part.slope_before;
+    return part.residual < std::max(tolerances_.reduced * part.residual_before, negligible) || little_turned;
+  });
+  if (!search_.any_pending() || (early && another_iteration_leads_on(d))) return;
+  // The full increment leads astray. With friction frozen at this iterate there is a potential; it falls along the
+  // direction, and its slope leads to its minimum. Often that lies in the narrow range in which a contact sticks, with
+  // sliding one way before it and the other way behind it.
+  search_.go_back(start_, d);
+  residual_.evaluate(d, Friction::coupled);
+  residual_.freeze(d);
+  if (early) assemble(d, 0);
+  find_direction(d, Friction::frozen);
+  minimise_along_direction(d);
+  residual_.evaluate(d, Friction::coupled);
+}
+
+bool OpenClose::another_iteration_leads_on(Increment& d) {
+  second_start_ = start_;
+  assemble(d, 0);
+  find_direction(d, Friction::coupled);
+  start_ = d;
+  advance_from_start(d, Friction::coupled);
+  start_ = second_start_;
+  search_.keep(residual_.gradient(), direction_, [&](const PartwiseLineSearch::State& part) {
+    return part.residual < tolerances_.reduced * part.residual_before;
+  });
+  return !search_.any_pending();
+}
+
+void OpenClose::begin_search(const Increment& d) {
+  together_.reset(static_cast<int>(d.size() / 3));
+  composition_->bodies->join_dof_blocks(together_);
+  part_ = -direction_;
+  for (const NormalContact* normal : composition_->normal) normal->join_touching(d, part_, together_);
+  if (composition_->shear) composition_->shear->join_with_strength(together_);
+  search_.set_parts(together_);
+  search_.begin(residual_.gradient(), direction_);
+}
+
+void OpenClose::advance_from_start(Increment& d, Friction friction) {
+  search_.increment_along(direction_, scaled_);
+  composition_->bodies->advance(start_, scaled_, d);
+  residual_.evaluate(d, friction);
+}
+
+void OpenClose::minimise_along_direction(Increment& d) {
+  begin_search(d);
+  const double negligible = negligible_residual();
+  advance_from_start(d, Friction::frozen);
+  for (int trial = 0; trial < tolerances_.line_search_limit; ++trial) {
+    if (!search_.narrow(residual_.gradient(), direction_, negligible)) break;
+    advance_from_start(d, Friction::frozen);
+  }
+}
+
+double OpenClose::negligible_residual() const {
+  return std::max(tolerances_.negligible_part * residual_.norm(), tolerance_ * residual_.force_scale());
+}
+
+bool OpenClose::converge_with_fallbacks(Increment& d, int& iterations, bool& interior_point_left) {
+  const int left = iteration_limit_ - iterations - 1;
+  const int frozen_limit = interior_point_left ? std::min(left, tolerances_.interior_point_after - iterations) : left;
+  const int count = frozen_limit > 0 ? converge_with_frozen_friction(d, frozen_limit) : 0;
+  iterations += count;
+  if (!interior_point_left || count < frozen_limit) return true;
+  interior_point_left = false;
+  d = first_guess_;
+  iterations += approach_by_interior_point(d, left - count);
+  return !is_hopeless(iteration_limit_ - iterations);
+}
+
+int OpenClose::converge_with_frozen_friction(Increment& d, int limit) {
+  double before = residual_.norm();
+  int count = 0;
+  residual_.freeze(d);
+  for (; count < limit; ++count) {
+    assemble(d, 0);
+    search_.set_all_pending();
+    find_direction(d, Friction::frozen);
+    start_ = d;
+    minimise_along_direction(d);
+    const double negligible =
+        std::max(tolerance_ * residual_.force_scale(), tolerances_.rounding_factor * residual_.rounding());
+    if (residual_.norm() > std::max(tolerances_.frozen_reduction * before, negligible)) continue;
+    residual_.evaluate(d, Friction::coupled);
+    before = residual_.norm();
+    if (before <= negligible || coupled_iteration_leads_on(d)) return count;
+    residual_.freeze(d);
+  }
+  residual_.evaluate(d, Friction::coupled);
+  return count;
+}
+
+bool OpenClose::coupled_iteration_leads_on(Increment& d) {
+  const double before = residual_.norm();
+  search_.set_all_pending();
+  find_direction(d, Friction::coupled);
+  begin_search(d);
+  start_ = d;
+  advance_from_start(d, Friction::coupled);
+  search_.keep(residual_.gradient(), direction_, [&](const PartwiseLineSearch::State& part) {
+    return part.residual < tolerances_.well_reduced * part.residual_before;
+  });
+  if (search_.any_pending()) {
+    search_.go_back(start_, d);
+    residual_.evaluate(d, Friction::coupled);
+  }
+  return residual_.norm() < tolerances_.well_reduced * before;
+}
+
+bool OpenClose::interior_point_applies() const {
+  if (!composition_->links) return false;
+  const ContactSet& contacts = composition_->links->contacts();
+  return !contacts.loose.empty() && contacts.bonded.empty() && zero_.size() <= tolerances_.interior_point_unknowns;
+}
+
+int OpenClose::approach_by_interior_point(Increment& d, int limit) {
+  const InteriorPoint::Problem problem{
+      .bodies = *composition_->bodies,
+      .links = *composition_->links,
+      .pattern = residual_.matrix().pattern(),
+      .arms = residual_.arms(),
+      .add_gradient = [this](const Increment& at,
+                             Eigen::VectorXd& sum) { residual_.add_gradient_without_contacts(at, sum); },
+      .assemble = [this](
+                      const Increment& at, SymmetricBlocks& matrix,
+                      UnsymmetricBlocks& unsymmetric) { residual_.assemble_without_contacts(at, matrix, unsymmetric); },
+      .longest_step_fraction =
+          [this](const Increment& at, const Eigen::VectorXd& change) {
+            return residual_.longest_step_fraction(at, change);
+          },
+      .is_near =
+          [this](const Increment& at) {
+            return residual_at(at) < tolerances_.interior_point_residual * residual_.force_scale();
+          }};
+  const int count = interior_.approach(problem, std::min(limit, tolerances_.interior_point_limit), d);
+  residual_.evaluate(d, Friction::coupled);
+  return count;
+}
+
+bool OpenClose::is_hopeless(int iterations_left) const {
+  return residual_.norm() > tolerances_.hopeless_residual * residual_.force_scale() &&
+         interior_.points() > iterations_left;
+}
+
+int OpenClose::worst_dof_block() const {
+  if (residual_.gradient().size() == 0) return -1;
+  Eigen::Index worst = 0;
+  residual_.gradient().cwiseAbs().maxCoeff(&worst);
+  return static_cast<int>(worst / 3);
+}
+
+}  // namespace talus

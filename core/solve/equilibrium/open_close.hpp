@@ -1,0 +1,120 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "linear/linear_system.hpp"
+#include "model/solver_settings.hpp"
+#include "solve/equilibrium/interior_point.hpp"
+#include "solve/equilibrium/partwise_line_search.hpp"
+#include "solve/equilibrium/step_residual.hpp"
+
+namespace talus {
+
+/// How the open–close iteration of one trial step ended.
+struct OpenCloseResult {
+  bool converged = false;
+  int iterations = 0;
+  double residual = 0;     ///< N, norm of the gradient
+  double force_scale = 0;  ///< N, what it is measured against
+  /// Degree-of-freedom block with the largest part of the residual: of a hard step when it became hard, of one that did
+  /// not converge at its end. −1: the step was easy, or the residual is not a number.
+  int worst_dof_block = -1;
+};
+
+/// Finds the increment D at which all forces balance: which contacts are open and closed, which stick and slide. It is
+/// a semismooth Newton method (Alart & Curnier 1991): each iteration takes friction strengths from its own normal
+/// forces, where the paper's section 3 iterates on the states of contacts. The tangent is symmetric, except that
+/// friction depends on the normal force. An iteration is
+///   1. assemble the tangent at D, solve for Newton's direction;
+///   2. try the full increment, and keep it where it reduces the residual;
+///   3. elsewhere freeze friction, so that there is a potential, and search for its minimum along the direction.
+/// Where a few iterations do not converge, frozen friction alone is tried for a while, then the interior-point method.
+class OpenClose {
+ public:
+  explicit OpenClose(const SolverTolerances& tolerances = {}, int iteration_limit = SolverSettings{}.open_close_limit)
+      : tolerances_(tolerances.convergence),
+        iteration_limit_(iteration_limit),
+        residual_(tolerances.convergence),
+        linear_({.tolerance = tolerances.convergence.gmres, .limit = tolerances.convergence.gmres_limit}),
+        search_(tolerances.convergence),
+        interior_(tolerances.interior_point) {}
+
+  /// The effects of a stage; they must live until end_stage.
+  void begin_stage(Composition& composition);
+  void end_stage() { residual_.end_stage(); }
+  /// The couplings of contacts have changed: finds the independent systems anew.
+  void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
+  /// Once after Effect::begin_step.
+  void begin_step(const StepContext& step);
+
+  /// Iterates from the first guess `d` to the increment, which it leaves there. The bodies and contacts stand at the
+  /// start of a step.
+  OpenCloseResult converge(Increment& d);
+  /// Norm of the gradient at D [N].
+  double residual_at(const Increment& d);
+  /// Accelerations a₀ [m/s²] at the start of a stage, 3 numbers a movable node: (M + βΔ²K/(1 − α_m)) a₀ balances all
+  /// forces but inertia at D = 0. So a load that begins with the stage does not excite what is too stiff for the step
+  /// to resolve, such as a sticking contact; what slides goes on sliding. Between begin_step and converge.
+  const Eigen::VectorXd& start_accelerations(const StepContext& step);
+
+  const StepResidual& residual() const { return residual_; }  ///< as of the last D that was evaluated
+  SolveTimes times() const;
+  const LinearWork& linear_work() const { return linear_.work(); }
+  const InteriorPoint& interior_point() const { return interior_; }
+
+ private:
+  using Friction = StepResidual::Friction;
+  /// Assembles the tangent and measures what rounding it makes.
+  void assemble(const Increment& d, double touching);
+  /// Newton's direction from D of the parts that are pending, no longer than bodies may go in an iteration.
+  void find_direction(const Increment& d, Friction friction);
+  void solve_at_step_start(Friction friction);
+  /// Finds the parts that do not meet along the direction from D, and begins their line searches.
+  void begin_search(const Increment& d);
+  /// D = start − fraction · direction of each part, and the forces there.
+  void advance_from_start(Increment& d, Friction friction);
+  /// Searches along the direction, part by part, for the minimum of the potential with frozen friction.
+  void minimise_along_direction(Increment& d);
+  /// What may be left in one part without searching further [N].
+  double negligible_residual() const;
+
+  /// One iteration of Newton's method. `early`: contacts may close together, at the price of a larger residual.
+  void iterate(Increment& d, bool early);
+  /// A full increment that closes contacts may leave a far larger residual, and the next one nearly none.
+  bool another_iteration_leads_on(Increment& d);
+
+  /// What is tried where Newton's method goes round in circles: frozen friction; then once the interior-point method;
+  /// then frozen friction again. Adds its iterations. False: a shorter step is the better way.
+  bool converge_with_fallbacks(Increment& d, int& iterations, bool& interior_point_left);
+  /// Friction stays frozen while the potential that there is then falls to its minimum, which it does from anywhere;
+  /// then it is taken anew, until a coupled iteration leads on. Returns the number of iterations.
+  int converge_with_frozen_friction(Increment& d, int limit);
+  /// Keeps a coupled iteration from D if it reduces the residual by much.
+  bool coupled_iteration_leads_on(Increment& d);
+  bool interior_point_applies() const;
+  /// Returns the number of iterations.
+  int approach_by_interior_point(Increment& d, int limit);
+  /// Frozen friction decides contacts one by one: far from equilibrium with more contacts than iterations it is in
+  /// vain.
+  bool is_hopeless(int iterations_left) const;
+
+  bool has_converged(const OpenCloseResult& now, bool stalled, const Increment& d) const;
+  int worst_dof_block() const;
+
+  Composition* composition_ = nullptr;
+  ConvergenceTolerances tolerances_;
+  int iteration_limit_;
+  StepResidual residual_;
+  UnsymmetricBlocks unsymmetric_;
+  LinearSystem linear_;
+  PartwiseLineSearch search_;
+  InteriorPoint interior_;
+  DisjointSets together_;
+  Eigen::VectorXd part_, direction_, zero_;
+  Increment scaled_, start_, second_start_, first_guess_;
+  double tolerance_ = 0;  ///< relative residual at which this step has converged
+  double pattern_seconds_ = 0;
+};
+
+}  // namespace talus

@@ -1,0 +1,206 @@
+#include "solve/equilibrium/step_residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/stopwatch.hpp"
+
+namespace talus {
+
+std::map<EffectKind, StepResidual::EffectWork> StepResidual::effect_work() const {
+  std::map<EffectKind, EffectWork> all = earlier_work_;
+  for (std::size_t i = 0; i < effect_work_.size(); ++i) {
+    EffectWork& sum = all[composition_->effects[i]->kind()];
+    sum.seconds += effect_work_[i].seconds;
+    sum.built += effect_work_[i].built;
+    sum.evaluations += effect_work_[i].evaluations;
+    sum.assemblies += effect_work_[i].assemblies;
+  }
+  return all;
+}
+
+void StepResidual::end_stage() {
+  earlier_work_ = effect_work();
+  effect_work_.clear();
+}
+
+void StepResidual::begin_stage(Composition& composition) {
+  composition_ = &composition;
+  effect_work_.assign(composition.effects.size(), {.built = 1});
+  works_.assign(composition.effects.size(), 0);
+  norms_.assign(composition.effects.size(), 0);
+  step_.length = 0;
+}
+
+void StepResidual::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
+  for (const auto& effect : composition_->effects) effect->add_couplings(couplings);
+  const BlockPattern pattern(nodes, std::move(couplings));
+  constant_.set_pattern(pattern);
+  of_step_.set_pattern(pattern);
+  matrix_.set_pattern(pattern);
+  zero_.setZero(3 * nodes);
+  pattern_changed_ = true;
+  rounding_ = rounding_of_positions_ = 0;
+}
+
+void StepResidual::assemble_constant() {
+  pattern_changed_ = false;
+  constant_.set_zero();
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+    const Effect& effect = *composition_->effects[i];
+    if (!effect.constant()) continue;
+    const Stopwatch of_effect(effect_work_[i].seconds);
+    constant_.set_weight(effect.smooth() ? smooth_fraction_ : 1);
+    effect.add_hessian(zero_, constant_);
+    ++effect_work_[i].assemblies;
+  }
+}
+
+bool StepResidual::begin_step(const StepContext& step) {
+  const Stopwatch watch(times_.assemble);
+  const bool same_kind = step.length == step_.length && step.integration == step_.integration;
+  step_ = step;
+  smooth_fraction_ = step.integration.smooth_fraction();
+  if (!same_kind || pattern_changed_) assemble_constant();
+  of_step_.assign(constant_);
+  part_.resize(zero_.size());
+  momentum_scale_ = 0;
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+    const Effect& effect = *composition_->effects[i];
+    const Stopwatch of_effect(effect_work_[i].seconds);
+    of_step_.set_weight(effect.smooth() ? smooth_fraction_ : 1);
+    if (effect.quadratic() && !effect.constant()) {
+      effect.add_hessian(zero_, of_step_);
+      ++effect_work_[i].assemblies;
+    }
+    if (effect.account() != EnergyAccount::kinetic) continue;
+    part_.setZero();
+    effect.add_gradient(zero_, step_.arms, part_);
+    momentum_scale_ = tolerances_.momentum_force_weight * part_.norm();
+  }
+  return !same_kind;
+}
+
+void StepResidual::evaluate(const Increment& d, Friction friction) {
+  const Stopwatch watch(times_.update);
+  if (composition_->shear && friction == Friction::coupled) composition_->shear->update_strength(d);
+  const Arms arms = friction == Friction::frozen ? Arms::end : step_.arms;  // frozen forces have a potential
+  if (friction == Friction::frozen)
+    gradient_ = frozen_;
+  else
+    gradient_.setZero(d.size());
+  part_.resize(d.size());
+  scaled_ = smooth_fraction_ * d;
+  force_scale_ = momentum_scale_;
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+    const Effect& effect = *composition_->effects[i];
+    const Stopwatch of_effect(effect_work_[i].seconds);
+    part_.setZero();
+    effect.add_gradient(effect.smooth() ? scaled_ : d, arms, part_);
+    ++effect_work_[i].evaluations;
+    gradient_ += part_;
+    works_[i] = part_.dot(d);
+    norms_[i] = part_.norm();
+    const double counts = effect.account() == EnergyAccount::elastic ? tolerances_.elastic_force_weight : 1;
+    force_scale_ = std::max(force_scale_, counts * norms_[i]);
+  }
+}
+
+void StepResidual::freeze(const Increment& d) {
+  frozen_.setZero(d.size());
+  if (step_.arms == Arms::end) return;
+  frozen_ = -gradient_;
+  evaluate(d, Friction::frozen);  // what has a potential, less what there is
+  frozen_.swap(gradient_);
+  frozen_ *= -1;
+  gradient_ *= -1;
+}
+
+void StepResidual::evaluate_without_inertia() {
+  evaluate(zero_, Friction::coupled);
+  for (const auto& effect : composition_->effects) {
+    if (effect->account() != EnergyAccount::kinetic) continue;
+    part_.setZero();
+    effect->add_gradient(zero_, step_.arms, part_);
+    gradient_ -= part_;
+  }
+}
+
+double StepResidual::static_residual() const {
+  double inertia = 0, largest = 0;
+  for (std::size_t i = 0; i < norms_.size(); ++i) {
+    const bool kinetic = composition_->effects[i]->account() == EnergyAccount::kinetic;
+    double& norm = kinetic ? inertia : largest;
+    norm = std::max(norm, norms_[i]);
+  }
+  return largest > 0 ? inertia / largest : 0;
+}
+
+void StepResidual::assemble(const Increment& d, double touching) {
+  const Stopwatch watch(times_.assemble);
+  for (NormalContact* normal : composition_->normal) normal->count_as_closed(touching);
+  if (composition_->shear) composition_->shear->count_as_closed(touching);
+  matrix_.assign(of_step_);
+  add_hessians(d, Contacts::included, matrix_);
+}
+
+void StepResidual::add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix) {
+  scaled_ = smooth_fraction_ * d;
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+    const Effect& effect = *composition_->effects[i];
+    if (effect.quadratic() || (contacts == Contacts::left_out && effect.account() == EnergyAccount::contact)) continue;
+    const Stopwatch of_effect(effect_work_[i].seconds);
+    matrix.set_weight(effect.smooth() ? smooth_fraction_ : 1);
+    effect.add_hessian(effect.smooth() ? scaled_ : d, matrix);
+    ++effect_work_[i].assemblies;
+  }
+  matrix.set_weight(1);
+}
+
+void StepResidual::add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& sum) const {
+  for (const auto& effect : composition_->effects)
+    if (contacts == Contacts::included || effect->account() != EnergyAccount::contact) effect->add_unsymmetric(d, step_.arms, sum);
+}
+
+void StepResidual::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) {
+  const Stopwatch watch(times_.assemble);
+  add_unsymmetric(d, Contacts::included, sum);
+}
+
+void StepResidual::measure_rounding() {
+  const double stiffness = matrix_.diagonal_norm();
+  rounding_ = std::numeric_limits<double>::epsilon() * step_.mesh_size * stiffness;
+  rounding_of_positions_ = std::numeric_limits<double>::epsilon() * step_.extent * stiffness;
+}
+
+void StepResidual::add_gradient_without_contacts(const Increment& d, Eigen::VectorXd& sum) {
+  scaled_ = smooth_fraction_ * d;
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
+    const Effect& effect = *composition_->effects[i];
+    if (effect.account() == EnergyAccount::contact) continue;
+    const Stopwatch of_effect(effect_work_[i].seconds);
+    effect.add_gradient(effect.smooth() ? scaled_ : d, step_.arms, sum);
+    ++effect_work_[i].evaluations;
+  }
+}
+
+void StepResidual::assemble_without_contacts(const Increment& d, SymmetricBlocks& matrix,
+                                             UnsymmetricBlocks& unsymmetric) {
+  matrix.assign(of_step_);
+  add_hessians(d, Contacts::left_out, matrix);
+  add_unsymmetric(d, Contacts::left_out, unsymmetric);
+}
+
+double StepResidual::longest_step_fraction(const Increment& d, const Eigen::VectorXd& change) {
+  double longest = 0;
+  for (Eigen::Index n = 0; n < change.size(); n += 3) longest = std::max(longest, change.segment<3>(n).squaredNorm());
+  double fraction = longest > step_.reach * step_.reach ? step_.reach / std::sqrt(longest) : 1;
+  scaled_ = smooth_fraction_ * d;
+  part_ = smooth_fraction_ * change;
+  for (const auto& effect : composition_->effects)
+    if (effect->smooth()) fraction = std::min(fraction, effect->longest_step_fraction(scaled_, part_));
+  return fraction;
+}
+
+}  // namespace talus

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "effects/compose.hpp"
+#include "model/solver_tolerances.hpp"
+#include "solve/equilibrium/solve_times.hpp"
+
+namespace talus {
+
+/// The residual of a step: the gradient ∇Π(D) of all effects of a stage together at an increment D, and its
+/// derivatives. The step has converged where it vanishes. Counts and times what each effect costs. The bodies and
+/// contacts stand at the start of the step.
+class StepResidual {
+ public:
+  /// Friction strengths: those of the D that is evaluated, or those at which they were frozen.
+  enum class Friction { coupled, frozen };
+
+  explicit StepResidual(const ConvergenceTolerances& tolerances = {}) : tolerances_(tolerances) {}
+
+  /// The effects of a stage; they must live until end_stage.
+  void begin_stage(Composition& composition);
+  void end_stage();
+  /// The couplings of contacts have changed.
+  void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
+  /// Assembles what is constant through a step, where it has changed; called once after Effect::begin_step. Whether
+  /// length or integration differ from those of the step before: then an old factor is no good preconditioner.
+  bool begin_step(const StepContext& step);
+
+  /// Finds the gradient at D, and the scale of the forces in it.
+  void evaluate(const Increment& d, Friction friction);
+  const Eigen::VectorXd& gradient() const { return gradient_; }  ///< N, at the last D that was evaluated
+  double norm() const { return gradient_.norm(); }               ///< N
+  Arms arms() const { return step_.arms; }                       ///< of coupled forces in this step
+  /// Freezes at D, where the gradient is known, what has no potential: friction strengths, and what mean arms change in
+  /// moments.
+  void freeze(const Increment& d);
+  /// The gradient at D = 0 without inertia's force.
+  void evaluate_without_inertia();
+  double force_scale() const { return force_scale_; }  ///< N, of the forces that the last gradient is the sum of
+  /// ∇Π_e·D of each effect at the last D that was evaluated [J].
+  const std::vector<double>& works() const { return works_; }
+  /// Norm of inertia's force over that of the largest other force, at the last D: the relative residual of static
+  /// equilibrium.
+  double static_residual() const;
+
+  /// Assembles the Hessian at D. Contacts that are open by less than `touching`, of the mesh size, count as closed.
+  void assemble(const Increment& d, double touching);
+  const SymmetricBlocks& matrix() const { return matrix_; }  ///< N/m, as last assembled
+  /// Estimates from that matrix how large a residual the rounding of deformations, and of positions at the start of the
+  /// step, may leave.
+  void measure_rounding();
+  /// N; 0: it was not measured since the pattern changed.
+  double rounding() const { return rounding_; }
+  double rounding_of_positions() const { return rounding_of_positions_; }
+  /// Adds the unsymmetric part of the derivative of the gradient [N/m].
+  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum);
+
+  /// The gradient of all effects but contact, added to `sum` [N].
+  void add_gradient_without_contacts(const Increment& d, Eigen::VectorXd& sum);
+  /// Their Hessian, and their unsymmetric part, which is added [N/m].
+  void assemble_without_contacts(const Increment& d, SymmetricBlocks& matrix, UnsymmetricBlocks& unsymmetric);
+
+  /// The largest fraction, at most 1, of a change of D after which smooth effects are still finite and no node has gone
+  /// further than contacts were sought.
+  double longest_step_fraction(const Increment& d, const Eigen::VectorXd& change);
+
+  /// What an effect has cost in all stages.
+  struct EffectWork {
+    double seconds = 0;  ///< wall time
+    long built = 0, evaluations = 0, assemblies = 0;
+  };
+  std::map<EffectKind, EffectWork> effect_work() const;
+  const SolveTimes& times() const { return times_; }
+
+ private:
+  enum class Contacts { included, left_out };
+  void assemble_constant();
+  /// What effects that are not quadratic add at D.
+  void add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix);
+  void add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& sum) const;
+
+  ConvergenceTolerances tolerances_;
+  Composition* composition_ = nullptr;
+  StepContext step_;              ///< of length 0: the stage has had none yet
+  double smooth_fraction_ = 1;    ///< of D at which smooth forces are taken
+  SymmetricBlocks constant_;      ///< what is constant through steps of this length of a stage …
+  SymmetricBlocks of_step_;       ///< … with what is constant through this step …
+  SymmetricBlocks matrix_;        ///< … with the rest
+  bool pattern_changed_ = false;  ///< since constant_ was assembled
+  Eigen::VectorXd gradient_, part_, zero_;
+  Eigen::VectorXd frozen_;  ///< N, moments that frozen forces keep beside those that have a potential
+  Increment scaled_;
+  std::vector<double> works_, norms_;
+  double rounding_ = 0, rounding_of_positions_ = 0;
+  double force_scale_ = 0, momentum_scale_ = 0;
+  SolveTimes times_;
+  std::vector<EffectWork> effect_work_;  ///< of each effect of the stage
+  std::map<EffectKind, EffectWork> earlier_work_;
+};
+
+}  // namespace talus

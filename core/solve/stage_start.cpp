@@ -1,0 +1,99 @@
+#include "solve/stage_start.hpp"
+
+#include <algorithm>
+
+#include "model/stage_changes.hpp"
+#include "solve/awake_bodies.hpp"
+#include "solve/contact_search.hpp"
+#include "solve/dynamics/initial_motion.hpp"
+#include "solve/joint_laws.hpp"
+#include "solve/simulation_state.hpp"
+
+namespace talus {
+
+namespace {
+
+/// Bodies on which a load or a constraint of the stage acts by table: one flag a body.
+std::vector<bool> moved_by_table(const Project& now, const BlockSystem& system) {
+  std::vector<bool> moved;
+  for (const Block& block : system.blocks) {
+    const auto acts = [&](const auto& action) { return action.block == block.name && !action.table.empty(); };
+    moved.push_back(std::any_of(now.loads.begin(), now.loads.end(), acts) ||
+                    std::any_of(now.constraints.begin(), now.constraints.end(), acts));
+  }
+  return moved;
+}
+
+void wake_all(SimulationState& s, const Project& now) {
+  const bool some_slept = s.sleep.count() > 0;
+  s.sleep.begin_stage(moved_by_table(now, s.system));
+  if (!some_slept) return;
+  update_sleepers(s);
+  seek_contacts(s, 0);
+  account_for_awake_bodies(s);
+}
+
+void hold_bodies_of_stage(SimulationState& s, int stage) {
+  const std::vector<std::string> names = blocks_held_in_stage(s.project, stage);
+  std::vector<bool> held, fixed;
+  for (std::size_t b = 0; b < s.bodies.bodies.size(); ++b) {
+    held.push_back(std::find(names.begin(), names.end(), s.system.blocks[b].name) != names.end());
+    fixed.push_back(held.back() || s.bodies.bodies[b].built_fixed());
+  }
+  if (held == s.held) return;
+  s.held = held;
+  hold_bodies(s);
+  s.detector.set_fixed(fixed);
+}
+
+void compose_effects(SimulationState& s, int stage) {
+  s.open_close.end_stage();
+  s.composition = compose(s.project, s.system, stage, s.bodies, s.links, s.tolerances.effects);
+  s.open_close.begin_stage(s.composition);
+  if (s.composition.rebounds && !s.impacts) s.impacts.emplace(s.bodies, s.tolerances.impact);
+  s.energy.begin_stage(s.composition);
+}
+
+/// Nothing is known yet of the steps of the stage.
+void forget_steps(SimulationState& s, double longest_step) {
+  std::fill(s.bodies.nodes.prescribed.begin(), s.bodies.nodes.prescribed.end(), Vec3::Zero());
+  s.control.begin_stage(longest_step);
+  s.pattern_generation = ~0ull;
+  s.increment.setZero(s.bodies.unknowns());
+  s.first_guess.forget(s.bodies.unknowns());
+  s.stage_steps = 0;
+  s.pseudo_transient.begin_stage();
+}
+
+void set_time_integration(SimulationState& s, StageKind kind) {
+  s.context.dynamic_factor = kind == StageKind::dynamic ? 1 : 0;
+  s.integration = TimeIntegration::of(s.project.solver);
+  if (kind == StageKind::static_ && s.integration.alpha_f > 0) s.integration = TimeIntegration::newmark();
+  s.context.integration = s.integration;
+  s.context.arms = kind == StageKind::dynamic && s.integration.alpha_f == 0 ? Arms::mean : Arms::end;
+}
+
+void give_velocities(SimulationState& s) {
+  give_initial_velocities(s.project, s.system, s.bodies);
+  s.energy.energy_was_given(s.composition);
+  s.velocities_given = true;
+}
+
+}  // namespace
+
+void begin_stage(SimulationState& s) {
+  const int number = s.clock.stage();
+  const Stage& stage = s.project.stages[number];
+  const Project now = project_in_stage(s.project, number);
+  wake_all(s, now);
+  hold_bodies_of_stage(s, number);
+  s.detector.set_laws(joint_laws(now));
+  compose_effects(s, number);
+  s.motion.emplace(now, s.system);
+  forget_steps(s, stage.time_step);
+  set_time_integration(s, stage.kind);
+  s.accelerations_wanted = s.dynamic();
+  if (s.dynamic() && !s.velocities_given) give_velocities(s);
+}
+
+}  // namespace talus

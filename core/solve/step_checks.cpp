@@ -1,0 +1,28 @@
+#include "solve/step_checks.hpp"
+
+#include <algorithm>
+
+#include "base/stopwatch.hpp"
+#include "solve/simulation_state.hpp"
+
+namespace talus {
+
+int inverted_element(const SimulationState& s) {
+  const auto is_inverted = [&](const Element& element) {
+    Corners corners = s.bodies.corner_increments(element, s.increment);
+    for (int i = 0; i < 4; ++i) corners[i] += s.bodies.nodes.position[element.nodes[i]];
+    return !(element_shape(corners).volume > 0);
+  };
+  const auto found = std::find_if(s.bodies.elements.begin(), s.bodies.elements.end(), is_inverted);
+  return found == s.bodies.elements.end() ? -1 : static_cast<int>(found - s.bodies.elements.begin());
+}
+
+std::optional<ContactDetector::MissedContact> missed_contact(SimulationState& s) {
+  const double longest = s.project.stages[s.clock.stage()].time_step;
+  if (!s.dynamic() || s.context.length < s.tolerances.step.shortest_recheck * longest) return {};
+  const double tolerance = s.project.solver.penetration_tolerance.value_or(s.tolerances.step.dynamic_penetration);
+  const Stopwatch watch(s.detect_seconds);
+  return s.missed_contacts.seek(s.detector, s.links, s.increment, s.reach, tolerance, tolerance * s.smallest_size);
+}
+
+}  // namespace talus

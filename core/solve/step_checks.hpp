@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "contact/detection/contact_detector.hpp"
+
+namespace talus {
+
+struct SimulationState;
+
+/// What forbids to accept a step although it has converged.
+
+/// The first element that the increment turns inside out; −1: none.
+int inverted_element(const SimulationState& s);
+
+/// A contact that the step did not know of, where blocks turn into each other in it. Looked for in dynamic stages, as
+/// long as a shorter step may still be tried.
+std::optional<ContactDetector::MissedContact> missed_contact(SimulationState& s);
+
+}  // namespace talus

@@ -1,0 +1,38 @@
+#include "solve/step_corrections.hpp"
+
+#include "contact/detection/normal_update.hpp"
+#include "solve/simulation_state.hpp"
+
+namespace talus {
+
+namespace {
+
+bool update_normals(SimulationState& s, double tolerance) {
+  const auto start = [&](int node) { return s.bodies.nodes.position[node]; };
+  const auto end = [&](int node) { return Vec3(start(node) + s.bodies.node_increment(node, s.increment)); };
+  const auto updated = [&](int point) { return s.detector.updated_normal(point, start, end); };
+  return update_normals(s.contacts, s.links, updated, s.increment, tolerance, s.detector.tolerances());
+}
+
+}  // namespace
+
+bool correct_contacts(SimulationState& s) {
+  const std::optional<double>& asked = s.project.solver.penetration_tolerance;
+  // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
+  if (s.dynamic()) {
+    const double tolerance = asked.value_or(s.tolerances.step.dynamic_penetration);
+    const auto as_given = asked ? std::span<const Joint>() : s.project.joints;
+    return update_normals(s, tolerance) ||
+           scale_penalty(s.contacts, s.links, s.increment, tolerance, as_given, s.tolerances.contact_outcome);
+  }
+  if (!asked || multiplier_error(s.links, s.increment) <= *asked) return false;
+  adapt_multipliers(s.contacts, s.links, s.increment);
+  return true;
+}
+
+bool correct_accelerations(SimulationState& s) {
+  return s.dynamic() && s.context.integration.carries_acceleration() &&
+         s.acceleration_reset.reset_to_end(s.bodies, s.context, s.increment);
+}
+
+}  // namespace talus

@@ -1,0 +1,65 @@
+#include "solve/trouble_log.hpp"
+
+#include <algorithm>
+
+#include "solve/trouble_advice.hpp"
+
+namespace talus {
+
+void TroubleLog::begin_step(int number) {
+  step_ = number;
+  troubles_.clear();
+}
+
+void TroubleLog::note(TroubleCause cause, int node, const StepContext& trial, int iterations) {
+  ConvergenceTrouble& trouble = troubles_.emplace_back();
+  trouble.cause = cause;
+  trouble.time = trial.time;
+  trouble.step = step_;
+  trouble.iterations = trouble.most_iterations = iterations;
+  if (node >= 0) place(node, trouble);
+  trouble.advice = advice_for(trouble, trial.length, project_.solver);
+}
+
+void TroubleLog::note_missed_contact(const ContactDetector::MissedContact& contact, const StepContext& trial,
+                                     int iterations) {
+  note(TroubleCause::missed_contact, -1, trial, iterations);
+  ConvergenceTrouble& trouble = troubles_.back();
+  trouble.blocks = {system_.blocks[contact.bodies[0]].name, system_.blocks[contact.bodies[1]].name};
+  trouble.position = contact.position;
+  trouble.rest_position = place_before_run(contact.position, contact.bodies[0]);
+  trouble.relative_penetration = contact.depth;
+}
+
+void TroubleLog::place(int node, ConvergenceTrouble& trouble) const {
+  const Vec3& position = bodies_.nodes.position[node];
+  const int body = bodies_.nodes.body[node];
+  trouble.position = position;
+  trouble.blocks[0] = system_.blocks[body].name;
+  trouble.rest_position = place_before_run(position, body);
+  if (trouble.cause == TroubleCause::inverted) return;
+  const ContactPoint* nearest = nullptr;
+  const auto distance = [&](const ContactPoint& point) { return (point.position - position).squaredNorm(); };
+  for (const ContactPoint& point : contacts_.points) {
+    const bool touches = point.bodies[0] == body || point.bodies[1] == body;
+    if (touches && (!nearest || distance(point) < distance(*nearest))) nearest = &point;
+  }
+  if (!nearest) return;
+  trouble.position = nearest->position;
+  trouble.rest_position = place_before_run(nearest->position, body);
+  trouble.relative_penetration = std::max(0.0, -nearest->gap / nearest->size);
+  const auto [first, second] = std::minmax(nearest->bodies[0], nearest->bodies[1]);
+  trouble.blocks = {system_.blocks[first].name, system_.blocks[second].name};
+  if (!project_.joints.empty()) trouble.joint = project_.joints[nearest->joint].name;
+}
+
+Vec3 TroubleLog::place_before_run(const Vec3& place, int body) const {
+  const NodeSet& nodes = bodies_.nodes;
+  const Body& block = bodies_.bodies[body];
+  int nearest = block.first_node;
+  for (int n = block.first_node; n < block.first_node + block.node_count; ++n)
+    if ((nodes.position[n] - place).squaredNorm() < (nodes.position[nearest] - place).squaredNorm()) nearest = n;
+  return nodes.reference[nearest] + place - nodes.position[nearest];
+}
+
+}  // namespace talus

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "bodies/body_set.hpp"
+#include "bodies/step_context.hpp"
+#include "contact/contact_point.hpp"
+#include "contact/detection/contact_detector.hpp"
+#include "results/convergence_trouble.hpp"
+
+namespace talus {
+
+/// The hard trial steps of a step: why, where, and what would help. It looks for the place only when a trial step was
+/// hard, so that easy ones cost nothing.
+class TroubleLog {
+ public:
+  /// All outlive it.
+  TroubleLog(const Project& project, const BlockSystem& system, const BodySet& bodies, const ContactSet& contacts)
+      : project_(project), system_(system), bodies_(bodies), contacts_(contacts) {}
+
+  /// Forgets those of the step before.
+  void begin_step(int number);
+  /// A trial step was hard at a node (−1: nobody knows where).
+  void note(TroubleCause cause, int node, const StepContext& trial, int iterations);
+  /// A trial step is refused because of this contact.
+  void note_missed_contact(const ContactDetector::MissedContact& contact, const StepContext& trial, int iterations);
+  /// The trial step noted last is cut.
+  void note_cut() { troubles_.back().cuts = 1; }
+  /// The trial step noted last was the last: none shorter is allowed.
+  void note_end_of_run() { troubles_.back().ended_run = true; }
+
+  bool run_ended() const { return !troubles_.empty() && troubles_.back().ended_run; }
+  const std::vector<ConvergenceTrouble>& all() const { return troubles_; }
+
+ private:
+  /// Blocks, joint and position: of the contact of the node's body that is nearest to the node, else of the node.
+  void place(int node, ConvergenceTrouble& trouble) const;
+  /// Where a place on a body lay before the run: it goes with the body's nearest node [m].
+  Vec3 place_before_run(const Vec3& place, int body) const;
+
+  const Project& project_;
+  const BlockSystem& system_;
+  const BodySet& bodies_;
+  const ContactSet& contacts_;
+  int step_ = 0;
+  std::vector<ConvergenceTrouble> troubles_;
+};
+
+}  // namespace talus

@@ -1,0 +1,166 @@
+#include "study/forecast/run_beginning.hpp"
+
+#include <malloc.h>
+
+#include <algorithm>
+
+#include "base/processor_time.hpp"
+#include "base/temporary_folder.hpp"
+#include "io/project_file.hpp"
+#include "model/stage_length.hpp"
+#include "run/run.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr double of_first_look = 0.05;  ///< share of the budget, to see what a step costs
+constexpr double of_static = 0.5;       ///< share of the budget that all static stages may take, in …
+constexpr int fewest_static_steps = 10, most_static_steps = 100;  ///< … so many steps each
+constexpr int static_leaps = 2;                                   ///< through what is left of a static stage
+constexpr double worthwhile = 1.5;  ///< times as many steps: a stage of fewer is gone through as it is
+
+/// A stage of the beginning.
+struct Part {
+  Stage stage;
+  int of = 0;           ///< stage of the run
+  bool counts = true;   ///< its steps are the run's own
+  bool is_end = false;  ///< of the run's stage, and nothing was left out
+};
+
+/// So many steps of the stage, of `length` [s] together.
+Stage in_steps(Stage stage, int steps, double length) {
+  stage.duration.reset();
+  stage.steps = steps;
+  stage.time_step = length / steps;
+  return stage;
+}
+
+/// Without what happens at the beginning of the stage.
+Stage continued(Stage stage) {
+  stage.joints.clear();
+  stage.loads.reset();
+  stage.constraints.reset();
+  stage.blocks.clear();
+  return stage;
+}
+
+std::vector<Part> parts_of(const Project& project, int static_steps) {
+  std::vector<Part> parts;
+  const bool fixed = project.solver.time_step_control == TimeStepControl::fixed;
+  for (int k = 0; k < static_cast<int>(project.stages.size()); ++k) {
+    const Stage& whole = project.stages[k];
+    const double seen = static_steps * whole.time_step;
+    if (fixed && whole.kind == StageKind::static_ && !whole.until_equilibrium && length_of(whole) > worthwhile * seen) {
+      parts.push_back({in_steps(whole, static_steps, seen), k});
+      parts.push_back({in_steps(continued(whole), static_leaps, length_of(whole) - seen), k, false});
+    } else {
+      parts.push_back({whole, k, true, true});
+    }
+  }
+  return parts;
+}
+
+Project with_stages(Project project, const std::vector<Part>& parts) {
+  project.stages.clear();
+  for (const Part& part : parts) project.stages.push_back(part.stage);
+  return project;
+}
+
+/// Bytes that the program has asked for and not given back. (What the system holds for it also counts what was freed.)
+double memory_held() {
+  const auto held = mallinfo2();
+  return static_cast<double>(held.uordblks + held.hblkhd);
+}
+
+/// Times the steps until the budget is spent.
+class StepTimer final : public RunObserver {
+ public:
+  StepTimer(const std::vector<Part>& parts, double budget, Progress& progress)
+      : parts_(parts), budget_(budget), progress_(progress) {}
+
+  void on_step(const StepReport& step, const HistoryRow&, double fraction) override {
+    const double now = processor_seconds_of_thread(), seconds = now - since_;
+    const Part& part = parts_[step.stage];
+    if (part.counts) note(part, step, seconds);
+    in_steps_ += seconds;
+    constexpr double last = 1 - 1e-9;
+    if (in_steps_ >= budget_ || fraction >= last)
+      memory_ = memory_held();  // looks at all that is held: too slow for every step
+    progress_.report(std::max(in_steps_ / budget_, fraction), "");
+    since_ = processor_seconds_of_thread();
+  }
+  void on_frame(std::shared_ptr<const Frame>) override {}
+  bool go_on() override {
+    if (in_steps_ == 0) since_ = processor_seconds_of_thread();
+    return in_steps_ < budget_ && !progress_.cancelled();
+  }
+
+  double in_steps() const { return in_steps_; }
+  double memory() const { return memory_; }
+  std::vector<StageBeginning> take(bool completed) {
+    for (const Part& part : parts_)
+      if (part.is_end && part.of < static_cast<int>(stages_.size()))
+        stages_[part.of].ended = completed || part.of + 1 < static_cast<int>(stages_.size());
+    return std::move(stages_);
+  }
+
+ private:
+  void note(const Part& part, const StepReport& step, double seconds) {
+    stages_.resize(part.of + 1);
+    const Phases& p = step.phases;
+    const double all = p.detect + p.assemble + p.factor + p.solve + p.update + p.write;
+    stages_[part.of].steps.push_back({step.time_step, seconds, all > 0 ? p.detect / all : 0});
+  }
+
+  const std::vector<Part>& parts_;
+  double budget_;
+  Progress& progress_;
+  double since_ = 0, in_steps_ = 0, memory_ = 0;
+  std::vector<StageBeginning> stages_;
+};
+
+RunBeginning run_parts(const Project& project, const BlockSystem& system, int static_steps, double budget,
+                       Progress& progress) {
+  const std::vector<Part> parts = parts_of(project, static_steps);
+  const Project beginning = with_stages(project, parts);
+  const double memory_before = memory_held(), begin = processor_seconds_of_thread();
+  const TemporaryFolder folder;
+  StepTimer timer(parts, budget, progress);
+  const RunReport report = run(beginning, system, {folder.path() / "results", write_project(project), 1}, timer);
+  if (progress.cancelled()) throw Cancelled{};
+  const bool all_counts = std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.counts; });
+  RunBeginning result;
+  result.around = processor_seconds_of_thread() - begin - timer.in_steps();
+  result.memory = std::max(0.0, timer.memory() - memory_before);
+  result.whole = all_counts && report.status != RunStatus::stopped;
+  if (result.whole) result.failure = report.reason;  // after long steps it may be theirs
+  result.stages = timer.take(report.status == RunStatus::completed);
+  return result;
+}
+
+int affordable_static_steps(const Project& project, const RunBeginning& first, double budget) {
+  double seconds = 0, steps = 0;
+  for (const StageBeginning& stage : first.stages) {
+    for (const TimedStep& step : stage.steps) seconds += step.seconds;
+    steps += static_cast<double>(stage.steps.size());
+  }
+  const auto stages = std::count_if(project.stages.begin(), project.stages.end(),
+                                    [](const Stage& stage) { return stage.kind == StageKind::static_; });
+  const double affordable = of_static * budget * steps / seconds / static_cast<double>(std::max<long>(1, stages));
+  return static_cast<int>(std::clamp<double>(affordable, fewest_static_steps, most_static_steps));
+}
+
+}  // namespace
+
+Project beginning_of(const Project& project, int static_steps) {
+  return with_stages(project, parts_of(project, static_steps));
+}
+
+RunBeginning run_beginning(const Project& project, const BlockSystem& system, double budget, Progress& progress) {
+  const RunBeginning first = run_parts(project, system, most_static_steps, of_first_look * budget, progress);
+  if (first.whole) return first;
+  return run_parts(project, system, affordable_static_steps(project, first, budget), budget, progress);
+}
+
+}  // namespace talus

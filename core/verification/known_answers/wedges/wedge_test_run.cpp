@@ -1,0 +1,32 @@
+#include "model/stages.hpp"
+#include "verification/known_answers/support/scene.hpp"
+#include "verification/known_answers/wedges/wedge_cases.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr double time_step = 1e-3;  // s; a wedge that falls takes 56 of them
+constexpr int static_steps = 10;
+constexpr double longest = 1;  // s; a wedge that has not gone 5 % of its length by then has a factor above 0.99
+
+}  // namespace
+
+CaseScene wedge_test_scene(const WedgeTest& test, double friction_angle, int refinements, double duration) {
+  Joint planes;
+  planes.name = "planes";
+  planes.friction_angle = friction_angle;
+  CaseScene scene = wedge_in_mould(test.shape(), test.turn(), plaster(), planes, refinements);
+  scene.project.stages = {static_stage(time_step, static_steps), dynamic_stage(time_step, duration)};
+  return scene;
+}
+
+WedgeMotion run_wedge_test(const WedgeTest& test, double friction_angle, int refinements, const CaseOptions& options,
+                           Progress& progress) {
+  const CaseScene scene = as_asked(wedge_test_scene(test, friction_angle, refinements, longest), options);
+  WedgeWatch watch(scene, turned(test.shape().planes(), test.turn()), test.shape().length() * options.scale);
+  run_scene(scene, progress, [&](const Simulation& simulation, const StepReport&) { return watch.look(simulation); });
+  return watch.motion();
+}
+
+}  // namespace talus

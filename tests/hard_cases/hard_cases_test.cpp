@@ -1,0 +1,73 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "support/written_tables.hpp"
+#include "verification/hard_cases/scenes/all_hard_cases.hpp"
+#include "verification/hard_cases/trial.hpp"
+#include "verification/hard_cases_page.hpp"
+
+// Compiled twice: for the scenes that are quick, and (TALUS_LONG_SCENES) for the others.
+namespace talus {
+namespace {
+
+std::vector<HardCase> scenes_of_this_program() {
+  std::vector<HardCase> scenes = hard_cases();
+  std::erase_if(scenes, [](const HardCase& scene) { return scene.takes_long != TALUS_LONG_SCENES; });
+  return scenes;
+}
+
+#if !TALUS_LONG_SCENES
+const std::string stale = test::how_to_mend("--hard-cases", "hard_cases.md");
+
+const test::WrittenPage& written() {
+  static const test::WrittenPage page("hard_cases.md");
+  return page;
+}
+
+TEST(HardCasesTable, HasEveryQuickSceneInItsGroup) {
+  std::vector<std::string> names;
+  std::string group;
+  for (const HardCase& scene : scenes_of_this_program()) {
+    if (scene.group != group) names.push_back("### " + (group = scene.group));
+    names.push_back(scene.name);
+  }
+  EXPECT_EQ(written().names(), names) << stale;
+}
+#endif
+
+class HardCaseOf : public testing::TestWithParam<HardCase> {};
+
+/// Quick ones on one thread and again on two, which must give the same bits, and the figures of their table. Those
+/// that are known to fall short are run as well, and must go on falling short, finite and the same every time.
+TEST_P(HardCaseOf, IsHeld) {
+  NoProgress progress;
+  TrialOptions options{.threads = 1};
+  if (!TALUS_LONG_SCENES) options.repeat_on = {2};
+  const Trial trial = run_trial(GetParam(), options, progress);
+#if !TALUS_LONG_SCENES
+  if (test::has_arithmetic_of_tables()) {
+    EXPECT_EQ(test::difference(written().row(trial.name), trial_row(trial)), "") << stale;
+  }
+#endif
+  if (GetParam().shortfall.empty()) {
+    EXPECT_THAT(faults(trial), testing::IsEmpty());
+    return;
+  }
+  EXPECT_THAT(faults(trial), testing::Not(testing::IsEmpty())) << "holds now: take its shortfall off";
+  EXPECT_TRUE(trial.finite);
+  EXPECT_NE(trial.ending, TrialEnding::broken_off) << trial.reason;
+  EXPECT_GT(trial.least_volume, 0);
+  for (const TrialRepetition& repetition : trial.repetitions) EXPECT_EQ(repetition.difference, "");
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(HardCaseOf);
+INSTANTIATE_TEST_SUITE_P(, HardCaseOf, testing::ValuesIn(scenes_of_this_program()),
+                         [](const testing::TestParamInfo<HardCase>& one) { return one.param.name; });
+
+}  // namespace
+
+/// For messages of GoogleTest.
+void PrintTo(const HardCase& scene, std::ostream* stream) { *stream << scene.name; }
+
+}  // namespace talus

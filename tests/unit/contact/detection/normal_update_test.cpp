@@ -1,0 +1,89 @@
+#include "contact/detection/normal_update.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/solver_scenes.hpp"
+
+namespace talus {
+namespace {
+
+/// A corner of the cube, 0.1 mm above the slab, slides by 0.1 m along it; held to a thousandth of 1 m.
+class NormalUpdate : public ::testing::Test {
+ protected:
+  NormalUpdate() : set_(test::rock_project(30, {}), test::cube_on_slab()), links_(set_, contacts_) {
+    ContactPoint point{};
+    point.normal = Vec3::UnitZ();
+    point.gap = 3e-4;
+    point.initial_interference = 2e-4;
+    point.size = 1;
+    point.shear_start = Vec3(3, 4, 0);
+    point.stencil_end = 1;
+    contacts_.points = {point};
+    contacts_.nodes = {8};
+    contacts_.weights = {1};
+    contacts_.sort_out();
+    links_.connect();
+    increment_ = Increment::Zero(set_.unknowns());
+    for (int n = 0; n < set_.nodes.movable; ++n) increment_[3 * n] = 0.1;
+  }
+  /// The slab rotates by this angle about y meanwhile [rad].
+  bool follows(double angle) {
+    const Vec3 normal(-std::sin(angle), 0, std::cos(angle));
+    return update_normals(contacts_, links_,
+                          [&](int) {
+                            return ContactDetector::UpdatedNormal{normal, 1e-4 * std::cos(angle)};
+                          },
+                          increment_, 1e-3, {});
+  }
+  ContactPoint& point() { return contacts_.points[0]; }
+
+  BodySet set_;
+  ContactSet contacts_;
+  ContactLinks links_;
+  Increment increment_;
+};
+
+TEST_F(NormalUpdate, ACornerThatSlidesUpAgainstARisingSlabTakesItsNormalAtTheEnd) {
+  ASSERT_TRUE(follows(0.05));
+  EXPECT_NEAR(point().normal.x(), -std::sin(0.05), 1e-15);
+  EXPECT_NEAR(links_.gap(0, increment_) - point().initial_interference, 1e-4 * std::cos(0.05) - 0.1 * std::sin(0.05),
+              1e-15);
+  EXPECT_DOUBLE_EQ(point().initial_interference, 2e-4);
+  EXPECT_NEAR(point().shear_start.norm(), 5, 1e-14);
+  EXPECT_NEAR(point().shear_start.dot(point().normal), 0, 1e-14);
+  EXPECT_FALSE(follows(0.05));  // it knows by now
+}
+
+TEST_F(NormalUpdate, NormalsThatFallAwayOrRiseByLittleStayAsTheyAre) {
+  EXPECT_FALSE(follows(-0.05));
+  EXPECT_FALSE(follows(0.01));
+  EXPECT_EQ(point().normal, Vec3::UnitZ());
+}
+
+TEST_F(NormalUpdate, BondedContactsKeepTheirNormals) {
+  point().bonded = true;
+  EXPECT_FALSE(follows(0.05));
+  EXPECT_EQ(point().normal, Vec3::UnitZ());
+}
+
+TEST_F(NormalUpdate, ContactsThatSlideByLessThanATenthOfTheToleranceKeepTheirNormals) {
+  for (const double size : {1.01e3, 0.99e3}) {  // it slides by 0.1 m; the tolerance is a thousandth of the size
+    point().size = size;
+    const auto updated = [&](int) { return ContactDetector::UpdatedNormal{Vec3::UnitZ(), -5}; };
+    EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), size < 1e3);
+  }
+}
+
+TEST_F(NormalUpdate, AContactThatKnowsHowDeepItIsKeepsItsNormal) {
+  // As deep by one normal as by the other, to within a thousandth of the tolerance or not.
+  for (const double deeper : {0.9e-6, 1.1e-6}) {
+    point().gap = point().initial_interference - 2e-3;
+    const auto updated = [&](int) { return ContactDetector::UpdatedNormal{Vec3::UnitZ(), -2e-3 - deeper}; };
+    EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), deeper > 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace talus

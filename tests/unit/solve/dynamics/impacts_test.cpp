@@ -1,0 +1,104 @@
+// The law of impact: how blocks part, and what friction does meanwhile.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "mesh/structured_mesh.hpp"
+#include "support/solver_scenes.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double pi_degrees = 180 / M_PI;
+
+struct Scene {
+  Project project;
+  BlockSystem system;
+};
+
+/// A rigid plate of 2 m × 2 m × 0.02 m at this height [m] above a slab, with this velocity [m/s]. It is so flat that
+/// friction hardly turns it.
+Scene plate(double height, const Vec3& velocity, std::optional<double> restitution, double friction, double step) {
+  Scene scene;
+  scene.project = test::rock_project(std::atan(friction) * pi_degrees, {{"fly", StageKind::dynamic, step, 0, {}}});
+  scene.project.joints[0].restitution = restitution;
+  scene.project.gravity.setZero();
+  scene.project.velocities = {{.block = "plate", .linear = velocity}};
+  scene.project.stages[0].steps = static_cast<int>(std::ceil(2 * height / -velocity.z() / step)) + 4;
+  scene.system =
+      test::block_system({test::box_block("slab", Vec3(-9, -9, -1), Vec3(9, 9, 0), BodyKind::fixed),
+                          test::box_block("plate", Vec3(0, 0, height), Vec3(2, 2, height + 0.02), BodyKind::rigid)});
+  return scene;
+}
+
+Vec3 velocity_at_the_end(const Scene& scene) {
+  Simulation simulation(scene.project, scene.system);
+  StepReport report;
+  double moved = 0;
+  while (!simulation.finished()) {
+    report = simulation.step();
+    moved = std::max(moved, report.energy.kinetic);
+  }
+  EXPECT_TRUE(simulation.converged()) << simulation.failure();
+  EXPECT_LT(std::abs(report.energy.remainder), 1e-8 * moved) << "the ledger";
+  return block_motion(simulation.bodies(), 1).velocity;
+}
+
+TEST(Impacts, BlockLeavesAtTheRestitutedSpeedWhereverInTheStepItLands) {
+  for (const double restitution : {0.0, 0.3, 0.8, 1.0})
+    for (const double height : {0.0101, 0.0134, 0.0150, 0.0199})
+      EXPECT_NEAR(velocity_at_the_end(plate(height, Vec3(0, 0, -2), restitution, 0, 1e-3)).z(), 2 * restitution, 1e-3)
+          << restitution << ", from " << height;
+}
+
+TEST(Impacts, WithoutARestitutionSpringsTooStiffForTheStepThrowNothingBack) {
+  for (const double height : {0.0101, 0.0134, 0.0150, 0.0199})
+    EXPECT_NEAR(velocity_at_the_end(plate(height, Vec3(0, 0, -2), {}, 0, 1e-3)).z(), 0, 1e-3) << "from " << height;
+}
+
+// On springs with ω Δ = 0.1 contact lasts 31 steps; forces at their ends damp it by ωΔ/4, to exp(−π ωΔ/4).
+TEST(Impacts, WithoutARestitutionSpringsThatTheStepFollowsThrowBackWhatTheyTook) {
+  const double step = 1e-3, speed = 0.2, area = 4, mass = 2600 * area * 0.02;
+  for (const double height : {0.00101, 0.00112, 0.00119}) {
+    Scene scene = plate(height, Vec3(0, 0, -speed), {}, 0, step);
+    scene.project.joints[0].normal_stiffness = mass * std::pow(0.1 / step, 2) / area;
+    scene.project.stages[0].steps = 60;
+    EXPECT_NEAR(velocity_at_the_end(scene).z(), speed * std::exp(-M_PI * 0.1 / 4), 0.01 * speed) << "from " << height;
+  }
+}
+
+TEST(Impacts, StepDoesNotMatter) {
+  for (const double step : {1e-2, 1e-3, 1e-4})
+    EXPECT_NEAR(velocity_at_the_end(plate(0.0131, Vec3(0, 0, -1), 0.5, 0, step)).z(), 0.5, 1e-3) << step;
+}
+
+TEST(Impacts, FrictionTakesCoulombsPartOfTheImpulse) {
+  const double friction = 0.25, restitution = 0.4;
+  const Vec3 after = velocity_at_the_end(plate(0.0131, Vec3(3, 0, -2), restitution, friction, 1e-3));
+  EXPECT_NEAR(after.z(), 2 * restitution, 0.01);
+  EXPECT_NEAR(after.x(), 3 - friction * 2 * (1 + restitution), 0.01) << "Coulomb's law for impulses";
+}
+
+TEST(Impacts, WhatSticksIsNotThrownBack) {
+  const Vec3 after = velocity_at_the_end(plate(0.0131, Vec3(0.1, 0, -2), 0, 1, 1e-3));
+  EXPECT_NEAR(after.x(), 0, 1e-6);
+}
+
+TEST(Impacts, BlockAtRestStaysAtRestAndFeelsItsWeight) {
+  Scene scene;
+  scene.project = test::rock_project(30, {{"stand", StageKind::dynamic, 0.01, 200, {}}});
+  scene.project.joints[0].restitution = 0;
+  scene.project.solver.sleep_tolerance = 0;
+  scene.system = test::cube_on_slab();
+  Simulation simulation(scene.project, scene.system);
+  for (int i = 0; i < 100; ++i) simulation.step();
+  const Vec3 settled = block_motion(simulation.bodies(), 1).displacement;
+  while (!simulation.finished()) simulation.step();
+  double push = 0;
+  for (const ContactSample& contact : simulation.contacts()) push += contact.normal_force;
+  EXPECT_NEAR(push, 2600 * 9.81, 1e-3 * 2600 * 9.81);
+  EXPECT_LT((block_motion(simulation.bodies(), 1).displacement - settled).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,180 @@
+#include "solve/equilibrium/step_residual.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "support/spring_chain.hpp"
+
+namespace talus {
+namespace {
+
+using test::chain_nodes;
+using test::Load;
+using test::no_contacts;
+using test::SpringChain;
+using Friction = StepResidual::Friction;
+using Stays = SpringChain::Stays;
+
+/// Springs, pulled at, in a step of 0.01 s.
+class PulledSprings : public testing::Test {
+ protected:
+  PulledSprings() {
+    composition.bodies = &test::no_bodies();
+    composition.effects.push_back(std::make_unique<SpringChain>(Stays::through_the_stage, assembled));
+  }
+  void begin() {
+    residual.begin_stage(composition);
+    residual.set_pattern(chain_nodes, no_contacts);
+    residual.begin_step(test::step_of(0.01));
+  }
+  Eigen::VectorXd of_springs(const Increment& at) const {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(at.size());
+    composition.effects[0]->add_gradient(at, Arms::end, force);
+    return force;
+  }
+  int assembled = 0;
+  Composition composition;
+  StepResidual residual;
+  const Increment d = Increment::LinSpaced(3 * chain_nodes, -1, 3);
+  const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(3 * chain_nodes, 1, 2);
+};
+
+TEST(StepResidual, AssemblesConstantPartsWhenLengthIntegrationOrPatternChange) {
+  int constant = 0, of_step = 0;
+  Composition composition;
+  composition.effects.push_back(std::make_unique<SpringChain>(Stays::through_the_stage, constant));
+  composition.effects.push_back(std::make_unique<SpringChain>(Stays::through_the_step, of_step));
+  StepResidual residual;
+  residual.begin_stage(composition);
+  residual.set_pattern(chain_nodes, no_contacts);
+  StepContext step = test::step_of(0.01);
+  EXPECT_TRUE(residual.begin_step(step)) << "the first of its kind";
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(residual.begin_step(step));
+  EXPECT_EQ(constant, 1);
+  EXPECT_EQ(of_step, 5);
+  step.length = 0.02;
+  EXPECT_TRUE(residual.begin_step(step));
+  EXPECT_FALSE(residual.begin_step(step));
+  EXPECT_EQ(constant, 2);
+  step.integration = TimeIntegration::generalized_alpha(0.5);
+  EXPECT_TRUE(residual.begin_step(step));
+  EXPECT_FALSE(residual.begin_step(step));
+  EXPECT_EQ(constant, 3);
+  residual.set_pattern(chain_nodes, {{0, 5}});
+  for (int i = 0; i < 2; ++i) EXPECT_FALSE(residual.begin_step(step)) << "a factor of the other pattern is gone anyway";
+  EXPECT_EQ(constant, 4);
+  residual.end_stage();
+  residual.begin_stage(composition);
+  EXPECT_TRUE(residual.begin_step(step));
+  EXPECT_EQ(constant, 5);
+}
+
+TEST_F(PulledSprings, SumToTheResidualAndTellTheWorkOfEach) {
+  composition.effects.push_back(std::make_unique<Load>());
+  begin();
+  residual.evaluate(d, Friction::coupled);
+  EXPECT_LT((residual.gradient() - (of_springs(d) - load)).norm(), 1e-14 * load.norm());
+  EXPECT_EQ(residual.norm(), residual.gradient().norm());
+  EXPECT_DOUBLE_EQ(residual.works()[0], of_springs(d).dot(d));
+  EXPECT_DOUBLE_EQ(residual.works()[1], -load.dot(d));
+  EXPECT_DOUBLE_EQ(residual.force_scale(), std::max(of_springs(d).norm(), load.norm()));
+  EXPECT_EQ(residual.static_residual(), 0) << "nothing moves";
+}
+
+TEST_F(PulledSprings, HaveTheDerivativeOfTheGradientForAMatrix) {
+  composition.effects.push_back(std::make_unique<Load>());
+  begin();
+  residual.assemble(d, 0);
+  Eigen::VectorXd changed;
+  residual.matrix().multiply(load, changed);
+  residual.evaluate(d, Friction::coupled);
+  const Eigen::VectorXd before = residual.gradient();
+  residual.evaluate(d + load, Friction::coupled);
+  EXPECT_LT((residual.gradient() - before - changed).norm(), 1e-13 * changed.norm());
+}
+
+/// Notes the arms that it is asked for, and pulls where they are the mean ones.
+class ArmsAskedFor final : public Effect {
+ public:
+  explicit ArmsAskedFor(std::vector<Arms>& asked) : asked_(asked) {}
+  EffectKind kind() const override { return EffectKind::point_load; }
+  EnergyAccount account() const override { return EnergyAccount::potential; }
+  double energy(const Increment&) const override { return 0; }
+  void add_gradient(const Increment&, Arms arms, Eigen::VectorXd& sum) const override {
+    asked_.push_back(arms);
+    if (arms == Arms::mean) sum.array() += 2;
+  }
+
+ private:
+  std::vector<Arms>& asked_;
+};
+
+TEST_F(PulledSprings, KeepWhatMeanArmsAddWhileFrictionIsFrozen) {
+  std::vector<Arms> asked;
+  composition.effects.push_back(std::make_unique<ArmsAskedFor>(asked));
+  begin();
+  StepContext step = test::step_of(0.01);
+  step.arms = Arms::mean;
+  residual.begin_step(step);
+  residual.evaluate(d, Friction::coupled);
+  const Eigen::VectorXd coupled = residual.gradient();
+  residual.freeze(d);
+  residual.evaluate(d, Friction::frozen);
+  EXPECT_THAT(asked, testing::ElementsAre(Arms::mean, Arms::end, Arms::end));
+  EXPECT_LT((residual.gradient() - coupled).norm(), 1e-14 * coupled.norm()) << "where it was frozen nothing changes";
+  residual.evaluate(d + load, Friction::frozen);
+  EXPECT_LT((residual.gradient() - coupled - of_springs(load)).norm(), 1e-13 * coupled.norm());
+  step.arms = Arms::end;
+  residual.begin_step(step);
+  residual.evaluate(d, Friction::coupled);
+  residual.freeze(d);
+  residual.evaluate(d, Friction::frozen);
+  EXPECT_LT((residual.gradient() - of_springs(d)).norm(), 1e-14 * coupled.norm()) << "nothing is frozen";
+}
+
+TEST_F(PulledSprings, AreCounted) {
+  composition.effects.push_back(std::make_unique<Load>());
+  begin();
+  for (int i = 0; i < 3; ++i) residual.evaluate(d, Friction::coupled);
+  residual.end_stage();
+  begin();
+  residual.evaluate(d, Friction::coupled);
+  const auto work = residual.effect_work();
+  EXPECT_EQ(work.at(EffectKind::elasticity).built, 2);
+  EXPECT_EQ(work.at(EffectKind::elasticity).assemblies, 2);
+  EXPECT_EQ(work.at(EffectKind::elasticity).evaluations, 4);
+  EXPECT_EQ(work.at(EffectKind::point_load).evaluations, 4);
+}
+
+TEST_F(PulledSprings, RemainWithoutContacts) {
+  composition.effects.push_back(std::make_unique<Load>(EnergyAccount::contact));
+  begin();
+  Eigen::VectorXd sum = load;
+  residual.add_gradient_without_contacts(d, sum);
+  EXPECT_LT((sum - load - of_springs(d)).norm(), 1e-14 * sum.norm());
+}
+
+TEST_F(PulledSprings, AreComparedWithInertiaAndEvaluatedWithoutIt) {
+  composition.effects.push_back(std::make_unique<Load>(EnergyAccount::kinetic));
+  begin();
+  residual.evaluate(d, Friction::coupled);
+  EXPECT_DOUBLE_EQ(residual.static_residual(), load.norm() / of_springs(d).norm());
+  residual.evaluate_without_inertia();
+  EXPECT_EQ(residual.norm(), 0) << "springs that nothing has stretched";
+}
+
+TEST_F(PulledSprings, GoNoFurtherAtOnceThanContactsWereSought) {
+  begin();
+  StepContext step = test::step_of(0.01);
+  step.reach = 0.5;
+  residual.begin_step(step);
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(d.size());
+  change.segment<3>(6) = Vec3(0, 1.2, -1.6);
+  EXPECT_DOUBLE_EQ(residual.longest_step_fraction(d, change), 0.25);
+  EXPECT_EQ(residual.longest_step_fraction(d, 0.1 * change), 1);
+}
+
+}  // namespace
+}  // namespace talus

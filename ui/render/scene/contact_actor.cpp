@@ -1,0 +1,63 @@
+#include "render/scene/contact_actor.hpp"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "render/paint/colour.hpp"
+
+namespace talus {
+namespace {
+
+Rgb state_colour(ContactState state) {
+  switch (state) {
+    case ContactState::stick:
+      return rgb(0x0068a8);
+    case ContactState::slip:
+      return rgb(0xd2580a);
+    case ContactState::open:
+      break;
+  }
+  return rgb(0x868e89);
+}
+
+}  // namespace
+
+ContactActor::ContactActor() {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(points_);
+  constexpr double in_front_of_everything = -4e6;  // in steps of a 24-bit depth buffer: a quarter of its range
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(in_front_of_everything);
+  actor_->SetMapper(mapper);
+  actor_->GetProperty()->SetRenderPointsAsSpheres(true);
+}
+
+void ContactActor::add_to(vtkRenderer& renderer) { renderer.AddActor(actor_); }
+
+void ContactActor::show(std::span<const ContactSample> contacts, const Vec3& origin, double size_in_pixels) {
+  vtkNew<vtkPoints> places;
+  vtkNew<vtkCellArray> dots;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  for (const ContactSample& contact : contacts) {
+    const Vec3 p = contact.position - origin;
+    const vtkIdType id = places->InsertNextPoint(p.data());
+    dots->InsertNextCell(1, &id);
+    const Rgb c = state_colour(contact.state);
+    const unsigned char tuple[] = {c.red, c.green, c.blue};
+    colours->InsertNextTypedTuple(tuple);
+  }
+  points_->SetPoints(places);
+  points_->SetVerts(dots);
+  points_->GetPointData()->SetScalars(colours);
+  actor_->GetProperty()->SetPointSize(static_cast<float>(size_in_pixels));
+  actor_->SetVisibility(!contacts.empty());
+}
+
+}  // namespace talus

@@ -1,0 +1,194 @@
+#include "render/scene/overlay.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/paint/numbers.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double margin = 1.3;  ///< of the picture's edge; this and all below in text heights
+constexpr double padding = 0.8;
+constexpr double line_height = 1.35;
+constexpr double bar_width = 1.1;
+constexpr double tick_length = 0.35;
+constexpr double triad_size = 6.4;
+constexpr double bottom_row = 2.6;
+constexpr double widest_title = 8.5;
+constexpr double hair = 0.07;  ///< line width
+
+/// Where a legend's parts go; made once for the free area and once for painting.
+struct LegendLayout {
+  std::vector<std::string> title;
+  std::vector<double> ticks;
+  std::vector<std::string> labels;
+  double width = 0, bar_height = 0, height = 0;  ///< pixels
+};
+
+LegendLayout layout(const Legend& legend, double em, double picture_height) {
+  LegendLayout out;
+  out.title = wrapped(legend.title, widest_title * em, em, FontWeight::semibold);
+  if (out.title.empty() || text_width(out.title.back() + "  " + legend.unit, em) > widest_title * em)
+    out.title.emplace_back();  // the unit gets a line of its own
+  out.bar_height = std::min(15 * em, 0.42 * picture_height);
+  const int most = std::clamp(static_cast<int>(out.bar_height / (2.2 * em)) + 1, 2, 7);
+  out.ticks = nice_ticks(legend.low, legend.high, most);
+  out.labels = tick_labels(out.ticks);
+  double label_width = 0, title_width = 0;
+  for (const std::string& label : out.labels) label_width = std::max(label_width, text_width(label, em));
+  for (const std::string& line : out.title)
+    title_width = std::max(title_width, text_width(line, em, FontWeight::semibold));
+  title_width = std::max(title_width, text_width(out.title.back() + "  " + legend.unit, em, FontWeight::semibold));
+  const double bar_part = (bar_width + 2 * tick_length) * em + label_width;
+  out.width = std::max(bar_part, title_width) + 2 * padding * em;
+  const double title_height = static_cast<double>(out.title.size()) * line_height * em;
+  out.height = title_height + out.bar_height + (2 * padding + 1.1) * em;
+  return out;
+}
+
+double title_row(const Overlay& overlay) { return overlay.title.empty() ? 0 : 2.2 * overlay.text_height; }
+
+void paint_bar(Painter& painter, const ColourMap& map, const PixelRect& bar) {
+  constexpr int bands = 256;
+  const double step = bar.height() / bands;
+  for (int i = 0; i < bands; ++i) {  // each band reaches under the next one: no seams between them
+    const double bottom = bar.bottom + i * step;
+    painter.fill(PixelRect{bar.left, bottom, bar.right, std::min(bottom + 2 * step, bar.top)},
+                 map.table()[static_cast<std::size_t>(i)]);
+  }
+}
+
+void paint_legend(Painter& painter, const Overlay& overlay, const OverlayView& view) {
+  const Legend& legend = *overlay.legend;
+  const double em = overlay.text_height;
+  const ThemeColours& colour = colours(overlay.theme);
+  const LegendLayout parts = layout(legend, em, view.height);
+  const double top = view.height - margin * em - title_row(overlay), left = margin * em;
+  painter.card({left, top - parts.height, left + parts.width, top}, 0.4 * em, colour.surface, 0.92, colour.frame,
+               hair * em);
+  const double inner = left + padding * em;
+  double y = top - padding * em;
+  for (const std::string& line : parts.title) {
+    painter.text({inner, y}, line,
+                 {.height = em, .colour = colour.text, .weight = FontWeight::semibold, .y = AlignY::top});
+    if (&line == &parts.title.back()) {
+      const double gap = line.empty() ? 0
+                                      : text_width(line + "n", em, FontWeight::semibold) -
+                                            text_width("n", em, FontWeight::semibold) + 0.45 * em;
+      painter.text({inner + gap, y}, legend.unit, {.height = em, .colour = colour.muted, .y = AlignY::top});
+    }
+    y -= line_height * em;
+  }
+  const double bar_top = y - 0.6 * em;
+  const PixelRect bar{inner, bar_top - parts.bar_height, inner + bar_width * em, bar_top};
+  paint_bar(painter, *legend.map, bar);
+  for (std::size_t i = 0; i < parts.ticks.size(); ++i) {
+    const double at = bar.bottom + bar.height() * (parts.ticks[i] - legend.low) / (legend.high - legend.low);
+    painter.line({bar.right, at}, {bar.right + tick_length * em, at}, hair * em, colour.line);
+    painter.text({bar.right + 2 * tick_length * em, at}, parts.labels[i],
+                 {.height = em, .colour = colour.text, .y = AlignY::centre});
+  }
+}
+
+/// East, north and up as seen from the camera, the nearest drawn last.
+void paint_triad(Painter& painter, const Overlay& overlay, const OverlayView& view) {
+  struct Axis {
+    Vec3 direction;
+    const char* name;
+    Rgb colour;
+  };
+  const bool dark = overlay.theme == Theme::dark;
+  std::array<Axis, 3> axes{Axis{Vec3::UnitX(), "E", dark ? rgb(0xf27d6b) : rgb(0xb3261e)},
+                           Axis{Vec3::UnitY(), "N", dark ? rgb(0x3fc7b3) : rgb(0x00806f)},
+                           Axis{Vec3::UnitZ(), "Z", dark ? rgb(0x5db3ea) : rgb(0x0068a8)}};
+  std::sort(axes.begin(), axes.end(), [&](const Axis& a, const Axis& b) {
+    return a.direction.dot(view.towards_viewer) < b.direction.dot(view.towards_viewer);
+  });
+  const double em = overlay.text_height, length = 0.3 * triad_size * em;
+  const PixelPoint origin{(margin + triad_size / 2) * em, (bottom_row + margin + triad_size / 2 - 0.6) * em};
+  for (const Axis& axis : axes) {
+    const double x = axis.direction.dot(view.right), y = axis.direction.dot(view.up), shown = std::hypot(x, y);
+    const PixelPoint tip{origin.x + length * x, origin.y + length * y};
+    if (shown > 0.15) {  // an axis that points at the viewer is a dot
+      const double ux = x / shown, uy = y / shown, head = 0.5 * em, half = 0.19 * em;
+      const PixelPoint neck{tip.x - head * ux, tip.y - head * uy};
+      if (shown * length > head) painter.line(origin, neck, 0.13 * em, axis.colour);
+      const PixelPoint arrow[] = {
+          {neck.x + half * uy, neck.y - half * ux}, tip, {neck.x - half * uy, neck.y + half * ux}};
+      painter.fill(arrow, axis.colour);
+      painter.text({tip.x + 0.62 * em * ux, tip.y + 0.62 * em * uy}, axis.name,
+                   {.height = 0.9 * em,
+                    .colour = axis.colour,
+                    .weight = FontWeight::semibold,
+                    .x = AlignX::centre,
+                    .y = AlignY::centre});
+    } else {
+      painter.disc(origin, 0.22 * em, axis.colour);
+    }
+  }
+}
+
+void paint_scale_bar(Painter& painter, const Overlay& overlay, const OverlayView& view) {
+  const double em = overlay.text_height;
+  const ThemeColours& colour = colours(overlay.theme);
+  const double longest = std::min(0.2 * view.width, 11 * em);
+  const double metres = round_down(longest * view.metres_per_pixel), length = metres / view.metres_per_pixel;
+  const double left = (margin + 0.2) * em, y = margin * em, tick = 0.4 * em;
+  for (const double x : {left, left + length / 2, left + length})
+    painter.line({x, y - hair * em / 2}, {x, y + (x == left + length / 2 ? 0.6 : 1) * tick}, 1.3 * hair * em,
+                 colour.text);
+  painter.line({left, y}, {left + length, y}, 1.3 * hair * em, colour.text);
+  const DisplayUnit unit = metres >= 1000 ? DisplayUnit{"km", 1e-3} : display_unit("m", metres);
+  const std::string label = tick_labels({0, metres * unit.factor}).back() + " " + unit.name;
+  TextStyle style{.height = 0.9 * em, .colour = colour.text, .x = AlignX::centre};
+  painter.text({left, y + 1.3 * tick}, "0", style);
+  painter.text({left + length, y + 1.3 * tick}, label, style);
+}
+
+void paint_time(Painter& painter, const Overlay& overlay, const OverlayView& view) {
+  const double em = overlay.text_height, y = margin * em - 0.2 * em;
+  const ThemeColours& colour = colours(overlay.theme);
+  std::string widest = overlay.time;  // the figures change from frame to frame: their place should not
+  for (char& c : widest)
+    if (c >= '1' && c <= '9') c = '0';
+  double left = view.width - margin * em - text_width(widest, em, FontWeight::semibold);
+  painter.text({left, y}, overlay.time, {.height = em, .colour = colour.text, .weight = FontWeight::semibold});
+  if (!overlay.time.empty()) left -= em;
+  painter.text({left, y}, overlay.remarks, {.height = em, .colour = colour.muted, .x = AlignX::right});
+}
+
+}  // namespace
+
+double automatic_text_height(double width, double height) {
+  return std::max(11.0, std::round(std::min(height / 48, width / 64)));
+}
+
+PixelRect free_area(const Overlay& overlay, double width, double height) {
+  const double em = overlay.text_height;
+  double left = margin * em;
+  if (overlay.triad) left = std::max(left, (margin + triad_size) * em);
+  if (overlay.legend) left = std::max(left, 2 * margin * em + layout(*overlay.legend, em, height).width);
+  const bool has_bottom = overlay.scale_bar || !overlay.time.empty() || !overlay.remarks.empty();
+  const double bottom = (margin + (has_bottom ? bottom_row : 0)) * em;
+  PixelRect area{left, bottom, width - margin * em, height - margin * em - title_row(overlay)};
+  // A picture too small for its writing: the rock matters more.
+  if (area.width() < 0.4 * width) area.left = area.right - 0.4 * width;
+  if (area.height() < 0.4 * height) area.bottom = area.top - 0.4 * height;
+  return area;
+}
+
+void paint(Painter& painter, const Overlay& overlay, const OverlayView& view) {
+  const double em = overlay.text_height;
+  if (!overlay.title.empty())
+    painter.text(
+        {margin * em, view.height - 0.9 * margin * em}, overlay.title,
+        {.height = 1.25 * em, .colour = colours(overlay.theme).text, .weight = FontWeight::semibold, .y = AlignY::top});
+  if (overlay.legend) paint_legend(painter, overlay, view);
+  if (overlay.triad) paint_triad(painter, overlay, view);
+  if (overlay.scale_bar) paint_scale_bar(painter, overlay, view);
+  paint_time(painter, overlay, view);
+}
+
+}  // namespace talus

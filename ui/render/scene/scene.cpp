@@ -1,0 +1,152 @@
+#include "render/scene/scene.hpp"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Geometry>
+#include <stdexcept>
+
+#include "render/scene/picking.hpp"
+#include "render/scene/scene_state.hpp"
+
+namespace talus {
+namespace {
+
+void check_sizes(const BlockSystem& system, const Frame& frame) {
+  std::size_t nodes = 0, tetrahedra = 0;
+  for (const Block& block : system.blocks) {
+    nodes += block.mesh.nodes.size();
+    tetrahedra += block.mesh.tetrahedra.size();
+  }
+  if (frame.displacement.size() != nodes || frame.velocity.size() != nodes || frame.stress.size() != tetrahedra)
+    throw std::invalid_argument("the frame is not of these blocks: its numbers of nodes or tetrahedra differ");
+}
+
+/// A point of the ray through a pixel, at `depth` 0 (near) … 1 (far), m from the scene's origin.
+Vec3 unproject(vtkRenderer& renderer, double x, double y, double depth) {
+  renderer.SetDisplayPoint(x, y, depth);
+  renderer.DisplayToWorld();
+  double world[4];
+  renderer.GetWorldPoint(world);
+  return Vec3(world[0], world[1], world[2]) / world[3];
+}
+
+}  // namespace
+
+Scene::Scene(const BlockSystem& system, SceneSettings settings)
+    : state_(std::make_unique<State>(system, std::move(settings))) {}
+
+Scene::~Scene() = default;
+
+const SceneSettings& Scene::settings() const { return state_->settings; }
+
+void Scene::set_settings(SceneSettings settings) {
+  state_->settings = std::move(settings);
+  state_->apply_settings();
+}
+
+void Scene::set_frame(std::shared_ptr<const Frame> frame) {
+  check_sizes(state_->system, *frame);
+  state_->frame = std::move(frame);
+  state_->apply_frame();
+}
+
+void Scene::clear_frame() {
+  state_->frame = nullptr;
+  state_->apply_frame();
+}
+
+void Scene::set_stage_names(std::vector<std::string> names) {
+  state_->stage_names = std::move(names);
+  state_->make_overlay();
+}
+
+void Scene::include_in_view(const Frame& frame) {
+  check_sizes(state_->system, frame);
+  const BlockSurface& surface = state_->movable.surface();
+  for (std::size_t i = 0; i < surface.nodes.size(); ++i)
+    state_->extent.include(surface.rest[i] + state_->settings.deformation_scale * frame.displacement[surface.nodes[i]]);
+}
+
+void Scene::look(View view) {
+  const auto [azimuth, elevation] = view_angles(view);
+  look(azimuth, elevation);
+}
+
+void Scene::look(double azimuth, double elevation) { state_->look_from(azimuth, elevation); }
+
+void Scene::fit() {
+  const auto [width, height] = state_->size();
+  state_->fit_to(width, height);
+}
+
+CameraPose Scene::pose() const { return state_->pose(); }
+
+void Scene::set_pose(const CameraPose& pose) {
+  state_->settings.parallel_projection = pose.parallel;
+  state_->set_pose(pose);
+}
+
+void Scene::set_hidden(std::vector<int> blocks) {
+  state_->hidden = std::move(blocks);
+  std::vector<bool> shown = state_->flags(state_->hidden);
+  shown.flip();
+  state_->fixed.show(shown);
+  state_->movable.show(shown);
+  state_->apply_settings();
+}
+
+void Scene::set_selected(std::vector<int> blocks) {
+  state_->selected = std::move(blocks);
+  state_->apply_marks();
+}
+
+void Scene::set_hovered(std::optional<int> block) {
+  state_->hovered = block;
+  state_->apply_marks();
+}
+
+void Scene::set_troubles(std::vector<ConvergenceTrouble> troubles) {
+  state_->troubles = std::move(troubles);
+  state_->apply_marks();
+}
+
+CameraPose Scene::pose_at(const ConvergenceTrouble& trouble) const { return state_->pose_at(trouble); }
+
+std::optional<Pick> Scene::pick(double x, double y) const {
+  vtkRenderer& renderer = *state_->renderer;
+  if (renderer.GetRenderWindow() == nullptr) return {};
+  const double from_below = state_->size()[1] - 1 - y;
+  const Vec3 start = unproject(renderer, x, from_below, 0), end = unproject(renderer, x, from_below, 1);
+  const auto hit = first_hit(state_->parts(), state_->origin + start, end - start);
+  if (!hit) return {};
+  const BlockSurface& surface = hit->part->surface();
+  const BlockSurface::Triangle& triangle = surface.triangles[hit->triangle];
+  Pick pick{.block = triangle.block, .position = hit->position, .tetrahedron = triangle.tetrahedron, .value = {}};
+  const auto nearest = std::max_element(hit->weights.begin(), hit->weights.end()) - hit->weights.begin();
+  pick.node = surface.nodes[triangle.vertices[nearest]];
+  const bool coloured = !state_->field_values.empty() && hit->part == &state_->movable;
+  if (coloured && state_->settings.field->place() == FieldPlace::node) {
+    pick.value = 0;
+    for (int i = 0; i < 3; ++i)
+      *pick.value += hit->weights[i] * state_->field_values[surface.nodes[triangle.vertices[i]]];
+  } else if (coloured && triangle.tetrahedron >= 0) {
+    pick.value = state_->field_values[triangle.tetrahedron];
+  }
+  return pick;
+}
+
+Rgb Scene::block_colour(int block) const {
+  const auto index = static_cast<std::size_t>(block);
+  const bool fixed = state_->system.blocks.at(index).body == BodyKind::fixed;
+  return fixed ? colours(state_->settings.theme).rock : state_->block_colours[index];
+}
+
+std::optional<ValueRange> Scene::shown_range() const {
+  if (state_->field_values.empty()) return {};
+  return state_->colour_range();
+}
+
+vtkRenderer* Scene::renderer() const { return state_->renderer; }
+
+}  // namespace talus

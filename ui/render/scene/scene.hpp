@@ -1,0 +1,127 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/block.hpp"
+#include "render/paint/theme.hpp"
+#include "render/scene/field_range.hpp"
+#include "results/convergence_trouble.hpp"
+#include "results/frame.hpp"
+
+class vtkCamera;
+class vtkRenderer;
+
+namespace talus {
+
+enum class View { iso, front, back, left, right, top };
+enum class Edges { none, blocks, mesh };
+
+/// "iso", "front", "back", "left", "right", "top"; throws InputError that lists them.
+View view_named(std::string_view name);
+
+/// What a scene shows and how. Plain values; hand a changed copy to Scene::set_settings.
+struct SceneSettings {
+  Theme theme = Theme::light;
+  std::optional<Field> field;       ///< colours the movable blocks; empty: a colour a block
+  std::optional<ValueRange> range;  ///< of the legend, SI; empty: of the frame that is shown
+  Edges edges = Edges::blocks;
+  double deformation_scale = 1;  ///< displacements are drawn this many times too large
+  bool contacts = false;         ///< contact points, coloured open grey, stick blue, slip orange
+  bool troubles = true;          ///< where the run has trouble to converge, as far as it was told
+  bool parallel_projection = false;
+  bool fine = true;  ///< ambient occlusion and smooth edges; off while the user drags
+  /// Smooths outlines of pictures that are drawn at their own size. On a screen it would break thin edges into dashes.
+  bool smooth_outlines = true;
+
+  std::string title;  ///< top left; empty: none
+  bool legend = true, time_stamp = true, triad = true, scale_bar = true;
+  double text_height = 0;  ///< pixels; 0: grows with the picture's height
+};
+
+/// Where the camera stands; to carry a view from the window to a picture.
+struct CameraPose {
+  Vec3 position, focal_point, view_up;  ///< m, in the project's coordinates
+  double view_angle = 26;               ///< degrees, perspective
+  double parallel_scale = 1;            ///< m, half the height of a parallel view
+  bool parallel = false;
+};
+
+/// What lies under a pixel.
+struct Pick {
+  int block = -1;
+  Vec3 position;                ///< m, in the project's coordinates, where the ray meets the drawn surface
+  int node = -1;                ///< nearest node of the triangle that was hit, numbered through all blocks
+  int tetrahedron = -1;         ///< the one behind the triangle, numbered through all blocks
+  std::optional<double> value;  ///< of the field that is shown, SI
+};
+
+/// The blocks of a project as a picture: what the window shows and what is drawn off-screen. Knows no window:
+/// `renderer()` is added to a RenderWindow (or the scene handed to OffscreenView); the scene then is drawn by
+/// the window's Render(). Setters only change what the next drawing shows.
+/// Keeps a reference to `system`, which must outlive it. One thread at a time.
+class Scene {
+ public:
+  explicit Scene(const BlockSystem& system, SceneSettings settings = {});
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  const SceneSettings& settings() const;
+  void set_settings(SceneSettings settings);
+
+  /// Moves the blocks, colours and the time stamp to this frame. Throws std::invalid_argument when its node or
+  /// tetrahedron counts are not the system's.
+  void set_frame(std::shared_ptr<const Frame> frame);
+  /// Back to the undeformed blocks, without time stamp.
+  void clear_frame();
+  /// Names shown beside the time, by Frame::stage.
+  void set_stage_names(std::vector<std::string> names);
+
+  /// Lets `fit` frame this frame too, so that a film whose first and last frames (or all) were included never
+  /// leaves the picture. The undeformed blocks are included from the start.
+  void include_in_view(const Frame& frame);
+
+  /// Turns the camera to a named side and fits. Front looks north, left looks east, top has north up;
+  /// iso stands in the south-west, 30° up.
+  void look(View view);
+  /// Stands at `azimuth` degrees clockwise from north as seen from the blocks, `elevation` degrees up, and fits.
+  void look(double azimuth, double elevation);
+  /// Keeps the direction and frames everything visible in the part of the picture that legend and texts leave free.
+  /// Off-screen pictures are fitted to their size unless `set_pose` was called after the last look or fit.
+  void fit();
+  CameraPose pose() const;
+  void set_pose(const CameraPose& pose);
+
+  /// By index into BlockSystem::blocks.
+  void set_hidden(std::vector<int> blocks);
+  void set_selected(std::vector<int> blocks);
+  void set_hovered(std::optional<int> block);
+  /// Where the run has trouble to converge: a ring and a label over everything, and a fine outline of the blocks. A
+  /// mark goes with its block from frame to frame; blocks that the system does not have are passed over.
+  void set_troubles(std::vector<ConvergenceTrouble> troubles);
+  /// A pose that looks the way the camera looks now, at the place of a trouble, with the smaller of its blocks whole.
+  CameraPose pose_at(const ConvergenceTrouble& trouble) const;
+
+  /// The visible surface under a pixel counted from the picture's upper left corner; empty over the background.
+  /// Needs a renderer that is in a window of known size, but no GL context.
+  std::optional<Pick> pick(double x, double y) const;
+
+  /// Colour that a block has when coloured by block (for tables and trees).
+  Rgb block_colour(int block) const;
+  /// Range the legend shows now; empty when no field is shown.
+  std::optional<ValueRange> shown_range() const;
+
+  vtkRenderer* renderer() const;
+
+ private:
+  friend class OffscreenView;
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace talus

@@ -1,0 +1,311 @@
+#include "render/scene/scene_state.hpp"
+
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkLight.h>
+#include <vtkLookupTable.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "render/paint/numbers.hpp"
+
+namespace talus {
+namespace {
+
+/// A point where there are no blocks.
+Eigen::AlignedBox3d bounds_or_point(const BlockSystem& system) {
+  const Eigen::AlignedBox3d box = bounds(system);
+  return box.isEmpty() ? Eigen::AlignedBox3d(Vec3::Zero().eval()) : box;
+}
+
+std::vector<bool> with_body(const BlockSystem& system, bool fixed) {
+  std::vector<bool> wanted;
+  for (const Block& block : system.blocks) wanted.push_back((block.body == BodyKind::fixed) == fixed);
+  return wanted;
+}
+
+/// Fixed rock is grey; the others get Tol's colours, calmed by a quarter of grey, neighbours different ones.
+std::vector<Rgb> colours_of_blocks(const BlockSystem& system) {
+  const Rgb rock = colours(Theme::light).rock;
+  std::vector<std::array<int, 2>> touching;
+  for (const auto& pair : touching_blocks(system)) {
+    const auto movable = [&](int b) { return system.blocks[b].body != BodyKind::fixed; };
+    if (movable(pair[0]) && movable(pair[1])) touching.push_back(pair);
+  }
+  const auto& palette = block_palette();
+  const std::vector<int> index =
+      colour_indices(static_cast<int>(system.blocks.size()), touching, static_cast<int>(palette.size()));
+  std::vector<Rgb> result;
+  for (const int i : index) result.push_back(mix(palette[i], rock, 0.25));
+  return result;
+}
+
+/// A light that goes with the camera. `azimuth` to the right of the viewer, `elevation` above, degrees.
+void add_light(vtkRenderer& renderer, double azimuth, double elevation, double intensity, Rgb colour) {
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  const double a = radians(azimuth), e = radians(elevation);
+  light->SetPosition(std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a));
+  light->SetFocalPoint(0, 0, 0);
+  light->SetIntensity(intensity);
+  light->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  renderer.AddLight(light);
+}
+
+void add_lights(vtkRenderer& renderer) {
+  renderer.SetAutomaticLightCreation(0);
+  add_light(renderer, -38, 52, 0.86, rgb(0xfffbf5));  // key: high on the left, a little warm
+  add_light(renderer, 50, 12, 0.50, rgb(0xebf5ff));   // fill: low on the right, a little cool
+  add_light(renderer, 0, 0, 0.16, rgb(0xffffff));     // from the viewer
+}
+
+void fill(vtkLookupTable& table, const ColourMap& map, Rgb missing) {
+  table.SetNumberOfTableValues(256);
+  for (int i = 0; i < 256; ++i) {
+    const Rgb c = map.table()[static_cast<std::size_t>(i)];
+    table.SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0, 1);
+  }
+  table.SetNanColor(missing.red / 255.0, missing.green / 255.0, missing.blue / 255.0, 1);
+}
+
+}  // namespace
+
+Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
+    : system(blocks),
+      settings(std::move(wanted)),
+      origin(bounds_or_point(blocks).center()),
+      rock_size(bounds_or_point(blocks).diagonal().norm()),
+      block_colours(colours_of_blocks(blocks)),
+      fixed(block_surface(blocks, with_body(blocks, true)), origin),
+      movable(block_surface(blocks, with_body(blocks, false)), origin) {
+  fixed.add_to(*renderer);
+  movable.add_to(*renderer);
+  concern.add_to(*renderer);
+  selection.add_to(*renderer);
+  hover.add_to(*renderer);
+  contacts.add_to(*renderer);
+  backdrop.add_to(*renderer);
+  add_lights(*renderer);
+
+  renderer->SetSSAORadius(0.05 * rock_size);
+  renderer->SetSSAOBias(0.002 * rock_size);
+  renderer->SetSSAOKernelSize(32);
+  renderer->SSAOBlurOn();
+
+  vtkNew<PainterItem> item;
+  item->paint = [this](Painter& painter) {
+    const CameraPose camera = pose();
+    const Vec3 towards_viewer = (camera.position - camera.focal_point).normalized();
+    const Vec3 right = camera.view_up.cross(towards_viewer).normalized();
+    const auto [width, height] = size();
+    const double distance = (camera.position - camera.focal_point).norm();
+    const double half_height =
+        camera.parallel ? camera.parallel_scale : distance * std::tan(radians(camera.view_angle) / 2);
+    talus::paint(painter, overlay,
+                 {width, height, right, towards_viewer.cross(right), towards_viewer, 2 * half_height / height});
+    paint_troubles(painter);
+  };
+  vtkNew<vtkContextActor> context;
+  context->GetScene()->AddItem(item);
+  renderer->AddActor(context);
+  renderer->AddObserver(vtkCommand::StartEvent, this, &State::prepare_drawing);
+
+  reset_extent();
+  look_from(view_angles(View::iso)[0], view_angles(View::iso)[1]);
+  apply_settings();
+}
+
+Scene::State::~State() = default;
+
+void Scene::State::apply_settings() {
+  const ThemeColours& c = colours(settings.theme);
+  backdrop.style(c.view_top, c.view_bottom);
+  const auto set = [](Rgb colour, auto setter) {
+    setter(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  };
+  // Under ambient occlusion the backdrop is drawn; smoothed outlines are then blended with one colour from its middle.
+  const Rgb ground = settings.fine ? mix(c.view_top, c.view_bottom, 0.5) : c.view_bottom;
+  set(ground, [this](double r, double g, double b) { renderer->SetBackground(r, g, b); });
+  set(c.view_top, [this](double r, double g, double b) { renderer->SetBackground2(r, g, b); });
+  renderer->SetGradientBackground(!settings.fine);
+  backdrop.show(settings.fine);
+  renderer->GetActiveCamera()->SetParallelProjection(settings.parallel_projection);
+  fixed.colour_by_block([&](int) { return c.rock; });
+  if (settings.deformation_scale != extent_scale) reset_extent();
+  apply_frame();
+}
+
+void Scene::State::apply_frame() {
+  movable.move(frame ? std::span<const Vec3>(frame->displacement) : std::span<const Vec3>(),
+               settings.deformation_scale);
+  field_values = frame && settings.field ? values(*frame, *settings.field) : std::vector<double>{};
+  apply_colours();
+  apply_marks();
+  make_overlay();
+}
+
+void Scene::State::apply_colours() {
+  if (field_values.empty()) {
+    movable.colour_by_block([&](int block) { return block_colours[block]; });
+    return;
+  }
+  fill(*table, is_signed(*settings.field) ? vik() : batlow(), colours(settings.theme).rock);
+  const ValueRange range = colour_range();
+  movable.colour_by_values(field_values, settings.field->place() == FieldPlace::node, *table, range.low, range.high);
+}
+
+void Scene::State::apply_marks() {
+  const auto both = parts();
+  std::vector<int> troubled;
+  if (settings.troubles)
+    for (const ConvergenceTrouble& trouble : troubles)
+      for (const int block : blocks_of(trouble)) troubled.push_back(block);
+  concern.mark(both, origin, flags(troubled));
+  selection.mark(both, origin, flags(selected));
+  hover.mark(both, origin, flags(hovered ? std::vector<int>{*hovered} : std::vector<int>{}));
+}
+
+/// Lines and dots grow with the writing; the window is asked for its size only now, when it draws.
+void Scene::State::apply_lines() {
+  const ThemeColours& c = colours(settings.theme);
+  const double unit = text_height() / 14;
+  const Rgb edge = mix(c.edge, c.rock, 0.25);
+  const double thin = std::max(0.9 * unit, 1.2);  // thinner ones break up into dots
+  movable.draw_edges(settings.edges == Edges::none ? 0 : thin, settings.edges == Edges::mesh ? 0.45 * unit : 0, edge);
+  fixed.draw_edges(settings.edges == Edges::none ? 0 : thin, settings.edges == Edges::mesh ? 0.45 * unit : 0, edge);
+  concern.style(c.warn, 1.6 * unit, field_values.empty() ? 0.12 : 0);
+  selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0);  // a tint would falsify a field's colours
+  hover.style(c.pick, unit, 0);
+  const bool with_contacts = settings.contacts && frame;
+  contacts.show(with_contacts ? std::span<const ContactSample>(frame->contacts) : std::span<const ContactSample>(),
+                origin, 7 * unit);
+}
+
+ValueRange Scene::State::colour_range() const {
+  if (settings.range) return *settings.range;
+  return legend_range(*settings.field, field_range(system, std::span<const double>(field_values), *settings.field));
+}
+
+void Scene::State::make_overlay() {
+  overlay = Overlay{.theme = settings.theme,
+                    .text_height = text_height(),
+                    .title = settings.title,
+                    .time = {},
+                    .remarks = {},
+                    .legend = {},
+                    .triad = settings.triad,
+                    .scale_bar = settings.scale_bar};
+  if (frame && settings.time_stamp) {
+    overlay.time = "t = " + format_decimals(frame->time, 2) + " s";
+    const auto stage = static_cast<std::size_t>(frame->stage);
+    if (stage < stage_names.size()) overlay.remarks = stage_names[stage];
+  }
+  const bool whole = settings.deformation_scale == std::round(settings.deformation_scale);
+  if (frame && settings.deformation_scale != 1)
+    overlay.remarks += (overlay.remarks.empty() ? "" : ", ") + std::string("displacements \u00d7 ") +
+                       format_decimals(settings.deformation_scale, whole ? 0 : 2);
+  if (settings.legend && !field_values.empty()) {
+    const ValueRange range = colour_range();
+    const DisplayUnit unit = display_unit(settings.field->unit, std::max(std::abs(range.low), std::abs(range.high)));
+    overlay.legend = Legend{.title = std::string(settings.field->title),
+                            .unit = unit.name,
+                            .map = is_signed(*settings.field) ? &vik() : &batlow(),
+                            .low = range.low * unit.factor,
+                            .high = range.high * unit.factor};
+  }
+}
+
+void Scene::State::reset_extent() {
+  extent = ViewExtent();
+  extent_scale = settings.deformation_scale;
+  for (const BlockActors* part : parts())
+    for (const Vec3& place : part->surface().rest) extent.include(place);
+}
+
+void Scene::State::prepare_drawing() {
+  renderer->SetUseSSAO(settings.fine);
+  renderer->SetUseFXAA(settings.fine && settings.smooth_outlines && pixel_scale == 1);
+  overlay.text_height = text_height();
+  apply_lines();
+  const auto [width, height] = size();
+  const PixelRect area = free_area(overlay, width, height);
+  // The camera looks at the middle of the free part, not of the picture.
+  renderer->GetActiveCamera()->SetWindowCenter(1 - (area.left + area.right) / width,
+                                               1 - (area.bottom + area.top) / height);
+  renderer->ResetCameraClippingRange();
+}
+
+void Scene::State::look_from(double azimuth, double elevation) {
+  const Vec3 to_viewer = direction_to_viewer(azimuth, elevation);
+  const Vec3 up = std::abs(to_viewer.z()) > 0.999 ? Vec3(-direction_to_viewer(azimuth, 0)) : Vec3(Vec3::UnitZ());
+  CameraPose look;
+  look.focal_point = origin;
+  look.position = origin + to_viewer;
+  look.view_up = up;
+  look.parallel = settings.parallel_projection;
+  set_pose(look);
+  const auto [width, height] = size();
+  fit_to(width, height);
+}
+
+void Scene::State::fit_to(double width, double height) {
+  overlay.text_height = text_height();
+  const PixelRect area = free_area(overlay, width, height);
+  const std::vector<bool> unseen = flags(hidden);
+  ViewExtent wanted = hidden.empty() ? extent : ViewExtent();
+  for (const BlockActors* part : parts())
+    for (const int t : part->drawn())
+      for (const int vertex : part->surface().triangles[t].vertices) wanted.include(part->positions()[vertex]);
+  set_pose(fitted(pose(), wanted.points(), area.width(), area.height(), height));
+  fits_itself = true;
+}
+
+std::array<double, 2> Scene::State::size() const {
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  if (window == nullptr || window->GetSize()[0] <= 0) return {1280, 720};
+  return {static_cast<double>(window->GetSize()[0]), static_cast<double>(window->GetSize()[1])};
+}
+
+double Scene::State::text_height() const {
+  const auto [width, height] = size();
+  if (settings.text_height > 0) return settings.text_height * pixel_scale;
+  return automatic_text_height(width / pixel_scale, height / pixel_scale) * pixel_scale;
+}
+
+std::vector<bool> Scene::State::flags(const std::vector<int>& chosen) const {
+  std::vector<bool> result(system.blocks.size(), false);
+  for (const int block : chosen) result.at(static_cast<std::size_t>(block)) = true;
+  return result;
+}
+
+CameraPose Scene::State::pose() const {
+  vtkCamera& camera = *renderer->GetActiveCamera();
+  CameraPose result;
+  result.position = origin + Vec3(camera.GetPosition());
+  result.focal_point = origin + Vec3(camera.GetFocalPoint());
+  result.view_up = Vec3(camera.GetViewUp());
+  result.view_angle = camera.GetViewAngle();
+  result.parallel_scale = camera.GetParallelScale();
+  result.parallel = camera.GetParallelProjection() != 0;
+  return result;
+}
+
+void Scene::State::set_pose(const CameraPose& wanted) {
+  vtkCamera& camera = *renderer->GetActiveCamera();
+  const Vec3 position = wanted.position - origin, focal_point = wanted.focal_point - origin;
+  camera.SetPosition(position.data());
+  camera.SetFocalPoint(focal_point.data());
+  camera.SetViewUp(wanted.view_up.data());
+  camera.SetViewAngle(wanted.view_angle);
+  camera.SetParallelScale(wanted.parallel_scale);
+  camera.SetParallelProjection(wanted.parallel);
+  fits_itself = false;
+}
+
+}  // namespace talus

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include "render/scene/backdrop.hpp"
+#include "render/scene/block_actors.hpp"
+#include "render/scene/camera_fit.hpp"
+#include "render/scene/contact_actor.hpp"
+#include "render/scene/overlay.hpp"
+#include "render/scene/scene.hpp"
+
+namespace talus {
+
+/// The inside of Scene; OffscreenView sets its size.
+struct Scene::State {
+  State(const BlockSystem& blocks, SceneSettings wanted);
+  ~State();
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  void apply_settings();
+  void apply_frame();
+  void apply_colours();
+  void apply_marks();
+  void apply_lines();
+  void make_overlay();
+  /// Where the point of rock that a trouble is about lies in the frame that is shown [m].
+  Vec3 place_of(const ConvergenceTrouble& trouble) const;
+  CameraPose pose_at(const ConvergenceTrouble& trouble) const;
+  std::vector<int> blocks_of(const ConvergenceTrouble& trouble) const;
+  void paint_troubles(Painter& painter) const;
+  void reset_extent();
+  /// Just before VTK draws: what depends on the camera and on the window's size.
+  void prepare_drawing();
+
+  void look_from(double azimuth, double elevation);
+  void fit_to(double width, double height);
+  /// Pixels of the window the renderer is in; 1280×720 before it is in one.
+  std::array<double, 2> size() const;
+  double text_height() const;
+  ValueRange colour_range() const;
+  std::vector<bool> flags(const std::vector<int>& chosen) const;
+  std::vector<const BlockActors*> parts() const { return {&fixed, &movable}; }
+  CameraPose pose() const;
+  void set_pose(const CameraPose& pose);
+
+  const BlockSystem& system;
+  SceneSettings settings;
+  Vec3 origin;           ///< m, the blocks' middle: everything is drawn relative to it
+  double rock_size = 1;  ///< m, diagonal of the undeformed blocks
+  std::vector<Rgb> block_colours;
+  BlockActors fixed, movable;
+  Highlight concern, selection, hover;
+  ContactActor contacts;
+  Backdrop backdrop;
+  std::vector<int> hidden, selected;
+  std::optional<int> hovered;
+  std::vector<ConvergenceTrouble> troubles;
+
+  std::shared_ptr<const Frame> frame;
+  std::vector<double> field_values;  ///< of the frame, SI
+  std::vector<std::string> stage_names;
+  ViewExtent extent;
+  double extent_scale = 1;  ///< deformation the extent was made for
+  bool fits_itself = true;  ///< no pose was set since the last look or fit
+  double pixel_scale = 1;   ///< supersampling: pixels drawn for each pixel of the picture
+
+  Overlay overlay;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkLookupTable> table;
+};
+
+}  // namespace talus

@@ -1,0 +1,85 @@
+// Where a run has trouble to converge, in the picture.
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "render/paint/place_marks.hpp"
+#include "render/scene/scene_state.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr double room_round_a_block = 1.8;  ///< height of the view over the size of the block looked at
+
+/// Pixel of a point [m from the scene's origin]; none where it is behind the viewer.
+std::optional<PixelPoint> pixel_of(vtkRenderer& renderer, const Vec3& point) {
+  vtkCamera& camera = *renderer.GetActiveCamera();
+  const Vec3 eye(camera.GetPosition()), ahead(camera.GetDirectionOfProjection());
+  if ((point - eye).dot(ahead) <= 0) return {};
+  renderer.SetWorldPoint(point.x(), point.y(), point.z(), 1);
+  renderer.WorldToDisplay();
+  const double* pixel = renderer.GetDisplayPoint();
+  return PixelPoint{pixel[0], pixel[1]};
+}
+
+}  // namespace
+
+std::vector<int> Scene::State::blocks_of(const ConvergenceTrouble& trouble) const {
+  std::vector<int> found;
+  for (std::size_t b = 0; b < system.blocks.size(); ++b)
+    if (const std::string& name = system.blocks[b].name; name == trouble.blocks[0] || name == trouble.blocks[1])
+      found.push_back(static_cast<int>(b));
+  return found;
+}
+
+Vec3 Scene::State::place_of(const ConvergenceTrouble& trouble) const {
+  const std::vector<bool> own = flags(blocks_of(trouble));
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 place = trouble.position;
+  const auto& surface = movable.surface();
+  for (const auto& triangle : surface.triangles) {
+    if (!own[static_cast<std::size_t>(triangle.block)]) continue;
+    for (const int vertex : triangle.vertices) {
+      const Vec3 away = trouble.rest_position - surface.rest[vertex];
+      if (away.squaredNorm() >= least) continue;
+      least = away.squaredNorm();
+      place = movable.positions()[vertex] + away;
+    }
+  }
+  return place;
+}
+
+CameraPose Scene::State::pose_at(const ConvergenceTrouble& trouble) const {
+  double size = rock_size;
+  for (const int block : blocks_of(trouble)) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& node : system.blocks[static_cast<std::size_t>(block)].mesh.nodes) box.extend(node);
+    size = std::min(size, box.diagonal().norm());
+  }
+  CameraPose wanted = pose();
+  const Vec3 forward = (wanted.focal_point - wanted.position).normalized();
+  const double half_height = room_round_a_block * size / 2;
+  wanted.focal_point = place_of(trouble);
+  wanted.position = wanted.focal_point - forward * half_height / std::tan(radians(wanted.view_angle) / 2);
+  wanted.parallel_scale = half_height;
+  return wanted;
+}
+
+void Scene::State::paint_troubles(Painter& painter) const {
+  if (!settings.troubles) return;
+  std::vector<PlaceMark> marks;
+  for (const ConvergenceTrouble& trouble : troubles) {
+    if (blocks_of(trouble).empty()) continue;
+    const auto pixel = pixel_of(*renderer, place_of(trouble) - origin);
+    if (pixel) marks.push_back({*pixel, contact_text(trouble)});
+  }
+  const auto [width, height] = size();
+  paint_marks(painter, marks, {settings.theme, text_height(), width, height});
+}
+
+}  // namespace talus

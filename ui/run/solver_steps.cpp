@@ -1,7 +1,0 @@
-#include "run/solver_steps.hpp"
-
-namespace talus {
-
-SolverSteps solverSteps() { return {build_blocks, scene_size, run}; }
-
-}  // namespace talus

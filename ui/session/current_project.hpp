@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <memory>
+
+#include "document/document.hpp"
+#include "mesh/block.hpp"
+
+namespace talus {
+
+class Messages;
+struct StudyRecord;
+
+/// The project that is open: its document, the blocks that were cut out of it, and its accuracy study.
+class CurrentProject : public QObject {
+  Q_OBJECT
+ public:
+  explicit CurrentProject(Messages& messages);
+  ~CurrentProject() override;
+
+  Document& document() { return document_; }
+  const Document& document() const { return document_; }
+  Selection& selection() { return document_.selection(); }
+  /// Both say a problem where the file cannot be written.
+  void save();
+  bool saveAs(const std::filesystem::path& file);
+
+  /// Blocks of the project or of the results; empty before meshing.
+  std::shared_ptr<const BlockSystem> system() const { return system_; }
+  /// They are what the project as it is now would be cut into; if not, the next run cuts and meshes first.
+  bool systemIsCurrent() const;
+  /// Name of a block, empty when there is none.
+  QString blockName(int block) const;
+  void setSystem(std::shared_ptr<const BlockSystem> system);
+  /// Blocks that are set from now on are those of the project as it is now.
+  void beginBuilding() { builtFrom_ = document_.project(); }
+
+  /// The accuracy study of the project's file, as it was when it was last looked for; null where there is none.
+  const StudyRecord* study() const { return study_.get(); }
+  /// Looks for it again: one may have been made meanwhile.
+  void lookForStudy();
+  /// Gives the project the setting of a run, as one change that can be undone; says a problem where it cannot have it.
+  void useSetting(const StudyRecord& record, int run);
+
+ signals:
+  /// Another project, from a file or from results. All that belonged to the one before is gone by then.
+  void opened();
+  void systemChanged();
+  void studyChanged();
+
+ private:
+  Messages& messages_;
+  Document document_;
+  std::shared_ptr<const BlockSystem> system_;
+  Project builtFrom_;  ///< the project that `system_` was, or is being, built from
+  std::unique_ptr<StudyRecord> study_;
+  std::filesystem::path studyFolder_;  ///< where it was looked for, …
+  std::filesystem::file_time_type studyWritten_ = std::filesystem::file_time_type::min();  ///< … and of when it is
+};
+
+}  // namespace talus

@@ -1,0 +1,191 @@
+#include "session/current_run.hpp"
+
+#include "io/project_file.hpp"
+#include "jobs/results_loader.hpp"
+#include "jobs/solver_job.hpp"
+#include "render/paint/numbers.hpp"
+#include "session/current_project.hpp"
+#include "session/messages.hpp"
+#include "session/playback.hpp"
+
+namespace talus {
+
+namespace {
+
+/// Of a run that did not converge: in words, and as the place that the view can go to.
+Problem problemOf(const RunReport& report) {
+  Problem problem{Problem::Severity::warning,
+                  QObject::tr("run"),
+                  QString::fromStdString(report.reason),
+                  QObject::tr("the results hold until then"),
+                  {}};
+  if (!report.troubles.empty() && report.troubles.front().ended_run) problem.where = report.troubles.front();
+  return problem;
+}
+
+/// "1 block", "12 300 blocks".
+QString countOf(const BlockSystem& system) {
+  const std::size_t count = system.blocks.size();
+  return QObject::tr(count == 1 ? "%1 block" : "%1 blocks")
+      .arg(QString::fromStdString(format_decimals(static_cast<double>(count), 0)));
+}
+
+}  // namespace
+
+CurrentRun::CurrentRun(CurrentProject& project, Playback& playback, Messages& messages, SolverParts parts)
+    : project_(project), playback_(playback), messages_(messages), job_(std::make_unique<SolverJob>(std::move(parts))) {
+  connect(job_.get(), &SolverJob::newsArrived, this, &CurrentRun::takeNews);
+  connect(job_.get(), &SolverJob::ended, this, &CurrentRun::takeEnd);
+  connect(&playback_, &Playback::resultsOpened, this, &CurrentRun::takeResults);
+  connect(&project_, &CurrentProject::systemChanged, this, [this] {
+    size_.reset();
+    emit effectsChanged();
+  });
+  connect(&project_.document(), &Document::projectChanged, this, &CurrentRun::effectsChanged);
+}
+
+CurrentRun::~CurrentRun() = default;
+
+QString CurrentRun::whyNotMesh() const {
+  const Document& document = project_.document();
+  if (!document.isOpen()) return tr("Open a project first");
+  if (job_->isBusy()) return tr("A run goes on");
+  // It reads the results that a run would replace.
+  if (playback_.isExporting()) return tr("A picture or film is being written");
+  if (document.file().empty()) return tr("Save the project first: it came out of a results folder");
+  if (document.project().solids.empty()) return tr("The project has no solid");
+  return {};
+}
+
+QString CurrentRun::whyNotSolve() const {
+  const QString mesh = whyNotMesh();
+  if (!mesh.isEmpty()) return mesh;
+  if (project_.document().project().stages.empty()) return tr("The project has no stage");
+  return {};
+}
+
+void CurrentRun::mesh() {
+  if (!whyNotMesh().isEmpty()) return;
+  project_.setSystem(nullptr);
+  start(false);
+}
+
+void CurrentRun::solve() {
+  if (whyNotSolve().isEmpty()) start(true);
+}
+
+void CurrentRun::clear() {
+  fraction_ = 0;
+  activity_.clear();
+  steps_.clear();
+  history_.clear();
+  events_.clear();
+  stageNames_.clear();
+  monitorNames_.clear();
+  const Project& project = project_.document().project();
+  for (const auto& stage : project.stages) stageNames_.push_back(stage.name);
+  for (const auto& monitor : project.monitors) monitorNames_.push_back(monitor.name);
+  report_.reset();
+  effects_.clear();
+  takeTroubles({});
+  emit historyChanged();
+  emit reportChanged();
+  emit effectsChanged();
+}
+
+void CurrentRun::start(bool solve) {
+  playback_.clear();
+  clear();
+  messages_.clearTroubles();
+  if (!project_.systemIsCurrent()) project_.setSystem(nullptr);
+  project_.beginBuilding();
+  const Document& document = project_.document();
+  JobTask task;
+  task.project = document.project();
+  task.folder = document.folder();
+  task.options.out = document.resultsFolder();
+  task.options.project_text = write_project(document.project());
+  task.system = project_.system();
+  task.solve = solve;
+  if (solve) playback_.beginRun();
+  messages_.log(solve ? tr("run started") : tr("cutting and meshing"));
+  job_->start(std::move(task));
+}
+
+void CurrentRun::takeNews(const JobNews& news) {
+  fraction_ = news.fraction;
+  activity_ = QString::fromStdString(news.what);
+  if (news.system) {
+    project_.setSystem(news.system);
+    messages_.log(tr("%1 cut and meshed").arg(countOf(*news.system)));
+  }
+  if (news.size) size_ = news.size;
+  if (!news.effects.empty()) effects_ = news.effects;
+  if (news.size || !news.effects.empty()) emit effectsChanged();
+  if (!news.troubles.empty()) takeTroubles(news.troubles);
+  if (!news.frames.empty()) playback_.add(news.frames);
+  if (!news.steps.empty()) {
+    steps_.insert(steps_.end(), news.steps.begin(), news.steps.end());
+    history_.insert(history_.end(), news.history.begin(), news.history.end());
+    emit historyChanged();
+  }
+  emit progressed();
+}
+
+void CurrentRun::takeEnd(const JobEnd& end) {
+  switch (end.kind) {
+    case JobEnd::Kind::meshed:
+      break;
+    case JobEnd::Kind::completed:
+      messages_.log(tr("run finished"));
+      break;
+    case JobEnd::Kind::stopped:
+      messages_.log(tr("run stopped; its results stay"));
+      break;
+    case JobEnd::Kind::cancelled:
+      messages_.log(tr("cancelled"));
+      playback_.abandonRun();
+      break;
+    case JobEnd::Kind::notConverged:
+      messages_.add(problemOf(*end.report));
+      break;
+    case JobEnd::Kind::failed:
+      messages_.add(problemOf(*end.failure));
+      playback_.abandonRun();
+      break;
+  }
+  if (end.report) takeReport(*end.report);
+  if (!end.results.empty()) playback_.endRun(end.results);
+  emit progressed();
+}
+
+void CurrentRun::takeReport(const RunReport& report) {
+  report_ = report;
+  events_ = report.events;
+  effects_ = report.effects;
+  takeTroubles(report.troubles);
+  emit reportChanged();
+  emit effectsChanged();
+}
+
+void CurrentRun::takeTroubles(const std::vector<ConvergenceTrouble>& troubles) {
+  troubles_ = troubles;
+  emit troublesChanged();
+}
+
+void CurrentRun::takeResults(const ResultsIndex& index, bool afterRun) {
+  if (!afterRun) project_.setSystem(index.system);
+  stageNames_ = index.stage_names;
+  monitorNames_ = index.monitor_names;
+  steps_ = index.steps;
+  history_ = index.history;
+  emit historyChanged();
+  if (!afterRun && index.report) takeReport(*index.report);
+}
+
+std::vector<EffectCost> CurrentRun::effectCosts() const {
+  if (!size_ || !project_.systemIsCurrent()) return {};
+  return effect_costs(project_.document().project(), *project_.system(), *size_);
+}
+
+}  // namespace talus

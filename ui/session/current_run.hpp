@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jobs/solver_parts.hpp"
+#include "results/run_report.hpp"
+
+namespace talus {
+
+class CurrentProject;
+class Messages;
+class Playback;
+class SolverJob;
+struct JobEnd;
+struct JobNews;
+struct ResultsIndex;
+
+/// The run that goes on, or whose results are open: its job, what its steps and monitors came to, its report.
+class CurrentRun : public QObject {
+  Q_OBJECT
+ public:
+  CurrentRun(CurrentProject& project, Playback& playback, Messages& messages, SolverParts parts);
+  ~CurrentRun() override;
+
+  SolverJob& job() { return *job_; }
+  /// Empty when the project can be meshed, or solved; otherwise why not.
+  QString whyNotMesh() const;
+  QString whyNotSolve() const;
+  void mesh();
+  void solve();
+  /// Nothing is known of a run; one of the project as it is now may begin.
+  void clear();
+
+  /// Last news of the job: fraction and words.
+  double fraction() const { return fraction_; }
+  const QString& activity() const { return activity_; }
+
+  const std::vector<StepReport>& steps() const { return steps_; }
+  const std::vector<HistoryRow>& history() const { return history_; }
+  const std::vector<Event>& events() const { return events_; }
+  const std::vector<std::string>& stageNames() const { return stageNames_; }
+  const std::vector<std::string>& monitorNames() const { return monitorNames_; }
+  const std::optional<RunReport>& report() const { return report_; }
+  /// What the effects of the project as it is now will be paid for; empty until its blocks are cut.
+  std::vector<EffectCost> effectCosts() const;
+  /// What each effect of the run has cost so far, or did; empty while nothing is known of it.
+  const std::vector<EffectOutcome>& effects() const { return effects_; }
+  /// Where the run has trouble to converge, or had, the hardest place first.
+  const std::vector<ConvergenceTrouble>& troubles() const { return troubles_; }
+
+ signals:
+  void progressed();
+  void historyChanged();  ///< steps or monitors came
+  void reportChanged();
+  void effectsChanged();  ///< what they will cost, or cost
+  void troublesChanged();
+
+ private:
+  void start(bool solve);
+  void takeNews(const JobNews& news);
+  void takeEnd(const JobEnd& end);
+  void takeReport(const RunReport& report);
+  void takeTroubles(const std::vector<ConvergenceTrouble>& troubles);
+  void takeResults(const ResultsIndex& index, bool afterRun);
+
+  CurrentProject& project_;
+  Playback& playback_;
+  Messages& messages_;
+  std::unique_ptr<SolverJob> job_;
+  double fraction_ = 0;
+  QString activity_;
+  std::optional<SceneSize> size_;  ///< of the project's blocks
+  std::vector<StepReport> steps_;
+  std::vector<HistoryRow> history_;
+  std::vector<Event> events_;
+  std::vector<std::string> stageNames_, monitorNames_;
+  std::optional<RunReport> report_;
+  std::vector<EffectOutcome> effects_;
+  std::vector<ConvergenceTrouble> troubles_;
+};
+
+}  // namespace talus

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QObject>
+
+#include "render/scene/scene.hpp"
+#include "session/workflow_page.hpp"
+
+namespace talus {
+
+class CurrentProject;
+class Playback;
+
+/// What the window shows now, and how: the page of the workflow, the scene's settings, the theme.
+class Display : public QObject {
+  Q_OBJECT
+ public:
+  /// Made before all who draw frames: the range of the legend then is ready when they are told of a frame.
+  Display(CurrentProject& project, Playback& playback);
+
+  WorkflowPage page() const { return page_; }
+  void goTo(WorkflowPage page);
+
+  const SceneSettings& settings() const { return settings_; }
+  void set(const SceneSettings& settings);
+  /// Whether the legend spans the frames seen so far or the one in view alone.
+  bool rangeFollowsRun() const { return rangeFollowsRun_; }
+  void setRangeFollowsRun(bool follows);
+  bool isDark() const { return settings_.theme == Theme::dark; }
+  void setDark(bool dark);
+
+  /// Selects the blocks of a trouble and lets the view go there.
+  void showTrouble(const ConvergenceTrouble& trouble);
+
+ signals:
+  void pageChanged();
+  void changed();  ///< the settings
+  void themeChanged();
+  void troubleWanted(const talus::ConvergenceTrouble& trouble);  ///< the view should go there
+
+ private:
+  void takeFrame();
+
+  CurrentProject& project_;
+  Playback& playback_;
+  WorkflowPage page_ = WorkflowPage::geometry;
+  SceneSettings settings_;
+  bool rangeFollowsRun_ = true;
+  ValueRange seen_;  ///< of the field, in the frames seen so far
+};
+
+}  // namespace talus

@@ -1,0 +1,59 @@
+#include "widgets/kit/numbers.hpp"
+#include "widgets/kit/text.hpp"
+
+#include <QRegularExpression>
+#include <cmath>
+
+#include "render/paint/numbers.hpp"
+
+namespace talus::numbers {
+
+QString fixed(double value, int decimals) { return text(format_decimals(value, decimals)); }
+
+QString significant(double value, int figures) { return text(format_number(value, figures)); }
+
+QString figure(double value, int figures) {
+  static const QRegularExpression zeros(QStringLiteral("(\\.\\d*?)0+(?!\\d)")), point(QStringLiteral("\\.(?!\\d)"));
+  return significant(value, figures).replace(zeros, QStringLiteral("\\1")).remove(point);
+}
+
+QString quantity(double value, const char* unit) {
+  const DisplayUnit shown = display_unit(unit, std::abs(value));
+  return significant(value * shown.factor) + u' ' + text(shown.name);
+}
+
+Scale energyScale(double largest) {
+  const std::pair<double, const char*> units[] = {{1e12, "TJ"}, {1e9, "GJ"}, {1e6, "MJ"}, {1e3, "kJ"}};
+  for (const auto& [factor, unit] : units)
+    if (largest >= factor) return {factor, QLatin1String(unit)};
+  return {1, QStringLiteral("J")};
+}
+
+QString orientation(double dip, double dipDirection) {
+  return QStringLiteral("%1/%2").arg(std::lround(dip)).arg(std::lround(dipDirection) % 360, 3, 10, QLatin1Char('0'));
+}
+
+QString duration(double seconds) {
+  if (!std::isfinite(seconds) || seconds < 0) return QStringLiteral("–");
+  if (seconds > 0 && seconds < 0.095) return significant(seconds, 2) + QStringLiteral(" s");
+  if (seconds < 9.95) return fixed(seconds, 1) + QStringLiteral(" s");
+  if (seconds < 59.5) return QStringLiteral("%1 s").arg(std::lround(seconds));
+  const long rounded = std::lround(seconds / 5) * 5;
+  if (rounded < 3600) {
+    const QString minutes = QStringLiteral("%1 min").arg(rounded / 60);
+    return rounded % 60 == 0 ? minutes : minutes + QStringLiteral(" %1 s").arg(rounded % 60);
+  }
+  const long minutes = std::lround(seconds / 60);
+  return QStringLiteral("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
+}
+
+bool parse(const QString& text, double& value) {
+  QString plain = text.trimmed();
+  plain.remove(QChar(0x2009)).remove(u' ').replace(QChar(0x2212), u'-').replace(u',', u'.');
+  bool good = false;
+  const double parsed = plain.toDouble(&good);
+  if (good && std::isfinite(parsed)) value = parsed;
+  return good && std::isfinite(parsed);
+}
+
+}  // namespace talus::numbers

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QString>
+#include <concepts>
+
+/// Numbers as the window writes them, on top of render/numbers.hpp, so that panels and pictures agree.
+namespace talus::numbers {
+
+QString fixed(double value, int decimals);
+QString whole(std::integral auto value) { return fixed(static_cast<double>(value), 0); }
+/// "1 frame", "201 frames".
+QString counted(std::integral auto count, const char* noun) {
+  return whole(count) + u' ' + QLatin1String(noun) + (count == 1 ? QString() : QStringLiteral("s"));
+}
+QString significant(double value, int figures = 3);
+/// The same without zeros at its end: 2, not 2.000000.
+QString figure(double value, int figures);
+/// With the prefix that suits it: "25 GPa", "0.2 MPa"; `unit` is SI.
+QString quantity(double value, const char* unit);
+/// J, kJ, MJ, GJ, TJ: the factor to divide by and its unit, for values up to `largest`.
+struct Scale {
+  double factor = 1;
+  QString unit;
+};
+Scale energyScale(double largest);
+/// "34/270", dip and three digits of dip direction, degrees.
+QString orientation(double dip, double dipDirection);
+/// "12 s", "4 min 10 s" (rounded to 5 s above a minute), "1 h 47 min".
+QString duration(double seconds);
+/// Parses what a user typed with point or comma, thin spaces and a true minus sign; false when it is no number.
+bool parse(const QString& text, double& value);
+
+}  // namespace talus::numbers

@@ -1,0 +1,266 @@
+#include "widgets/project/page_table.hpp"
+
+#include <QHeaderView>
+#include <QPainter>
+
+#include "model/stage_length.hpp"
+#include "session/current_project.hpp"
+#include "session/display.hpp"
+#include "session/playback.hpp"
+#include "widgets/kit/model_words.hpp"
+#include "widgets/kit/numbers.hpp"
+#include "widgets/kit/text.hpp"
+#include "widgets/kit/theme.hpp"
+#include "widgets/project/motion_rows.hpp"
+
+namespace talus {
+
+namespace {
+
+QString number(double value, int figures = 3) { return numbers::significant(value, figures); }
+const QString none = QStringLiteral("–");
+
+Item item(Item::Kind kind, size_t index) { return {kind, static_cast<int>(index)}; }
+
+PageRows geometryRows(const Project& project) {
+  PageRows content{QObject::tr("Solids"),
+                   {QObject::tr("Solid"), QObject::tr("Shape"), QObject::tr("Material"), QObject::tr("Body"),
+                    QObject::tr("Mesh size m")},
+                   4,
+                   {},
+                   QObject::tr("The project has no solid.")};
+  for (size_t i = 0; i < project.solids.size(); ++i) {
+    const Solid& solid = project.solids[i];
+    QString shape = QObject::tr("box");
+    if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape))
+      shape = QObject::tr("polyhedron, %1 faces").arg(polyhedron->faces.size());
+    else if (const auto* file = std::get_if<FileShape>(&solid.shape))
+      shape = text(file->path);
+    content.rows.push_back({item(Item::Kind::solid, i),
+                            {text(solid.name), shape, text(solid.material), words::body(solid.body),
+                             solid.mesh_size ? number(*solid.mesh_size) : QObject::tr("automatic")}});
+  }
+  return content;
+}
+
+PageRows jointRows(const Project& project) {
+  PageRows content{
+      QObject::tr("Joint table"),
+      {QObject::tr("Joint"), QObject::tr("Cut"), QObject::tr("Dip °"), QObject::tr("Dir °"), QObject::tr("Spacing m"),
+       QObject::tr("Count"), QObject::tr("φ °"), QObject::tr("c MPa"), QObject::tr("Tension MPa")},
+      2,
+      {},
+      QObject::tr("The project has no joint: its solids touch without being cut.")};
+  for (size_t j = 0; j < project.joints.size(); ++j) {
+    const Joint& joint = project.joints[j];
+    const QStringList strength{number(joint.friction_angle), number(joint.cohesion / 1e6),
+                               number(joint.tensile_strength / 1e6)};
+    bool cuts = false;
+    for (size_t i = 0; i < project.cuts.size(); ++i) {
+      const Cut& cut = project.cuts[i];
+      if (cut.joint != joint.name) continue;
+      cuts = true;
+      const QString direction = QStringLiteral("%1").arg(std::lround(cut.dip_direction), 3, 10, QLatin1Char('0'));
+      content.rows.push_back(
+          {item(Item::Kind::cut, i),
+           QStringList{text(joint.name), QString::number(i + 1), number(cut.dip), direction,
+                       cut.spacing ? number(*cut.spacing) : none, QString::number(cut.count.value_or(1))} +
+               strength});
+    }
+    if (!cuts)
+      content.rows.push_back(
+          {item(Item::Kind::joint, j), QStringList{text(joint.name), none, none, none, none, none} + strength});
+  }
+  return content;
+}
+
+PageRows blockRows(const Project& project, const BlockSystem* system) {
+  PageRows content{QObject::tr("Blocks"),
+                   {QObject::tr("Block"), QObject::tr("Body"), QObject::tr("Material"), QObject::tr("Volume m³"),
+                    QObject::tr("Mass t")},
+                   3,
+                   {},
+                   QObject::tr("Not cut yet.")};
+  if (!system) return content;
+  for (size_t i = 0; i < system->blocks.size(); ++i) {
+    const Block& block = system->blocks[i];
+    const auto m = static_cast<size_t>(block.material);
+    const bool known = m < project.materials.size();
+    content.rows.push_back(
+        {item(Item::Kind::block, i),
+         {text(block.name), words::body(block.body), known ? text(project.materials[m].name) : none,
+          number(block.volume, 4), known ? number(block.volume * project.materials[m].density / 1e3, 4) : none}});
+  }
+  return content;
+}
+
+PageRows meshRows(const BlockSystem* system) {
+  PageRows content{QObject::tr("Mesh"),
+                   {QObject::tr("Block"), QObject::tr("Nodes"), QObject::tr("Tetrahedra"), QObject::tr("Facets")},
+                   1,
+                   {},
+                   QObject::tr("Not meshed yet.")};
+  if (!system) return content;
+  for (size_t i = 0; i < system->blocks.size(); ++i) {
+    const Block& block = system->blocks[i];
+    content.rows.push_back({item(Item::Kind::block, i),
+                            {text(block.name), numbers::whole(block.mesh.nodes.size()),
+                             numbers::whole(block.mesh.tetrahedra.size()), numbers::whole(block.surface.size())}});
+  }
+  return content;
+}
+
+PageRows materialRows(const Project& project) {
+  PageRows content{QObject::tr("Materials"),
+                   {QObject::tr("Material"), QObject::tr("ρ kg/m³"), QObject::tr("E GPa"), QObject::tr("ν"),
+                    QObject::tr("Damping 1/s"), QObject::tr("Law")},
+                   1,
+                   {},
+                   QObject::tr("The project has no material.")};
+  for (size_t i = 0; i < project.materials.size(); ++i) {
+    const Material& material = project.materials[i];
+    content.rows.push_back({item(Item::Kind::material, i),
+                            {text(material.name), number(material.density, 4), number(material.young / 1e9),
+                             number(material.poisson), number(material.damping), text(to_string(material.law))}});
+  }
+  return content;
+}
+
+PageRows loadRows(const Project& project) {
+  PageRows content{QObject::tr("Loads"),
+                   {QObject::tr("What"), QObject::tr("Block"), QObject::tr("At m"), QObject::tr("Value")},
+                   3,
+                   {},
+                   QObject::tr("Nothing but gravity acts.")};
+  for (size_t i = 0; i < project.loads.size(); ++i) {
+    const PointLoad& load = project.loads[i];
+    content.rows.push_back({item(Item::Kind::load, i),
+                            {QObject::tr("force, kN"), text(load.block), words::point(load.at),
+                             load.table.empty() ? words::point(load.force / 1e3) : words::span(load.table)}});
+  }
+  for (size_t i = 0; i < project.constraints.size(); ++i) {
+    const Constraint& constraint = project.constraints[i];
+    QStringList components;
+    for (const auto& component : constraint.displacement)
+      components << (component ? number(*component) : QObject::tr("free"));
+    content.rows.push_back(
+        {item(Item::Kind::constraint, i),
+         {QObject::tr("support, m"), text(constraint.block),
+          constraint.at ? words::point(*constraint.at) : QObject::tr("whole block"),
+          constraint.table.empty() ? components.join(QStringLiteral(", ")) : words::span(constraint.table)}});
+  }
+  for (size_t i = 0; i < project.velocities.size(); ++i)
+    content.rows.push_back({item(Item::Kind::velocity, i),
+                            {QObject::tr("velocity, m/s"), text(project.velocities[i].block), none,
+                             words::point(project.velocities[i].linear)}});
+  return content;
+}
+
+PageRows stageRows(const Project& project) {
+  PageRows content{QObject::tr("Stages"),
+                   {QObject::tr("Stage"), QObject::tr("Type"), QObject::tr("Δt ms"), QObject::tr("Steps"),
+                    QObject::tr("Duration s")},
+                   2,
+                   {},
+                   QObject::tr("The project has no stage: there is nothing to solve.")};
+  for (size_t i = 0; i < project.stages.size(); ++i) {
+    const Stage& stage = project.stages[i];
+    const double duration = length_of(stage);
+    const long steps = stage.steps ? *stage.steps : std::lround(duration / stage.time_step);
+    content.rows.push_back(
+        {item(Item::Kind::stage, i),
+         {text(stage.name),
+          stage.until_equilibrium ? QObject::tr("static, until equilibrium") : words::stage(stage.kind),
+          number(stage.time_step * 1e3), numbers::whole(steps), number(duration, 4)}});
+  }
+  return content;
+}
+
+}  // namespace
+
+PageRows rowsOf(WorkflowPage page, const Project& project, const BlockSystem* system) {
+  switch (page) {
+    case WorkflowPage::geometry:
+      return geometryRows(project);
+    case WorkflowPage::joints:
+      return jointRows(project);
+    case WorkflowPage::blocks:
+      return blockRows(project, system);
+    case WorkflowPage::mesh:
+      return meshRows(system);
+    case WorkflowPage::materials:
+      return materialRows(project);
+    case WorkflowPage::loads:
+      return loadRows(project);
+    case WorkflowPage::stages:
+    case WorkflowPage::solve:
+    case WorkflowPage::results:
+      break;
+  }
+  return stageRows(project);
+}
+
+PageTable::PageTable(CurrentProject& project, Playback& playback, Display& display)
+    : project_(project), playback_(playback), display_(display) {
+  setAccessibleName(tr("What the project holds of this page"));
+  connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
+    if (row >= 0 && row < static_cast<int>(content_.rows.size()))
+      project_.selection().select(content_.rows[static_cast<size_t>(row)].item);
+  });
+  connect(&display_, &Display::pageChanged, this, &PageTable::refresh);
+  connect(&project_, &CurrentProject::opened, this, &PageTable::refresh);
+  connect(&project_, &CurrentProject::systemChanged, this, &PageTable::refresh);
+  connect(&project_.document(), &Document::projectChanged, this, &PageTable::refresh);
+  connect(&playback_, &Playback::frameChanged, this, [this] {
+    if (isVisible() || showsMotion_ != mayShowMotion()) refresh();
+  });
+  connect(&project_.selection(), &Selection::changed, this, &PageTable::showSelection);
+  refresh();
+}
+
+bool PageTable::mayShowMotion() const {
+  return !isSetUp(display_.page()) && knowsMotions(project_.system().get(), playback_.frame().get());
+}
+
+void PageTable::showEvent(QShowEvent* event) {
+  if (showsMotion_) refresh();  // of another frame while it was hidden
+  PlainTable::showEvent(event);
+}
+
+void PageTable::refresh() {
+  const QSignalBlocker silent(this);
+  const BlockSystem* system = project_.system().get();
+  showsMotion_ = mayShowMotion();
+  content_ = showsMotion_ ? motionRows(*system, *playback_.frame())
+                          : rowsOf(display_.page(), project_.document().project(), system);
+  std::vector<QStringList> rows;
+  for (const auto& row : content_.rows) rows.push_back(row.cells);
+  std::vector<bool> words(static_cast<size_t>(content_.heads.size()));
+  std::fill_n(words.begin(), content_.wordColumns, true);
+  setContent(content_.heads, rows, words);
+  showSelection();
+  blockSignals(false);
+  emit titleChanged(content_.title);
+}
+
+void PageTable::showSelection() {
+  const QSignalBlocker silent(this);
+  clearSelection();
+  const Item& current = project_.selection().current();
+  for (size_t row = 0; row < content_.rows.size(); ++row)
+    if (content_.rows[row].item == current) {
+      setCurrentCell(static_cast<int>(row), 0);
+      return;
+    }
+  setCurrentCell(-1, -1);
+}
+
+void PageTable::paintEvent(QPaintEvent* event) {
+  QTableWidget::paintEvent(event);
+  if (!content_.rows.empty()) return;
+  QPainter painter(viewport());
+  painter.setPen(theme::colours().textMuted);
+  painter.drawText(viewport()->rect(), Qt::AlignCenter, content_.empty);
+}
+
+}  // namespace talus

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "document/selection.hpp"
+#include "session/workflow_page.hpp"
+#include "widgets/kit/plain_table.hpp"
+
+namespace talus {
+
+class CurrentProject;
+class Display;
+class Playback;
+struct BlockSystem;
+struct Project;
+
+/// What the project holds of one page of the workflow, as rows; a row is the thing that it selects.
+struct PageRows {
+  struct Row {
+    Item item;
+    QStringList cells;
+  };
+  QString title;
+  QStringList heads;
+  int wordColumns = 1;  ///< columns from the left that hold words; the others hold numbers
+  std::vector<Row> rows;
+  QString empty;  ///< what to say when there is no row
+};
+
+/// For the pages that set the project up.
+PageRows rowsOf(WorkflowPage page, const Project& project, const BlockSystem* system);
+
+/// The table under the view: what the project holds of the page that is open; from a run on, how its blocks move.
+class PageTable : public PlainTable {
+  Q_OBJECT
+ public:
+  PageTable(CurrentProject& project, Playback& playback, Display& display);
+
+ signals:
+  void titleChanged(const QString& title);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void refresh();
+  bool mayShowMotion() const;
+  void showSelection();
+  CurrentProject& project_;
+  Playback& playback_;
+  Display& display_;
+  PageRows content_;
+  bool showsMotion_ = false;
+};
+
+}  // namespace talus

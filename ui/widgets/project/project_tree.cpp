@@ -1,0 +1,225 @@
+#include "widgets/project/project_tree.hpp"
+
+#include <QHeaderView>
+#include <QMouseEvent>
+#include <QScopedValueRollback>
+#include <filesystem>
+
+#include "model/stage_length.hpp"
+#include "session/current_project.hpp"
+#include "session/display.hpp"
+#include "widgets/kit/numbers.hpp"
+#include "widgets/kit/text.hpp"
+#include "widgets/kit/theme.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int kind_role = Qt::UserRole, index_role = Qt::UserRole + 1, page_role = Qt::UserRole + 2;
+
+Item itemOf(const QTreeWidgetItem& row) {
+  return {static_cast<Item::Kind>(row.data(0, kind_role).toInt()), row.data(0, index_role).toInt()};
+}
+
+QString solidFigure(const Solid& solid) {
+  if (std::holds_alternative<BoxShape>(solid.shape)) return QObject::tr("box");
+  if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape))
+    return QObject::tr("%1 faces").arg(polyhedron->faces.size());
+  return text(std::filesystem::path(std::get<FileShape>(solid.shape).path).extension().string()).mid(1).toUpper();
+}
+
+QString stageFigure(const Stage& stage) {
+  const double seconds = length_of(stage);
+  const QString length = numbers::significant(seconds) + QStringLiteral(" s");
+  return stage.kind == StageKind::static_ ? QObject::tr("static %1").arg(length) : length;
+}
+
+}  // namespace
+
+ProjectTree::ProjectTree(CurrentProject& project, Display& display) : project_(project), display_(display) {
+  setHeaderHidden(true);
+  setColumnCount(2);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  setUniformRowHeights(true);
+  setTextElideMode(Qt::ElideRight);
+  setMouseTracking(true);
+  setExpandsOnDoubleClick(true);
+  setAccessibleName(tr("Project"));
+  connect(this, &QTreeWidget::itemEntered, this, [this](QTreeWidgetItem* row) {
+    const Item item = itemOf(*row);
+    project_.selection().hoverBlock(item.kind == Item::Kind::block ? std::optional<int>(item.index) : std::nullopt);
+  });
+  connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) {
+    if (!row) return;
+    const Item item = itemOf(*row);
+    if (item.kind != Item::Kind::none)
+      project_.selection().select(item);
+    else
+      display_.goTo(static_cast<WorkflowPage>(row->data(0, page_role).toInt()));
+  });
+  connect(&project_, &CurrentProject::opened, this, &ProjectTree::rebuild);
+  connect(&project_, &CurrentProject::systemChanged, this, &ProjectTree::rebuild);
+  connect(&display_, &Display::themeChanged, this, &ProjectTree::rebuild);  // its colours are in the rows
+  connect(&project_.document(), &Document::projectChanged, this, &ProjectTree::rebuild);
+  connect(&display_, &Display::pageChanged, this, &ProjectTree::unfoldPage);
+  connect(&project_.selection(), &Selection::changed, this, &ProjectTree::showSelection);
+  rebuild();
+}
+
+QTreeWidgetItem* ProjectTree::addGroup(WorkflowPage page, const QString& figure) {
+  auto* group = new QTreeWidgetItem(QStringList{pageTitle(page), figure});
+  group->setIcon(0, theme::icon(QLatin1String(pageKey(page))));
+  group->setFont(0, theme::font(theme::now().type.body, QFont::Medium));
+  group->setForeground(1, theme::colours().textFaint);
+  group->setFont(1, theme::font(theme::now().type.small));
+  group->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+  group->setData(0, kind_role, static_cast<int>(Item::Kind::none));
+  group->setData(0, page_role, static_cast<int>(page));
+  addTopLevelItem(group);
+  groups_[page] = group;
+  return group;
+}
+
+QTreeWidgetItem* ProjectTree::addRow(QTreeWidgetItem* group, const Item& item, const QString& name,
+                                     const QString& figure) {
+  auto* row = new QTreeWidgetItem(QStringList{name, figure});
+  row->setForeground(1, theme::colours().textFaint);
+  row->setFont(1, theme::font(theme::now().type.small));
+  row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+  row->setData(0, kind_role, static_cast<int>(item.kind));
+  row->setData(0, index_role, item.index);
+  row->setData(0, page_role, group->data(0, page_role));
+  row->setToolTip(0, name);
+  group->addChild(row);
+  return row;
+}
+
+void ProjectTree::rebuild() {
+  const QSignalBlocker silent(this);
+  std::map<WorkflowPage, bool> unfolded;
+  for (const auto& [page, group] : groups_) unfolded[page] = group->isExpanded();
+  clear();
+  groups_.clear();
+  if (!project_.document().isOpen()) return;
+  const Project& project = project_.document().project();
+  const auto& system = project_.system();
+
+  auto* geometry = addGroup(WorkflowPage::geometry, numbers::whole(project.solids.size()));
+  for (size_t i = 0; i < project.solids.size(); ++i)
+    addRow(geometry, {Item::Kind::solid, static_cast<int>(i)}, text(project.solids[i].name),
+           solidFigure(project.solids[i]));
+  addJoints(addGroup(WorkflowPage::joints, numbers::whole(project.joints.size())));
+  addBlocks(addGroup(WorkflowPage::blocks, system ? numbers::whole(system->blocks.size()) : tr("not cut")));
+  size_t tetrahedra = 0;
+  if (system)
+    for (const auto& block : system->blocks) tetrahedra += block.mesh.tetrahedra.size();
+  addGroup(WorkflowPage::mesh, system ? tr("%1 tet").arg(numbers::whole(tetrahedra)) : tr("not made"));
+  auto* materials = addGroup(WorkflowPage::materials, numbers::whole(project.materials.size()));
+  for (size_t i = 0; i < project.materials.size(); ++i)
+    addRow(materials, {Item::Kind::material, static_cast<int>(i)}, text(project.materials[i].name),
+           tr("%1 kg/m³").arg(numbers::significant(project.materials[i].density, 4)));
+  addLoads(addGroup(WorkflowPage::loads,
+                    numbers::whole(project.loads.size() + project.constraints.size() + project.velocities.size())));
+  auto* stages = addGroup(WorkflowPage::stages, numbers::whole(project.stages.size()));
+  for (size_t i = 0; i < project.stages.size(); ++i)
+    addRow(stages, {Item::Kind::stage, static_cast<int>(i)}, text(project.stages[i].name),
+           stageFigure(project.stages[i]));
+  auto* results = addGroup(WorkflowPage::results, {});
+  for (size_t i = 0; i < project.monitors.size(); ++i)
+    addRow(results, {Item::Kind::monitor, static_cast<int>(i)}, text(project.monitors[i].name),
+           tr("on %1").arg(text(project.monitors[i].block)))
+        ->setIcon(0, theme::icon(QStringLiteral("monitor")));
+  for (const auto& [page, group] : groups_) group->setExpanded(unfolded[page]);
+  unfoldPage();
+  showSelection();
+}
+
+void ProjectTree::addJoints(QTreeWidgetItem* group) {
+  const Project& project = project_.document().project();
+  for (size_t i = 0; i < project.joints.size(); ++i) {
+    const Joint& joint = project.joints[i];
+    auto* row = addRow(group, {Item::Kind::joint, static_cast<int>(i)}, text(joint.name),
+                       tr("φ %1°").arg(numbers::significant(joint.friction_angle)));
+    row->setIcon(0, theme::swatch(theme::seriesColour(static_cast<int>(i))));
+  }
+  for (size_t i = 0; i < project.cuts.size(); ++i) {
+    const Cut& cut = project.cuts[i];
+    auto* row = addRow(group, {Item::Kind::cut, static_cast<int>(i)}, tr("cut %1, %2").arg(i + 1).arg(text(cut.joint)),
+                       numbers::orientation(cut.dip, cut.dip_direction));
+    row->setIcon(0, theme::icon(QStringLiteral("cut")));
+  }
+}
+
+void ProjectTree::addBlocks(QTreeWidgetItem* group) {
+  if (!project_.system()) return;
+  const auto& blocks = project_.system()->blocks;
+  for (size_t i = 0; i < blocks.size(); ++i) {
+    const bool fixed = blocks[i].body == BodyKind::fixed;
+    auto* row = addRow(group, {Item::Kind::block, static_cast<int>(i)}, text(blocks[i].name),
+                       fixed ? tr("fixed") : tr("%1 m³").arg(numbers::significant(blocks[i].volume)));
+    row->setIcon(0, theme::icon(fixed ? QStringLiteral("fixed") : QStringLiteral("blocks")));
+  }
+}
+
+void ProjectTree::addLoads(QTreeWidgetItem* group) {
+  const Project& project = project_.document().project();
+  for (size_t i = 0; i < project.loads.size(); ++i) {
+    const PointLoad& load = project.loads[i];
+    addRow(group, {Item::Kind::load, static_cast<int>(i)}, tr("load on %1").arg(text(load.block)),
+           load.table.empty() ? tr("%1 kN").arg(numbers::significant(load.force.norm() / 1e3)) : tr("by table"));
+  }
+  for (size_t i = 0; i < project.constraints.size(); ++i)
+    addRow(group, {Item::Kind::constraint, static_cast<int>(i)},
+           tr("support of %1").arg(text(project.constraints[i].block)), {});
+  for (size_t i = 0; i < project.velocities.size(); ++i)
+    addRow(group, {Item::Kind::velocity, static_cast<int>(i)},
+           tr("velocity of %1").arg(text(project.velocities[i].block)),
+           tr("%1 m/s").arg(numbers::significant(project.velocities[i].linear.norm())));
+}
+
+QTreeWidgetItem* ProjectTree::rowOf(const Item& item) const {
+  for (const auto& [page, group] : groups_)
+    for (int i = 0; i < group->childCount(); ++i)
+      if (itemOf(*group->child(i)) == item) return group->child(i);
+  return nullptr;
+}
+
+void ProjectTree::unfoldPage() {
+  const WorkflowPage page = display_.page() == WorkflowPage::solve ? WorkflowPage::stages : display_.page();
+  const auto group = groups_.find(page);
+  if (group == groups_.end()) return;
+  group->second->setExpanded(true);
+  scrollToItem(group->second, QAbstractItemView::EnsureVisible);
+}
+
+void ProjectTree::showSelection() {
+  const QSignalBlocker silent(this);
+  const Item& current = project_.selection().current();
+  clearSelection();
+  setCurrentItem(nullptr);
+  QTreeWidgetItem* row = rowOf(current);
+  if (!row) return;
+  setCurrentItem(row);
+  for (int block : project_.selection().blocks())
+    if (auto* also = rowOf({Item::Kind::block, block})) also->setSelected(true);
+  scrollToItem(row);
+}
+
+void ProjectTree::mousePressEvent(QMouseEvent* event) {
+  auto* row = itemAt(event->pos());
+  if (row && event->modifiers().testFlag(Qt::ControlModifier) && itemOf(*row).kind == Item::Kind::block) {
+    project_.selection().toggleBlock(itemOf(*row).index);
+    return;
+  }
+  QTreeWidget::mousePressEvent(event);
+}
+
+void ProjectTree::leaveEvent(QEvent* event) {
+  project_.selection().hoverBlock(std::nullopt);
+  QTreeWidget::leaveEvent(event);
+}
+
+}  // namespace talus

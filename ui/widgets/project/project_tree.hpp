@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QTreeWidget>
+#include <map>
+
+#include "document/selection.hpp"
+#include "session/workflow_page.hpp"
+
+namespace talus {
+
+class CurrentProject;
+class Display;
+
+/// All of the project, each group under its page of the workflow, with its telling figure at the right.
+class ProjectTree : public QTreeWidget {
+  Q_OBJECT
+ public:
+  ProjectTree(CurrentProject& project, Display& display);
+
+  /// The row of a thing, null when the project does not hold it.
+  QTreeWidgetItem* rowOf(const Item& item) const;
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  void rebuild();
+  void unfoldPage();
+  void showSelection();
+  QTreeWidgetItem* addGroup(WorkflowPage page, const QString& figure);
+  QTreeWidgetItem* addRow(QTreeWidgetItem* group, const Item& item, const QString& name, const QString& figure);
+  void addJoints(QTreeWidgetItem* group);
+  void addBlocks(QTreeWidgetItem* group);
+  void addLoads(QTreeWidgetItem* group);
+
+  CurrentProject& project_;
+  Display& display_;
+  std::map<WorkflowPage, QTreeWidgetItem*> groups_;
+};
+
+}  // namespace talus

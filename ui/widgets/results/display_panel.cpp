@@ -1,0 +1,96 @@
+#include "widgets/results/display_panel.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSignalBlocker>
+
+#include "session/current_run.hpp"
+#include "session/display.hpp"
+#include "widgets/run/trouble_panel.hpp"
+
+namespace talus {
+
+namespace {
+constexpr double deformation_scales[] = {1, 10, 100, 1000};
+}
+
+DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
+    : display_(display), field_(new FieldChooser(display, this)) {
+  auto* column = new QVBoxLayout(this);
+  setMargins(column, 0, 0);
+  column->addWidget(new PanelHeader(tr("Display")));
+  auto* content = new QWidget;
+  auto* inner = new QVBoxLayout(content);
+  setMargins(inner, 0, 0);
+
+  auto* field = new Section(tr("Field"));
+  field->addRow(tr("Colour by"), field_->quantityBox());
+  field->addRow(tr("Component"), field_->componentBox());
+  range_ = makeCombo({tr("frames so far"), tr("this frame")}, tr("Range of the legend"));
+  connect(range_, &QComboBox::activated, this, [this](int index) { display_.setRangeFollowsRun(index == 0); });
+  field->addRow(tr("Range"), range_);
+  inner->addWidget(field);
+  inner->addWidget(makeLine(Qt::Horizontal));
+
+  auto* shape = new Section(tr("Shape"));
+  deformation_ = makeCombo({tr("true"), QStringLiteral("10 ×"), QStringLiteral("100 ×"), QStringLiteral("1000 ×")},
+                           tr("Deformation"));
+  connect(deformation_, &QComboBox::activated, this, [this](int index) {
+    SceneSettings settings = display_.settings();
+    settings.deformation_scale = deformation_scales[index];
+    display_.set(settings);
+  });
+  shape->addRow(tr("Deformation"), deformation_, tr("Displacements are drawn this many times as large"));
+  edges_ = makeCombo({tr("none"), tr("block edges"), tr("mesh")}, tr("Edges"));
+  connect(edges_, &QComboBox::activated, this, [this](int index) {
+    SceneSettings settings = display_.settings();
+    settings.edges = static_cast<Edges>(index);
+    display_.set(settings);
+  });
+  shape->addRow(tr("Edges"), edges_);
+  inner->addWidget(shape);
+  inner->addWidget(makeLine(Qt::Horizontal));
+
+  auto* overlays = new Section(tr("Overlays"));
+  addSwitch(overlays, tr("Contact points"), &SceneSettings::contacts)
+      ->setToolTip(tr("Open grey, stick blue, slip orange"));
+  addSwitch(overlays, tr("Convergence trouble"), &SceneSettings::troubles)
+      ->setToolTip(tr("Marks the contacts at which steps were cut or took many iterations"));
+  addSwitch(overlays, tr("Legend"), &SceneSettings::legend);
+  addSwitch(overlays, tr("Time stamp"), &SceneSettings::time_stamp);
+  addSwitch(overlays, tr("Axes"), &SceneSettings::triad);
+  addSwitch(overlays, tr("Scale bar"), &SceneSettings::scale_bar);
+  inner->addWidget(overlays);
+  inner->addWidget(new TroublePanel(run, display));
+  inner->addStretch();
+  column->addWidget(makeScrolled(content), 1);
+  connect(&display_, &Display::changed, this, &DisplayPanel::show);
+  show();
+}
+
+QCheckBox* DisplayPanel::addSwitch(Section* section, const QString& name, bool SceneSettings::*member) {
+  auto* box = new QCheckBox(name);
+  connect(box, &QCheckBox::toggled, this, [this, member](bool on) {
+    SceneSettings settings = display_.settings();
+    settings.*member = on;
+    display_.set(settings);
+  });
+  section->addWide(box);
+  switches_.emplace_back(box, member);
+  return box;
+}
+
+void DisplayPanel::show() {
+  const SceneSettings& settings = display_.settings();
+  range_->setCurrentIndex(display_.rangeFollowsRun() ? 0 : 1);
+  range_->setEnabled(settings.field.has_value());
+  edges_->setCurrentIndex(static_cast<int>(settings.edges));
+  for (int i = 0; i < 4; ++i)
+    if (deformation_scales[i] == settings.deformation_scale) deformation_->setCurrentIndex(i);
+  for (auto& [box, member] : switches_) {
+    const QSignalBlocker silent(box);
+    box->setChecked(settings.*member);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,78 @@
+#include "widgets/results/export_job.hpp"
+
+#include "render/scene/offscreen.hpp"
+#include "widgets/kit/text.hpp"
+
+namespace talus {
+
+class ExportJob::FilmProgress final : public Progress {
+ public:
+  explicit FilmProgress(ExportJob& job) : job_(job) {}
+  void report(double fraction, std::string_view) override {
+    QMetaObject::invokeMethod(
+        &job_, [job = &job_, fraction] { emit job->progressed(fraction); }, Qt::QueuedConnection);
+  }
+  bool cancelled() const override { return job_.cancelled_; }
+
+ private:
+  ExportJob& job_;
+};
+
+ExportJob::~ExportJob() {
+  if (!thread_) return;
+  thread_->disconnect(this);
+  cancelled_ = true;
+  thread_->wait();
+}
+
+void ExportJob::start(ExportTask task) {
+  Q_ASSERT(!isBusy());
+  cancelled_ = false;
+  thread_.reset(QThread::create([this, task = std::move(task)] { work(task); }));
+  connect(thread_.get(), &QThread::finished, this, [this] {
+    thread_->wait();
+    thread_.reset();
+    emit busyChanged(false);
+    std::exchange(outcome_, {})();
+  });
+  thread_->start(QThread::LowPriority);
+  emit busyChanged(true);
+}
+
+void ExportJob::work(const ExportTask& task) {
+  const std::string file = task.path.string();
+  try {
+    draw(task);
+    outcome_ = [this, file] { emit finished(text(file)); };
+  } catch (const Cancelled&) {
+    outcome_ = [this] { emit cancelledByUser(); };
+  } catch (const InputError& error) {
+    outcome_ = [this, error] { emit failed(error); };
+  } catch (const std::exception& error) {
+    outcome_ = [this, failure = InputError(file, error.what(), "choose another place or size")] {
+      emit failed(failure);
+    };
+  }
+}
+
+void ExportJob::draw(const ExportTask& task) {
+  SceneSettings settings = task.settings;
+  settings.fine = true;
+  settings.text_height = 0;  // as the picture's size asks for, not the window's
+  Scene scene(*task.system, settings);
+  scene.set_stage_names(task.stageNames);
+  scene.set_hidden(task.hidden);
+  scene.set_troubles(task.troubles);
+  scene.set_pose(task.pose);
+  if (task.path.extension() == ".png") {
+    if (task.frameCount > 0) scene.set_frame(task.frame(task.firstFrame));
+    render_png(scene, task.path, task.film.width, task.film.height);
+    return;
+  }
+  FilmProgress progress(*this);
+  render_film(
+      scene, task.frameCount, [&](int number) { return task.frame(task.firstFrame + number); }, task.path, task.film,
+      progress);
+}
+
+}  // namespace talus

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QObject>
+#include <QThread>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "base/error.hpp"
+#include "render/film/movie.hpp"
+#include "render/scene/scene.hpp"
+
+namespace talus {
+
+/// What a picture or film shows: the window's view, by value.
+struct ExportTask {
+  std::shared_ptr<const BlockSystem> system;
+  SceneSettings settings;
+  CameraPose pose;
+  std::vector<int> hidden;
+  std::vector<ConvergenceTrouble> troubles;
+  std::vector<std::string> stageNames;
+  /// Frames by number, called on the exporting thread.
+  std::function<std::shared_ptr<const Frame>(int)> frame;
+  int firstFrame = 0, frameCount = 0;  ///< a picture has one frame, or none for the rock as set up
+  std::filesystem::path path;          ///< .png, .mp4, .gif
+  FilmOptions film;                    ///< width and height of a picture too
+};
+
+/// Draws a picture or a film with a GL context of its own, on a thread of its own.
+class ExportJob : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+  /// Cancels and waits.
+  ~ExportJob() override;
+
+  bool isBusy() const { return thread_ != nullptr; }
+  /// One at a time.
+  void start(ExportTask task);
+  void cancel() { cancelled_ = true; }
+
+ signals:
+  void busyChanged(bool busy);
+  void progressed(double fraction);
+  void finished(const QString& path);
+  void cancelledByUser();
+  void failed(const talus::InputError& error);
+
+ private:
+  class FilmProgress;
+  void work(const ExportTask& task);
+  void draw(const ExportTask& task);
+
+  std::unique_ptr<QThread> thread_;
+  std::atomic<bool> cancelled_ = false;
+  std::function<void()> outcome_;  ///< set by the worker, called when its thread has ended
+};
+
+}  // namespace talus

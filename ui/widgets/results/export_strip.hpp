@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/results/export_job.hpp"
+
+class QLabel;
+class QProgressBar;
+
+namespace talus {
+
+/// In the status bar while a picture or film is written: how far it is, and a way to cancel.
+class ExportStrip : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ExportStrip(ExportJob& job);
+  void begin(const QString& what);
+
+ private:
+  QLabel* what_;
+  QProgressBar* bar_;
+};
+
+}  // namespace talus

@@ -1,0 +1,130 @@
+#include "widgets/run/effect_list.hpp"
+
+#include <QGridLayout>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "jobs/solver_job.hpp"
+#include "session/current_run.hpp"
+#include "widgets/kit/numbers.hpp"
+#include "widgets/kit/parts.hpp"
+#include "widgets/kit/text.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int cost_width = 62;
+
+QString sentenceCase(QString name) {
+  if (!name.isEmpty()) name[0] = name[0].toUpper();
+  return name;
+}
+
+double dearest(const auto& effects) {
+  double most = 0;
+  for (const auto& effect : effects) most = std::max(most, effect.seconds);
+  return most;
+}
+
+double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+}  // namespace
+
+EffectList::EffectList(CurrentRun& run) : run_(run), column_(new QVBoxLayout(this)) {
+  setMargins(column_, 0, 4);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // what it says does not make the panel wider
+  connect(&run_, &CurrentRun::effectsChanged, this, &EffectList::refresh);
+  connect(&run_.job(), &SolverJob::stateChanged, this, &EffectList::refresh);
+  refresh();
+}
+
+std::vector<EffectList::Row> EffectList::expected() const {
+  const std::vector<EffectCost> costs = run_.effectCosts();
+  const double most = dearest(costs);
+  std::vector<Row> rows;
+  for (const EffectCost& cost : costs)
+    rows.push_back({sentenceCase(text(std::string(to_string(cost.kind)))), text(cost.reason), text(cost.items),
+                    cost.active ? tr("%1 ms").arg(numbers::significant(1e3 * cost.seconds, 2)) : tr("off"), cost.active,
+                    share(cost.seconds, most)});
+  return rows;
+}
+
+std::vector<EffectList::Row> EffectList::spent() const {
+  const double most = dearest(run_.effects());
+  std::vector<Row> rows;
+  for (const EffectOutcome& effect : run_.effects())
+    rows.push_back({sentenceCase(text(effect.name)),
+                    text(effect.reason),
+                    {},
+                    effect.active ? tr("%1 s").arg(numbers::significant(effect.seconds, 2)) : tr("off"),
+                    effect.active,
+                    share(effect.seconds, most)});
+  return rows;
+}
+
+void EffectList::refresh() {
+  const bool ran = !run_.effects().empty();
+  std::vector<Row> rows = ran ? spent() : expected();
+  if (rows == rows_ && column_->count() > 0) return;
+  rows_ = std::move(rows);
+  clearLayout(*column_);
+  if (rows_.empty()) {
+    auto* sentence =
+        makeWrappedLabel(tr("Which effects the scene calls for, and what each will cost, is listed here when its "
+                            "blocks are cut and meshed."),
+                         "small");
+    column_->addWidget(sentence);
+    return;
+  }
+  addHeading(ran ? tr("time spent") : tr("iteration, estimated"));
+  for (const Row& row : rows_) addRow(row);
+}
+
+void EffectList::addHeading(const QString& unit) {
+  const auto active = std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return row.active; });
+  auto* heading = new QWidget;
+  auto* row = new QHBoxLayout(heading);
+  setMargins(row, 0, 6);
+  row->addWidget(makeLabel(tr("Effects: %1 of %2 on").arg(active).arg(rows_.size()), "section"));
+  row->addStretch();
+  row->addWidget(makeLabel(unit, "faint"));
+  column_->addWidget(heading);
+}
+
+void EffectList::addRow(const Row& row) {
+  auto* widget = new QWidget;
+  auto* grid = new QGridLayout(widget);
+  grid->setContentsMargins(0, 1, 0, 1);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(0);
+  grid->setColumnStretch(1, 1);
+  grid->addWidget(new Glyph(row.active ? QStringLiteral("check") : QStringLiteral("dash"),
+                            row.active ? theme::Tone::ok : theme::Tone::muted, 14),
+                  0, 0);
+  grid->addWidget(new ElidedLabel(row.name, row.active ? nullptr : "muted"), 0, 1);
+  if (row.active) grid->addWidget(new ShareBar(row.share), 0, 2);
+  auto* cost = makeLabel(row.cost, row.active ? nullptr : "faint");
+  cost->setFixedWidth(cost_width);
+  cost->setAlignment(Qt::AlignRight);
+  grid->addWidget(cost, 0, 3);
+  grid->addWidget(new ElidedLabel(row.reason, "small"), 1, 1, 1, 3);
+  if (!row.items.isEmpty()) grid->addWidget(new ElidedLabel(row.items, "small"), 2, 1, 1, 3);
+  column_->addWidget(widget);
+}
+
+ShareBar::ShareBar(double share) : share_(share) { setFixedSize(44, 4); }
+
+void ShareBar::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme::colours().pressed);
+  painter.drawRoundedRect(rect(), 2, 2);
+  if (share_ <= 0) return;
+  painter.setBrush(theme::colours().accent);
+  painter.drawRoundedRect(QRectF(0, 0, std::max(2.0, width() * share_), height()), 2, 2);
+}
+
+}  // namespace talus

@@ -1,0 +1,130 @@
+#include "widgets/run/run_panel.hpp"
+
+#include <QLabel>
+#include <QProgressBar>
+
+#include <algorithm>
+
+#include "jobs/solver_job.hpp"
+#include "model/stage_length.hpp"
+#include "session/session.hpp"
+#include "widgets/kit/numbers.hpp"
+#include "widgets/run/cost_ahead.hpp"
+#include "widgets/run/effect_list.hpp"
+#include "widgets/run/step_facts.hpp"
+#include "widgets/run/trouble_panel.hpp"
+#include "widgets/study/accuracy_slider.hpp"
+
+namespace talus {
+
+namespace {
+
+QString stateWords(JobState state, const std::optional<RunReport>& report) {
+  switch (state) {
+    case JobState::meshing:
+      return QObject::tr("cutting and meshing");
+    case JobState::running:
+      return QObject::tr("running");
+    case JobState::paused:
+      return QObject::tr("paused");
+    case JobState::stopping:
+      return QObject::tr("stopping after this step");
+    case JobState::idle:
+      break;
+  }
+  if (!report) return {};
+  switch (report->status) {
+    case RunStatus::completed:
+      return QObject::tr("finished");
+    case RunStatus::stopped:
+      return QObject::tr("stopped");
+    case RunStatus::not_converged:
+      return QObject::tr("did not converge");
+  }
+  return {};
+}
+
+/// Of model time, by a run that has ended.
+double shareOf(const RunReport& report, const std::vector<StepReport>& steps, const Project& project) {
+  double whole = 0;
+  for (const Stage& stage : project.stages) whole += length_of(stage);
+  if (report.status == RunStatus::completed || whole <= 0) return 1;
+  return steps.empty() ? 0 : std::min(1.0, steps.back().time / whole);
+}
+
+}  // namespace
+
+RunPanel::RunPanel(Session& session) : session_(session), header_(new PanelHeader(tr("Run"))) {
+  auto* column = new QVBoxLayout(this);
+  setMargins(column, 0, 0);
+  column->addWidget(header_);
+  auto* content = new QWidget;
+  auto* inner = new QVBoxLayout(content);
+  inner->setContentsMargins(12, 10, 12, 10);
+  inner->setSpacing(6);
+
+  auto* top = new QHBoxLayout;
+  percent_ = makeLabel({}, "display");
+  top->addWidget(percent_);
+  top->addStretch();
+  auto* times = new QVBoxLayout;
+  setMargins(times, 0, 0);
+  left_ = makeLabel({}, "strong");
+  spent_ = makeLabel({}, "small");
+  times->addWidget(left_, 0, Qt::AlignRight);
+  times->addWidget(spent_, 0, Qt::AlignRight);
+  top->addLayout(times);
+  inner->addLayout(top);
+  bar_ = makeProgressBar();
+  bar_->setAccessibleName(tr("Share of the run that is done"));
+  inner->addWidget(bar_);
+
+  inner->addWidget(new StepFacts(session_.project, session_.run));
+  auto* whole = new QWidget;
+  auto* sections = new QVBoxLayout(whole);
+  setMargins(sections, 0, 0);
+  sections->addWidget(new CostAhead(session_.project, session_.run));
+  sections->addWidget(new AccuracySlider(session_.project, session_.run, session_.messages));
+  sections->addWidget(content);
+  sections->addWidget(new TroublePanel(session_.run, session_.display));
+  sections->addWidget(makeLine(Qt::Horizontal));
+  auto* costs = new QWidget;
+  auto* list = new QVBoxLayout(costs);
+  list->setContentsMargins(12, 10, 12, 10);
+  list->addWidget(new EffectList(session_.run));
+  sections->addWidget(costs);
+  sections->addStretch();
+  column->addWidget(makeScrolled(whole), 1);
+
+  connect(&session_.run, &CurrentRun::progressed, this, &RunPanel::refresh);
+  connect(&session_.run, &CurrentRun::historyChanged, this, &RunPanel::refresh);
+  connect(&session_.run.job(), &SolverJob::stateChanged, this, &RunPanel::refresh);
+  connect(&session_.run, &CurrentRun::reportChanged, this, &RunPanel::refresh);
+  refresh();
+}
+
+void RunPanel::refresh() {
+  const SolverJob& job = session_.run.job();
+  const auto& report = session_.run.report();
+  header_->setTitle(tr("Run"), stateWords(job.state(), report));
+  const bool busy = job.isBusy();
+  const double fraction = busy     ? session_.run.fraction()
+                          : report ? shareOf(*report, session_.run.steps(), session_.project.document().project())
+                                   : 0;
+  percent_->setText(busy || report ? tr("%1 %").arg(static_cast<int>(100 * fraction)) : QStringLiteral("–"));
+  if (!busy && report && report->status != RunStatus::completed)
+    percent_->setText(report->status == RunStatus::stopped ? tr("stopped") : tr("not converged"));
+  showShare(*bar_, fraction);
+  const auto left = job.timeLeft().seconds();
+  if (busy) {
+    left_->setText(left && job.state() != JobState::paused ? tr("%1 left").arg(numbers::duration(*left)) : QString());
+    spent_->setText(tr("%1 spent").arg(numbers::duration(job.timeLeft().spent())));
+  } else {
+    left_->setText(report ? numbers::duration(report->wall_seconds) : QString());
+    spent_->setText(report                         ? numbers::counted(report->threads, "thread")
+                    : session_.run.steps().empty() ? tr("not run yet")
+                                                   : tr("from results"));
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QPointF>
+#include <QSizeF>
+
+#include "render/scene/scene.hpp"
+
+/// What the hand does to the camera. A turntable: z stays up, as the slope does. Lengths in logical pixels of the view.
+namespace talus {
+
+/// Turns round the focal point; `azimuth` and `elevation` in degrees, the elevation held short of the poles.
+CameraPose turned(CameraPose pose, double azimuth, double elevation);
+/// Moves what is at the focal depth by `by` on the screen.
+CameraPose panned(CameraPose pose, QPointF by, QSizeF view);
+/// `factor` < 1 comes nearer; what lies under `pointer` at the focal depth stays there.
+CameraPose zoomed(CameraPose pose, double factor, QPointF pointer, QSizeF view);
+/// The other projection, showing what is at the focal depth in the same size.
+CameraPose withOtherProjection(CameraPose pose);
+
+/// `share` 0…1 of the way from one pose to another that looks the same way.
+CameraPose between(const CameraPose& from, const CameraPose& to, double share);
+
+}  // namespace talus

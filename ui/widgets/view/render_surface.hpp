@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QOpenGLWidget>
+#include <memory>
+
+#include <vtkSmartPointer.h>
+
+#include "render/gl/render_window.hpp"
+
+namespace talus {
+
+/// A widget that a RenderWindow draws into.
+class RenderSurface {
+ public:
+  virtual ~RenderSurface() = default;
+  virtual QWidget* widget() = 0;
+  RenderWindow& window() { return *window_; }
+  /// Draws again when Qt next paints; many requests make one drawing.
+  virtual void requestRender() = 0;
+  /// Makes the surface's context current, to take a renderer out of the window.
+  virtual void makeContextCurrent() = 0;
+  /// Draws a scene for nobody, so that shaders are compiled and letters cut before a first drawing is waited for.
+  /// Where a card's driver draws, nothing happens: there is no OpenGL before the widget is shown, and no wait.
+  virtual void warmUp(vtkRenderer&) {}
+  /// s, of the last drawing.
+  double lastSeconds() const { return lastSeconds_; }
+  int drawings() const { return drawings_; }
+
+ protected:
+  void drawAndTime();
+  void fitWindowTo(const QWidget& widget);
+
+  vtkSmartPointer<RenderWindow> window_ = vtkSmartPointer<RenderWindow>::New();
+
+ private:
+  double lastSeconds_ = 0;
+  int drawings_ = 0;
+};
+
+/// Where Qt has OpenGL: the driver draws.
+class GlSurface : public QOpenGLWidget, public RenderSurface {
+  Q_OBJECT
+ public:
+  explicit GlSurface(QWidget* parent);
+  ~GlSurface() override;
+  QWidget* widget() override { return this; }
+  void requestRender() override { update(); }
+  void makeContextCurrent() override { makeCurrent(); }
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+
+ private:
+  void release();
+  std::unique_ptr<GlContext> context_;
+};
+
+/// Everywhere else (no X server, the `offscreen` platform): OSMesa draws a picture and the widget shows it.
+class ImageSurface : public QWidget, public RenderSurface {
+  Q_OBJECT
+ public:
+  explicit ImageSurface(QWidget* parent);
+  ~ImageSurface() override;
+  QWidget* widget() override { return this; }
+  void requestRender() override;
+  void makeContextCurrent() override;
+  void warmUp(vtkRenderer& renderer) override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::unique_ptr<GlContext> context_;
+  QImage picture_;
+  bool stale_ = true;  ///< repaints of overlays do not draw the scene again
+};
+
+/// The kind that works on this platform, as a child of `parent`, which owns it.
+RenderSurface* makeRenderSurface(QWidget* parent);
+
+/// Qt's part of talking to VTK; before QApplication is made.
+void setDefaultSurfaceFormat();
+
+}  // namespace talus

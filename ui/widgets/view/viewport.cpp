@@ -1,0 +1,348 @@
+#include "widgets/view/viewport.hpp"
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+
+#include <vtkRenderer.h>
+
+#include <algorithm>
+
+#include "jobs/solver_job.hpp"
+#include "render/scene/slope_view.hpp"
+#include "session/session.hpp"
+#include "widgets/kit/parts.hpp"
+#include "widgets/view/render_surface.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int still_ms = 350;       // after that the view is drawn finely
+constexpr int live_pause_ms = 125;  // between drawings while a run goes on: eight a second at most
+constexpr double live_share = 0.2;  // of the window's time that drawing may take then
+constexpr int hover_ms = 40;
+constexpr int flight_ms = 450;  // from where the camera stands to a place that was asked for
+
+/// A tetrahedron that is fixed and one that may move.
+BlockSystem smallest_system() {
+  Block block;
+  block.mesh = {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 1, 2, 3}}};
+  block.surface = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{0, 3, 2}}};
+  Block ground = block;
+  ground.body = BodyKind::fixed;
+  return {.blocks = {ground, block}, .joint_names = {}};
+}
+
+}  // namespace
+
+Viewport::Viewport(Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), surface_(makeRenderSurface(this)) {
+  setMinimumSize(280, 180);
+  QWidget* area = surface_->widget();
+  area->setMouseTracking(true);
+  area->setFocusPolicy(Qt::StrongFocus);
+  area->setAccessibleName(tr("3-D view"));
+  area->installEventFilter(this);
+  area->hide();
+
+  tools_ = makePlane("overlay");
+  tools_->setParent(this);
+  setMargins(new QVBoxLayout(tools_), 3, 1);
+
+  card_ = makePlane("overlay");
+  card_->setParent(this);
+  auto* cardLayout = new QVBoxLayout(card_);
+  cardLayout->setContentsMargins(10, 6, 10, 7);
+  cardLayout->setSpacing(1);
+  cardTitle_ = makeLabel({}, "strong");
+  cardText_ = makeLabel({}, "small");
+  cardLayout->addWidget(cardTitle_);
+  cardLayout->addWidget(cardText_);
+  card_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  card_->hide();
+
+  empty_ = new QWidget(this);
+  auto* emptyLayout = new QVBoxLayout(empty_);
+  setMargins(emptyLayout, 0, 12);
+  emptyText_ = makeLabel({}, "muted");
+  emptyText_->setAlignment(Qt::AlignCenter);
+  emptyButton_ = makeButton(tr("Cut and mesh"));
+  connect(emptyButton_, &QPushButton::clicked, this, [this] {
+    if (session_.project.document().isOpen()) session_.run.mesh();
+  });
+  emptyLayout->addWidget(emptyText_);
+  emptyLayout->addWidget(emptyButton_, 0, Qt::AlignHCenter);
+
+  stillTimer_.setSingleShot(true);
+  stillTimer_.setInterval(still_ms);
+  connect(&stillTimer_, &QTimer::timeout, this, &Viewport::becomeStill);
+  drawTimer_.setSingleShot(true);
+  connect(&drawTimer_, &QTimer::timeout, this, &Viewport::drawNow);
+  hoverTimer_.setSingleShot(true);
+  hoverTimer_.setInterval(hover_ms);
+  connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::pickForHover);
+
+  flight_.setDuration(flight_ms);
+  flight_.setEasingCurve(QEasingCurve::InOutCubic);
+  flight_.setStartValue(0.0);
+  flight_.setEndValue(1.0);
+  connect(&flight_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {
+    if (scene_) moveCamera(between(flightStart_, flightEnd_, share.toDouble()));
+  });
+
+  connect(&session_.run, &CurrentRun::troublesChanged, this, &Viewport::applyTroubles);
+  connect(&session_.display, &Display::troubleWanted, this, &Viewport::flyTo);
+  connect(&session_.project, &CurrentProject::systemChanged, this, &Viewport::rebuildScene);
+  connect(&session_.playback, &Playback::frameChanged, this, &Viewport::showFrame);
+  connect(&session_.display, &Display::changed, this, &Viewport::takeDisplay);
+  connect(&session_.run, &CurrentRun::progressed, this, &Viewport::showEmptyState);
+  connect(&session_.project, &CurrentProject::opened, this, &Viewport::showEmptyState);
+  connect(&session_.run.job(), &SolverJob::stateChanged, this, [this] {
+    showEmptyState();
+    stillTimer_.start();
+  });
+  connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applySelection);
+  connect(&session_.project.selection(), &Selection::hoverChanged, this, [this] {
+    if (!scene_) return;
+    scene_->set_hovered(session_.project.selection().hoveredBlock());
+    render();
+  });
+  rebuildScene();
+  QTimer::singleShot(0, this, &Viewport::warmUp);
+}
+
+/// In software the first drawing takes ten times as long as the next: better before there is a run to watch.
+void Viewport::warmUp() {
+  if (scene_) return;
+  const BlockSystem system = smallest_system();
+  SceneSettings settings = screenSettings();
+  settings.field.reset();
+  Scene scene(system, settings);
+  for (const bool fine : {false, true}) {
+    settings.fine = fine;
+    scene.set_settings(settings);
+    surface_->warmUp(*scene.renderer());
+  }
+}
+
+Viewport::~Viewport() {
+  if (!scene_) return;
+  surface_->makeContextCurrent();
+  surface_->window().RemoveRenderer(scene_->renderer());
+}
+
+void Viewport::rebuildScene() {
+  flight_.stop();
+  card_->hide();
+  hidden_.clear();
+  if (scene_) {
+    surface_->makeContextCurrent();  // the card's memory is freed as the renderer leaves
+    surface_->window().RemoveRenderer(scene_->renderer());
+    scene_.reset();
+  }
+  system_ = session_.project.system();
+  fitted_ = false;
+  surface_->widget()->setVisible(system_ != nullptr);
+  tools_->setVisible(system_ != nullptr);
+  showEmptyState();
+  if (!system_) return;
+  scene_ = std::make_unique<Scene>(*system_, session_.display.settings());
+  scene_->set_stage_names(session_.run.stageNames());
+  surface_->window().AddRenderer(scene_->renderer());
+  look_at_slope(*scene_, *system_, nullptr);
+  applySettings();
+  applySelection();
+  applyTroubles();
+  showFrame();
+  stillTimer_.start();
+}
+
+void Viewport::showFrame() {
+  if (!scene_) return;
+  if (session_.playback.frame() && session_.project.system() == system_)
+    scene_->set_frame(session_.playback.frame());
+  else
+    scene_->clear_frame();
+  card_->hide();
+  applySettings();
+}
+
+void Viewport::takeDisplay() {
+  const SceneSettings& wanted = session_.display.settings();
+  const bool sameColours =
+      scene_ && wanted.field == scene_->settings().field && wanted.range == scene_->settings().range;
+  if (!sameColours) card_->hide();  // it tells a value of the field
+  applySettings();
+}
+
+/// What the user chose, as this screen wants it.
+SceneSettings Viewport::screenSettings() const {
+  SceneSettings settings = session_.display.settings();
+  settings.smooth_outlines = false;
+  settings.text_height = theme::now().type.small * devicePixelRatioF();
+  return settings;
+}
+
+void Viewport::applySettings() {
+  if (!scene_) return;
+  SceneSettings settings = screenSettings();
+  const JobState state = session_.run.job().state();
+  const bool computing = state == JobState::running || state == JobState::meshing || state == JobState::stopping;
+  settings.fine = still_ && drag_ == Drag::none && !computing;
+  settings.parallel_projection = scene_->settings().parallel_projection;
+  if (!session_.playback.frame()) settings.field.reset();
+  scene_->set_settings(settings);
+  render();
+}
+
+void Viewport::applySelection() {
+  if (!scene_) return;
+  scene_->set_selected(session_.project.selection().blocks());
+  if (session_.project.selection().blocks().empty()) card_->hide();
+  render();
+}
+
+void Viewport::applyTroubles() {
+  if (!scene_) return;
+  scene_->set_troubles(session_.run.troubles());
+  render();
+}
+
+void Viewport::flyTo(const ConvergenceTrouble& trouble) {
+  if (!scene_) return;
+  flight_.stop();
+  flightStart_ = scene_->pose();
+  flightEnd_ = scene_->pose_at(trouble);
+  flight_.start();
+}
+
+void Viewport::render() {
+  if (!scene_) return;
+  if (!session_.run.job().isBusy() || drag_ != Drag::none) {
+    drawNow();
+    return;
+  }
+  // While the solver works the window must stay free for the hand.
+  if (drawTimer_.isActive()) return;
+  const double pause = std::max<double>(live_pause_ms, surface_->lastSeconds() * 1000 / live_share);
+  const double since = sinceDrawing_.isValid() ? static_cast<double>(sinceDrawing_.elapsed()) : pause;
+  drawTimer_.start(static_cast<int>(std::max(0.0, pause - since)));
+}
+
+void Viewport::drawNow() {
+  sinceDrawing_.start();
+  surface_->requestRender();
+}
+
+void Viewport::becomeStill() {
+  still_ = true;
+  applySettings();
+}
+
+void Viewport::moveCamera(const CameraPose& pose) {
+  scene_->set_pose(pose);
+  card_->hide();
+  if (still_) {
+    still_ = false;
+    applySettings();
+  }
+  stillTimer_.start();
+  drawNow();
+}
+
+void Viewport::look(View view) {
+  if (!scene_) return;
+  scene_->look(view);
+  leaveRoomForTools();
+}
+
+/// The scene fits the rock between its own legend and texts; the tools stand over its right edge.
+void Viewport::leaveRoomForTools() {
+  const double taken = width() - tools_->x();
+  const QPointF centre(width() / 2.0, height() / 2.0);
+  scene_->set_pose(panned(zoomed(scene_->pose(), 1 / (1 - taken / width()), centre, size()), {-taken / 2, 0}, size()));
+  fitted_ = true;
+  render();
+}
+
+void Viewport::fit() {
+  if (!scene_) return;
+  scene_->fit();
+  card_->hide();
+  leaveRoomForTools();
+}
+
+void Viewport::toggleProjection() {
+  if (!scene_) return;
+  moveCamera(withOtherProjection(scene_->pose()));
+}
+
+void Viewport::hideSelected() {
+  if (!scene_) return;
+  const auto& chosen = session_.project.selection().blocks();
+  hidden_.insert(hidden_.end(), chosen.begin(), chosen.end());
+  scene_->set_hidden(hidden_);
+  session_.project.selection().clear();
+  render();
+}
+
+void Viewport::isolateSelected() {
+  if (!scene_ || session_.project.selection().blocks().empty()) return;
+  const auto& chosen = session_.project.selection().blocks();
+  hidden_.clear();
+  for (int block = 0; block < static_cast<int>(system_->blocks.size()); ++block)
+    if (!std::binary_search(chosen.begin(), chosen.end(), block)) hidden_.push_back(block);
+  scene_->set_hidden(hidden_);
+  render();
+}
+
+void Viewport::showAll() {
+  if (!scene_) return;
+  hidden_.clear();
+  scene_->set_hidden({});
+  render();
+}
+
+std::optional<CameraPose> Viewport::pose() const {
+  return scene_ ? std::optional<CameraPose>(scene_->pose()) : std::nullopt;
+}
+
+std::optional<Pick> Viewport::pickAt(QPointF point) const {
+  if (!scene_) return std::nullopt;
+  const double ratio = devicePixelRatioF();
+  return scene_->pick(point.x() * ratio, point.y() * ratio);
+}
+
+void Viewport::showEmptyState() {
+  empty_->setVisible(!system_);
+  if (system_) return;
+  const JobState state = session_.run.job().state();
+  if (state == JobState::meshing || state == JobState::stopping) {
+    const int percent = static_cast<int>(100 * session_.run.fraction());
+    emptyText_->setText(tr("Cutting and meshing, %1 %\n%2").arg(percent).arg(session_.run.activity()));
+    emptyButton_->hide();
+  } else {
+    emptyText_->setText(tr("There are no blocks yet: cut the rock along its joints and mesh it to see them."));
+    emptyButton_->setVisible(true);
+    emptyButton_->setEnabled(session_.run.whyNotMesh().isEmpty());
+    emptyButton_->setToolTip(session_.run.whyNotMesh());
+  }
+  placeOverlays();
+}
+
+void Viewport::resizeEvent(QResizeEvent*) {
+  surface_->widget()->setGeometry(rect());
+  placeOverlays();
+  if (scene_ && !fitted_) leaveRoomForTools();
+}
+
+void Viewport::placeOverlays() {
+  tools_->adjustSize();
+  tools_->move(width() - tools_->width() - 12, 12);
+  tools_->raise();
+  empty_->adjustSize();
+  empty_->setGeometry(0, (height() - empty_->height()) / 2, width(), empty_->height());
+}
+
+}  // namespace talus

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QFrame>
+#include <QTimer>
+#include <QVariantAnimation>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "render/scene/scene.hpp"
+#include "widgets/view/camera_moves.hpp"
+
+class QLabel;
+class QPushButton;
+
+namespace talus {
+
+class RenderSurface;
+struct Session;
+
+/// The 3-D view: draws the session's blocks and frame, moves the camera, picks blocks into the shared selection.
+/// Left drag turns, middle (or Shift and left) pans, the wheel zooms to the pointer.
+class Viewport : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Viewport(Session& session, QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  void look(View view);
+  void fit();
+  void toggleProjection();
+  void hideSelected();
+  void isolateSelected();
+  void showAll();
+
+  /// Empty until there are blocks.
+  std::optional<CameraPose> pose() const;
+  /// The camera is on its way to a place that was asked for.
+  bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
+  const std::vector<int>& hiddenBlocks() const { return hidden_; }
+  /// What lies under a point of the view, logical pixels from its upper left corner.
+  std::optional<Pick> pickAt(QPointF point) const;
+  const RenderSurface& surface() const { return *surface_; }
+  /// The toolbar over the view's right edge; the window adds to it.
+  QWidget* tools() { return tools_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void warmUp();
+  void rebuildScene();
+  void showFrame();
+  void takeDisplay();
+  SceneSettings screenSettings() const;
+  void applySettings();
+  void applySelection();
+  void applyTroubles();
+  void flyTo(const ConvergenceTrouble& trouble);
+  void leaveRoomForTools();
+  void moveCamera(const CameraPose& pose);
+  void render();
+  void drawNow();
+  void becomeStill();
+  void showEmptyState();
+  void placeOverlays();
+
+  bool mousePressed(const QMouseEvent& event);
+  bool mouseMoved(const QMouseEvent& event);
+  bool mouseReleased(const QMouseEvent& event);
+  bool wheelTurned(const QWheelEvent& event);
+  void pickForHover();
+  void selectAt(QPointF point, Qt::KeyboardModifiers modifiers);
+  void showCard(const Pick& pick, QPointF point);
+
+  Session& session_;
+  RenderSurface* surface_;
+  std::shared_ptr<const BlockSystem> system_;  ///< what scene_ draws; it keeps a reference
+  std::unique_ptr<Scene> scene_;
+  bool fitted_ = false;  ///< the camera has been placed since the blocks came
+  std::vector<int> hidden_;
+
+  enum class Drag { none, turn, pan };
+  Drag drag_ = Drag::none;
+  QPointF pressed_, last_;
+  bool moved_ = false;
+  QTimer stillTimer_;  ///< fires when the camera has rested
+  QTimer drawTimer_;   ///< spaces drawings out while a run goes on
+  QTimer hoverTimer_;
+  bool still_ = true;
+  QVariantAnimation flight_;
+  CameraPose flightStart_, flightEnd_;
+  QElapsedTimer sinceDrawing_;
+
+  QFrame* tools_;
+  QFrame* card_;
+  QLabel* cardTitle_;
+  QLabel* cardText_;
+  QWidget* empty_;
+  QLabel* emptyText_;
+  QPushButton* emptyButton_;
+};
+
+}  // namespace talus

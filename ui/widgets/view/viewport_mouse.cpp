@@ -1,0 +1,125 @@
+// What the mouse does in the 3-D view: turn, pan, zoom, pick.
+#include <QLabel>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "jobs/solver_job.hpp"
+#include "session/session.hpp"
+#include "widgets/kit/numbers.hpp"
+#include "widgets/kit/text.hpp"
+#include "widgets/view/render_surface.hpp"
+#include "widgets/view/viewport.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr double turn_per_pixel = 0.35;  // degrees
+constexpr double zoom_per_notch = 0.85;
+constexpr double click_slack = 4;  // pixels that a hand moves in a click
+
+}  // namespace
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != surface_->widget() || !scene_) return QWidget::eventFilter(watched, event);
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      return mousePressed(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove:
+      return mouseMoved(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease:
+      return mouseReleased(*static_cast<QMouseEvent*>(event));
+    case QEvent::Wheel:
+      return wheelTurned(*static_cast<QWheelEvent*>(event));
+    case QEvent::Leave:
+      hoverTimer_.stop();
+      session_.project.selection().hoverBlock(std::nullopt);
+      return false;
+    default:
+      return false;
+  }
+}
+
+bool Viewport::mousePressed(const QMouseEvent& event) {
+  flight_.stop();
+  pressed_ = last_ = event.position();
+  moved_ = false;
+  const bool pans = event.button() == Qt::MiddleButton || event.modifiers().testFlag(Qt::ShiftModifier);
+  drag_ = pans ? Drag::pan : event.button() == Qt::LeftButton ? Drag::turn : Drag::none;
+  hoverTimer_.stop();
+  surface_->widget()->setFocus(Qt::MouseFocusReason);
+  return true;
+}
+
+bool Viewport::mouseMoved(const QMouseEvent& event) {
+  const QPointF by = event.position() - last_;
+  if (drag_ == Drag::none) {
+    last_ = event.position();
+    if (!session_.run.job().isBusy() && !hoverTimer_.isActive()) hoverTimer_.start();
+    return true;
+  }
+  moved_ = moved_ || (event.position() - pressed_).manhattanLength() > click_slack;
+  if (!moved_) return true;
+  last_ = event.position();
+  if (drag_ == Drag::turn)
+    moveCamera(turned(scene_->pose(), -by.x() * turn_per_pixel, by.y() * turn_per_pixel));
+  else
+    moveCamera(panned(scene_->pose(), by, size()));
+  return true;
+}
+
+bool Viewport::mouseReleased(const QMouseEvent& event) {
+  const bool clicked = drag_ != Drag::none && !moved_ && event.button() == Qt::LeftButton;
+  drag_ = Drag::none;
+  if (clicked) selectAt(event.position(), event.modifiers());
+  stillTimer_.start();
+  return true;
+}
+
+bool Viewport::wheelTurned(const QWheelEvent& event) {
+  flight_.stop();
+  const double notches = event.angleDelta().y() / 120.0;  // touch pads send fractions
+  if (notches != 0) moveCamera(zoomed(scene_->pose(), std::pow(zoom_per_notch, notches), event.position(), size()));
+  return true;
+}
+
+void Viewport::pickForHover() {
+  const auto pick = pickAt(last_);
+  session_.project.selection().hoverBlock(pick ? std::optional<int>(pick->block) : std::nullopt);
+}
+
+void Viewport::selectAt(QPointF point, Qt::KeyboardModifiers modifiers) {
+  const auto pick = pickAt(point);
+  if (!pick || pick->block < 0) {
+    session_.project.selection().clear();
+    return;
+  }
+  if (modifiers.testFlag(Qt::ControlModifier))
+    session_.project.selection().toggleBlock(pick->block);
+  else
+    session_.project.selection().select({Item::Kind::block, pick->block});
+  showCard(*pick, point);
+}
+
+void Viewport::showCard(const Pick& pick, QPointF point) {
+  cardTitle_->setText(session_.project.blockName(pick.block));
+  QString words = tr("E %1  N %2  Z %3 m")
+                      .arg(numbers::fixed(pick.position.x(), 1), numbers::fixed(pick.position.y(), 1),
+                           numbers::fixed(pick.position.z(), 1));
+  if (pick.value && session_.display.settings().field) {
+    const Field& field = *session_.display.settings().field;
+    const std::string unit(field.unit);
+    words = tr("%1 %2").arg(text(field.title), numbers::quantity(*pick.value, unit.c_str())) + u'\n' + words;
+  }
+  cardText_->setText(words);
+  card_->adjustSize();
+  const int x = std::clamp(static_cast<int>(point.x()) + 16, 4, std::max(4, width() - card_->width() - 8));
+  const int y = std::clamp(static_cast<int>(point.y()) - 24, 4, std::max(4, height() - card_->height() - 8));
+  card_->move(x, y);
+  card_->show();
+  card_->raise();
+}
+
+}  // namespace talus

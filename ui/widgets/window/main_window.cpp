@@ -1,0 +1,271 @@
+#include "widgets/window/main_window.hpp"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QLabel>
+#include <QSettings>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include "jobs/solver_job.hpp"
+#include "widgets/kit/numbers.hpp"
+#include "widgets/kit/parts.hpp"
+#include "widgets/project/problem_list.hpp"
+#include "widgets/project/project_tree.hpp"
+#include "widgets/project/samples.hpp"
+#include "widgets/project/start_page.hpp"
+#include "widgets/results/display_panel.hpp"
+#include "widgets/results/export_strip.hpp"
+#include "widgets/run/run_panel.hpp"
+#include "widgets/setup/property_panel.hpp"
+#include "widgets/view/timeline.hpp"
+#include "widgets/view/viewport.hpp"
+#include "widgets/window/bottom_panel.hpp"
+#include "widgets/window/rail.hpp"
+#include "widgets/window/top_bar.hpp"
+#include "widgets/window/window_actions.hpp"
+#include "widgets/window/workflow_bar.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int tree_width = 232, right_width = 292, bottom_height = 204;
+const QSize smallest(1024, 640);
+
+QToolBar* makeBar(QWidget* content) {
+  auto* bar = new QToolBar;
+  bar->setMovable(false);
+  bar->setFloatable(false);
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  bar->layout()->setContentsMargins(0, 0, 0, 0);
+  bar->addWidget(content);
+  return bar;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(SolverParts parts) : session_(std::move(parts)) {
+  // First of all who listen: they paint with the new colours.
+  connect(&session_.display, &Display::themeChanged, this, [this] { theme::install(session_.display.isDark()); });
+  session_.display.setDark(theme::now().dark);
+  setMinimumSize(smallest);
+  actions_ = new WindowActions(session_, *this);
+  makeBars();
+  makeCentre();
+  makeDocks();
+  makeStatusBar();
+  makeViewTools();
+  actions_->drive(*viewport_, *timeline_);
+  connectActions();
+  connect(&session_.display, &Display::pageChanged, this, &MainWindow::showPage);
+  connect(&session_.project, &CurrentProject::opened, this, [this] { showStart(false); });
+  connect(&session_.project, &CurrentProject::opened, this, &MainWindow::updateTitle);
+  connect(&session_.project.document(), &Document::savedChanged, this, &MainWindow::updateTitle);
+  showStart(true);
+  showPage();
+  updateTitle();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makeBars() {
+  topBar_ = new TopBar(session_.project.document(), session_.display, *actions_);
+  workflowBar_ = new WorkflowBar(session_, *actions_);
+  rail_ = new Rail(session_);
+  addToolBar(Qt::TopToolBarArea, makeBar(topBar_));
+  addToolBarBreak(Qt::TopToolBarArea);
+  bars_ = {makeBar(workflowBar_), makeBar(rail_)};
+  addToolBar(Qt::TopToolBarArea, bars_[0]);
+  addToolBar(Qt::LeftToolBarArea, bars_[1]);
+  auto* search = new QShortcut(QKeySequence(tr("Ctrl+K")), this);
+  connect(search, &QShortcut::activated, topBar_, &TopBar::focusSearch);
+}
+
+void MainWindow::makeCentre() {
+  centre_ = new QStackedWidget;
+  start_ = new StartPage;
+  auto* work = new QWidget;
+  auto* column = new QVBoxLayout(work);
+  setMargins(column, 0, 0);
+  viewport_ = new Viewport(session_);
+  timeline_ = new Timeline(session_.project, session_.run, session_.playback);
+  column->addWidget(viewport_, 1);
+  column->addWidget(timeline_);
+  centre_->addWidget(start_);
+  centre_->addWidget(work);
+  auto* whole = new QWidget;
+  auto* withStrip = new QVBoxLayout(whole);
+  setMargins(withStrip, 0, 0);
+  withStrip->addWidget(new ProblemStrip(session_.messages, session_.display));
+  withStrip->addWidget(centre_, 1);
+  setCentralWidget(whole);
+  connect(start_, &StartPage::openRequested, this, &MainWindow::askForProject);
+  connect(start_, &StartPage::openResultsRequested, this, &MainWindow::askForResults);
+  connect(start_, &StartPage::fileChosen, this, &MainWindow::open);
+}
+
+QDockWidget* MainWindow::addDock(Qt::DockWidgetArea area, const QString& name, QWidget* content) {
+  auto* dock = new QDockWidget(name);
+  dock->setObjectName(name);
+  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+  dock->setTitleBarWidget(new QWidget);  // each panel brings its own header
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  return dock;
+}
+
+void MainWindow::makeDocks() {
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  auto* project = makePlane("surface");
+  auto* column = new QVBoxLayout(project);
+  setMargins(column, 0, 0);
+  column->addWidget(new PanelHeader(tr("Project")));
+  column->addWidget(new ProjectTree(session_.project, session_.display), 1);
+  project->setMinimumWidth(tree_width);
+  left_ = addDock(Qt::LeftDockWidgetArea, QStringLiteral("project"), project);
+  rightPages_ = new QStackedWidget;
+  rightPages_->addWidget(new PropertyPanel(session_.project, session_.playback, session_.messages));
+  rightPages_->addWidget(new RunPanel(session_));
+  rightPages_->addWidget(new DisplayPanel(session_.display, session_.run));
+  auto* right = makePlane("surface");
+  auto* rightColumn = new QVBoxLayout(right);
+  setMargins(rightColumn, 0, 0);
+  rightColumn->addWidget(rightPages_);
+  right->setMinimumWidth(right_width);
+  right_ = addDock(Qt::RightDockWidgetArea, QStringLiteral("properties"), right);
+  bottom_ = addDock(Qt::BottomDockWidgetArea, QStringLiteral("bottom"), new BottomPanel(session_));
+}
+
+void MainWindow::makeStatusBar() {
+  auto* bar = statusBar();
+  bar->setSizeGripEnabled(false);
+  bar->setContentsMargins(8, 0, 8, 0);
+  message_ = new ElidedLabel({}, "small");
+  bar->addWidget(message_, 1);
+  auto* strip = new ExportStrip(exporter_);
+  strip->setObjectName(QStringLiteral("export"));
+  bar->addPermanentWidget(strip);
+  place_ = makeLabel({}, "small");
+  bar->addPermanentWidget(place_);
+  bar->addPermanentWidget(makeLabel(QStringLiteral("  m · kN · MPa · °  "), "small"));
+  connect(&session_.messages, &Messages::logged, message_, &QLabel::setText);
+  connect(&session_.playback, &Playback::frameChanged, this, [this] {
+    const auto frames = session_.playback.times().size();
+    place_->setText(frames == 0 ? QString() : tr("Frame %1 of %2").arg(session_.playback.number() + 1).arg(frames));
+  });
+  connect(&exporter_, &ExportJob::busyChanged, &session_.playback, &Playback::setExporting);
+  connect(&exporter_, &ExportJob::finished, this,
+          [this](const QString& path) { session_.messages.log(tr("wrote %1").arg(path)); });
+  connect(&exporter_, &ExportJob::cancelledByUser, this,
+          [this] { session_.messages.log(tr("cancelled; no file was left")); });
+  connect(&exporter_, &ExportJob::failed, this,
+          [this](const InputError& error) { session_.messages.add(problemOf(error)); });
+}
+
+void MainWindow::makeViewTools() {
+  auto* column = static_cast<QVBoxLayout*>(viewport_->tools()->layout());
+  for (auto* action :
+       {actions_->fit, actions_->iso, actions_->projection, actions_->isolate, actions_->hide, actions_->savePicture})
+    column->addWidget(makeActionButton(action, false));
+}
+
+void MainWindow::showStart(bool start) {
+  if (start) start_->refresh();
+  centre_->setCurrentIndex(start ? 0 : 1);
+  for (auto* bar : bars_) bar->setVisible(!start);
+  for (auto* dock : {left_, right_, bottom_}) dock->setVisible(!start);
+  if (!start && !docksSized_) {
+    docksSized_ = true;
+    resizeDocks({bottom_}, {bottom_height}, Qt::Vertical);  // docks take sizes only once they are to be seen
+  }
+  centre_->currentWidget()->setFocus();  // or the first tool button would take it
+}
+
+void MainWindow::showPage() {
+  const WorkflowPage page = session_.display.page();
+  rightPages_->setCurrentIndex(isSetUp(page) ? 0 : page == WorkflowPage::solve ? 1 : 2);
+  timeline_->setVisible(!isSetUp(page));
+  SceneSettings settings = session_.display.settings();
+  settings.edges = page == WorkflowPage::mesh ? Edges::mesh : Edges::blocks;
+  if (settings.edges != session_.display.settings().edges) session_.display.set(settings);
+}
+
+void MainWindow::showViewAlone(bool alone) {
+  if (centre_->currentIndex() == 0) return;
+  for (auto* bar : bars_) bar->setVisible(!alone);
+  for (auto* dock : {left_, right_, bottom_}) dock->setVisible(!alone);
+}
+
+void MainWindow::updateTitle() {
+  const Document& document = session_.project.document();
+  setWindowTitle(document.isOpen()
+                     ? tr("%1%2 - Talus").arg(document.name(), document.isSaved() ? QString() : QStringLiteral("*"))
+                     : QStringLiteral("Talus"));
+}
+
+void MainWindow::open(const std::filesystem::path& path) {
+  if (session_.project.document().isOpen() && !askToSave()) return;
+  if (session_.open(path)) rememberRecent(path);
+}
+
+ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) const {
+  ExportTask task;
+  task.system = session_.project.system();
+  task.settings = session_.display.settings();
+  if (!session_.playback.frame()) task.settings.field.reset();
+  task.settings.parallel_projection = viewport_->pose()->parallel;
+  task.pose = *viewport_->pose();
+  task.hidden = viewport_->hiddenBlocks();
+  task.troubles = session_.run.troubles();
+  task.stageNames = session_.run.stageNames();
+  task.path = path;
+  task.film.width = width;
+  task.film.height = width * viewport_->height() / std::max(1, viewport_->width()) / 2 * 2;  // films want even sizes
+  return task;
+}
+
+void MainWindow::savePicture(const std::filesystem::path& path) {
+  if (!session_.project.system() || exporter_.isBusy()) return;
+  ExportTask task = exportTask(path, 1920);
+  if (const auto frame = session_.playback.frame()) {
+    task.frame = [frame](int) { return frame; };
+    task.frameCount = 1;
+  }
+  findChild<ExportStrip*>(QStringLiteral("export"))->begin(tr("Picture"));
+  exporter_.start(std::move(task));
+}
+
+void MainWindow::saveFilm(const std::filesystem::path& path) {
+  if (session_.playback.times().empty() || exporter_.isBusy()) return;
+  ExportTask task = exportTask(path, 1280);
+  task.frame = session_.playback.source();
+  task.frameCount = static_cast<int>(session_.playback.times().size());
+  findChild<ExportStrip*>(QStringLiteral("export"))->begin(tr("Film"));
+  exporter_.start(std::move(task));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (session_.run.job().isBusy()) {
+    // The step that is being made ends first; the window stays alive meanwhile.
+    event->ignore();
+    if (closing_) return;
+    closing_ = true;
+    session_.messages.log(tr("stopping the run before the window closes"));
+    connect(&session_.run.job(), &SolverJob::ended, this, &QWidget::close, Qt::QueuedConnection);
+    session_.run.job().stop();
+    return;
+  }
+  closing_ = false;
+  if (!askToSave()) {
+    event->ignore();
+    return;
+  }
+  QSettings().setValue(QStringLiteral("geometry"), saveGeometry());
+  event->accept();
+}
+
+}  // namespace talus

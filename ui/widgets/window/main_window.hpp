@@ -1,0 +1,91 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "session/session.hpp"
+#include "widgets/results/export_job.hpp"
+
+class QDockWidget;
+class QLabel;
+class QStackedWidget;
+
+namespace talus {
+
+class AccuracyPanel;
+class ExportStrip;
+class Rail;
+class StartPage;
+class WorkflowBar;
+class Timeline;
+class TopBar;
+class Verification;
+class Viewport;
+class WindowActions;
+
+/// The window: bars above, rail at the left edge, tree, view, properties or run or display, tables and plots below.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(SolverParts parts = solverParts());
+  ~MainWindow() override;
+
+  Session& session() { return session_; }
+  Viewport& viewport() { return *viewport_; }
+  Timeline& timeline() { return *timeline_; }
+  ExportJob& exporter() { return exporter_; }
+
+  void open(const std::filesystem::path& path);
+  /// In the view's shape, 1920 pixels wide.
+  void savePicture(const std::filesystem::path& path);
+  void saveFilm(const std::filesystem::path& path);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void makeBars();
+  void makeCentre();
+  void makeDocks();
+  void makeStatusBar();
+  void makeViewTools();
+  void connectActions();
+  QDockWidget* addDock(Qt::DockWidgetArea area, const QString& name, QWidget* content);
+  void showStart(bool start);
+  void showPage();
+  void showViewAlone(bool alone);
+  void showRecent();
+  void askForProject();
+  void askForResults();
+  bool askToSave();
+  bool saveAs();
+  void askForPicture();
+  void askForFilm();
+  /// Null, and a problem is said, where the samples cannot be read.
+  Verification* verification();
+  void showAccuracy();
+  void showAbout();
+  ExportTask exportTask(const std::filesystem::path& path, int width) const;
+  QString folderForDialogs() const;
+  void updateTitle();
+
+  Session session_;
+  ExportJob exporter_;
+  WindowActions* actions_;
+  TopBar* topBar_;
+  WorkflowBar* workflowBar_;
+  Rail* rail_;
+  QStackedWidget* centre_;
+  StartPage* start_;
+  Viewport* viewport_;
+  Timeline* timeline_;
+  QDockWidget *left_, *right_, *bottom_;
+  QStackedWidget* rightPages_;
+  Verification* verification_ = nullptr;  ///< once it has been asked for
+  AccuracyPanel* accuracy_ = nullptr;     ///< once it has been asked for
+  QList<QToolBar*> bars_;
+  QLabel *message_, *place_;
+  bool docksSized_ = false;
+  bool closing_ = false;  ///< waits for the run to stop
+};
+
+}  // namespace talus

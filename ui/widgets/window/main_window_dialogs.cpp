@@ -1,0 +1,124 @@
+// The window's dialogs: which file to open, where to save, what is lost.
+#include <QFileDialog>
+#include <QMenu>
+#include <QMessageBox>
+
+#include "base/error.hpp"
+#include "verification/hard_cases/scenes/all_hard_cases.hpp"
+#include "widgets/kit/text.hpp"
+#include "widgets/project/samples.hpp"
+#include "widgets/project/start_page.hpp"
+#include "widgets/study/accuracy_panel.hpp"
+#include "widgets/verification/verification.hpp"
+#include "widgets/window/main_window.hpp"
+#include "widgets/window/top_bar.hpp"
+#include "widgets/window/window_actions.hpp"
+
+namespace talus {
+
+namespace {
+
+/// The chosen name with `ending` where the user gave none.
+std::filesystem::path withEnding(const QString& name, const char* ending) {
+  std::filesystem::path path(name.toStdString());
+  if (!path.has_extension()) path += ending;
+  return path;
+}
+
+}  // namespace
+
+void MainWindow::connectActions() {
+  connect(actions_->open, &QAction::triggered, this, &MainWindow::askForProject);
+  connect(actions_->openResults, &QAction::triggered, this, &MainWindow::askForResults);
+  connect(actions_->saveAs, &QAction::triggered, this, &MainWindow::saveAs);
+  connect(actions_->savePicture, &QAction::triggered, this, &MainWindow::askForPicture);
+  connect(actions_->saveFilm, &QAction::triggered, this, &MainWindow::askForFilm);
+  connect(actions_->startPage, &QAction::triggered, this, [this] { showStart(true); });
+  connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
+  for (const auto& [action, list] : {std::pair(actions_->knownAnswers, Verification::List::knownAnswers),
+                                     std::pair(actions_->hardCases, Verification::List::hardCases)})
+    connect(action, &QAction::triggered, this, [this, list = list] {
+      if (auto* dialog = verification()) dialog->open(list);
+    });
+  connect(actions_->accuracy, &QAction::triggered, this, &MainWindow::showAccuracy);
+  connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
+  connect(actions_->viewAlone, &QAction::toggled, this, &MainWindow::showViewAlone);
+  connect(topBar_->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::showRecent);
+}
+
+QString MainWindow::folderForDialogs() const {
+  const Document& document = session_.project.document();
+  return document.file().empty() ? QString() : text(document.folder().string());
+}
+
+void MainWindow::showRecent() {
+  auto* menu = topBar_->recentMenu();
+  menu->clear();
+  for (const auto& file : recentFiles()) menu->addAction(text(file.string()), this, [this, file] { open(file); });
+  if (menu->isEmpty()) menu->addAction(tr("No file has been opened yet"))->setEnabled(false);
+}
+
+void MainWindow::askForProject() {
+  const QString name =
+      QFileDialog::getOpenFileName(this, tr("Open a project"), folderForDialogs(), tr("Talus projects (*.talus)"));
+  if (!name.isEmpty()) open(name.toStdString());
+}
+
+void MainWindow::askForResults() {
+  const QString name = QFileDialog::getExistingDirectory(this, tr("Open a results folder"), folderForDialogs());
+  if (!name.isEmpty()) open(name.toStdString());
+}
+
+bool MainWindow::saveAs() {
+  const QString name =
+      QFileDialog::getSaveFileName(this, tr("Save the project"), folderForDialogs(), tr("Talus projects (*.talus)"));
+  return !name.isEmpty() && session_.project.saveAs(withEnding(name, ".talus"));
+}
+
+bool MainWindow::askToSave() {
+  Document& document = session_.project.document();
+  if (!document.isOpen() || document.isSaved()) return true;
+  const auto answer =
+      QMessageBox::question(this, tr("Unsaved changes"), tr("%1 has changes that are not saved.").arg(document.name()),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Cancel) return false;
+  if (answer == QMessageBox::Discard) return true;
+  return document.file().empty() ? saveAs() : session_.project.saveAs(document.file());
+}
+
+void MainWindow::askForPicture() {
+  const QString name =
+      QFileDialog::getSaveFileName(this, tr("Save a picture"), folderForDialogs(), tr("Pictures (*.png)"));
+  if (!name.isEmpty()) savePicture(withEnding(name, ".png"));
+}
+
+void MainWindow::askForFilm() {
+  const QString name =
+      QFileDialog::getSaveFileName(this, tr("Save a film"), folderForDialogs(), tr("Films (*.mp4 *.gif)"));
+  if (!name.isEmpty()) saveFilm(withEnding(name, ".mp4"));
+}
+
+Verification* MainWindow::verification() {
+  if (verification_) return verification_;
+  try {
+    verification_ = new Verification(all_cases(samplesFolder()), hard_cases(), this);
+  } catch (const InputError& error) {
+    session_.messages.add(problemOf(error));
+  }
+  return verification_;
+}
+
+void MainWindow::showAccuracy() {
+  if (!accuracy_) accuracy_ = new AccuracyPanel(session_.project, session_.run, this);
+  accuracy_->present();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, tr("About Talus"),
+                     tr("<b>Talus %1</b><p>Rock slopes that come apart along joints: three-dimensional discontinuous "
+                        "deformation analysis with tetrahedral finite elements.</p><p>GPL-3.0-or-later. Built on Qt, "
+                        "VTK, gmsh, SuiteSparse, HDF5 and FFmpeg. Typeface Inter, OFL 1.1.</p>")
+                         .arg(QStringLiteral(TALUS_VERSION)));
+}
+
+}  // namespace talus

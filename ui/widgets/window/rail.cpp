@@ -1,0 +1,147 @@
+#include "widgets/window/rail.hpp"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include "jobs/solver_job.hpp"
+#include "session/session.hpp"
+#include "widgets/kit/parts.hpp"
+
+namespace talus {
+
+Rail::Rail(Session& session) : session_(session) {
+  setProperty("plane", "rail");
+  setFixedWidth(theme::now().metrics.rail);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 6, 0, 6);
+  column->setSpacing(0);
+  for (const WorkflowPage page : all_pages) {
+    if (page == WorkflowPage::solve) {
+      auto* gap = new QHBoxLayout;
+      gap->setContentsMargins(18, 6, 18, 6);
+      gap->addWidget(makeLine(Qt::Horizontal));
+      column->addLayout(gap);
+    }
+    auto* item = new RailItem(page);
+    connect(item, &RailItem::chosen, this, [this, page] { session_.display.goTo(page); });
+    column->addWidget(item, 10);
+    items_[page] = item;
+  }
+  column->addStretch(1);
+  connect(&session_.display, &Display::pageChanged, this, &Rail::refresh);
+  connect(&session_.project, &CurrentProject::opened, this, &Rail::refresh);
+  connect(&session_.project, &CurrentProject::systemChanged, this, &Rail::refresh);
+  connect(&session_.playback, &Playback::framesChanged, this, &Rail::refresh);
+  connect(&session_.run, &CurrentRun::reportChanged, this, &Rail::refresh);
+  connect(&session_.messages, &Messages::problemsChanged, this, &Rail::refresh);
+  connect(&session_.run.job(), &SolverJob::stateChanged, this, &Rail::refresh);
+  refresh();
+}
+
+void Rail::refresh() {
+  using State = RailItem::State;
+  const Project& project = session_.project.document().project();
+  const JobState job = session_.run.job().state();
+  const bool meshed = session_.project.system() != nullptr;
+  const bool meshing = job == JobState::meshing, running = session_.run.job().isBusy() && !meshing;
+  auto doneIf = [](bool done) { return done ? State::done : State::open; };
+  auto set = [this](WorkflowPage page, State state, const QString& why = {}) { items_.at(page)->setState(state, why); };
+  set(WorkflowPage::geometry, doneIf(!project.solids.empty()));
+  set(WorkflowPage::joints, doneIf(!project.joints.empty()));
+  set(WorkflowPage::blocks, meshing ? State::busy : doneIf(meshed));
+  set(WorkflowPage::mesh, meshing ? State::busy : doneIf(meshed));
+  set(WorkflowPage::materials, doneIf(!project.materials.empty()));
+  set(WorkflowPage::loads,
+      doneIf(!project.loads.empty() || !project.constraints.empty() || project.gravity.norm() > 0));
+  set(WorkflowPage::stages, doneIf(!project.stages.empty()));
+  const bool solved = !session_.playback.times().empty() && !session_.run.job().isBusy();
+  const QString why = session_.run.whyNotSolve();
+  if (running)
+    set(WorkflowPage::solve, State::busy);
+  else if (solved && session_.playback.isCurrent())
+    set(WorkflowPage::solve, State::done);
+  else
+    set(WorkflowPage::solve, why.isEmpty() ? State::open : State::locked, why);
+  if (session_.playback.times().empty())
+    set(WorkflowPage::results, State::locked, tr("Nothing has been solved yet"));
+  else
+    set(WorkflowPage::results, doneIf(solved && session_.playback.isCurrent()));
+  for (const auto& [page, item] : items_) item->setCurrent(page == session_.display.page());
+}
+
+RailItem::RailItem(WorkflowPage page) : page_(page) {
+  setAttribute(Qt::WA_Hover);
+  setFocusPolicy(Qt::TabFocus);
+  setMinimumHeight(46);
+  setMaximumHeight(58);
+  setFixedWidth(theme::now().metrics.rail - 1);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+  setAccessibleName(pageTitle(page));
+  setObjectName(QStringLiteral("rail-%1").arg(QLatin1String(pageKey(page))));
+}
+
+void RailItem::setState(State state, const QString& why) {
+  state_ = state;
+  const QString key = tr("%1 (Ctrl+%2)").arg(pageTitle(page_)).arg(static_cast<int>(page_) + 1);
+  setToolTip(why.isEmpty() ? key : key + u'\n' + why);
+  update();
+}
+
+void RailItem::setCurrent(bool current) {
+  current_ = current;
+  update();
+}
+
+void RailItem::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) emit chosen();
+}
+
+void RailItem::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Return)
+    emit chosen();
+  else
+    QWidget::keyPressEvent(event);
+}
+
+void RailItem::paintEvent(QPaintEvent*) {
+  const Colours& c = theme::colours();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(hasFocus() ? QPen(c.accent, 1) : QPen(Qt::NoPen));
+  if (current_ || underMouse() || hasFocus()) {
+    painter.setBrush(current_ ? c.accentSoft : underMouse() ? c.hover : c.window);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(5, 2, -6, -2), 6, 6);
+  }
+  if (current_) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(c.accent);
+    painter.drawRoundedRect(QRectF(0, 10, 3, height() - 20), 1.5, 1.5);
+  }
+  const int size = theme::now().metrics.iconRail, x = (width() - size) / 2, y = (height() - size - 16) / 2;
+  const bool locked = state_ == State::locked;
+  theme::icon(QLatin1String(pageKey(page_)), current_ ? theme::Tone::accent : theme::Tone::muted)
+      .paint(&painter, QRect(x, y, size, size), Qt::AlignCenter, locked ? QIcon::Disabled : QIcon::Normal);
+  painter.setFont(theme::font(theme::now().type.small, current_ ? QFont::DemiBold : QFont::Medium));
+  painter.setPen(current_ ? c.accentText : locked ? c.textFaint : c.textMuted);
+  painter.drawText(QRect(0, y + size, width() - 1, 18), Qt::AlignCenter, pageTitle(page_));
+
+  // The badge says by its shape what its colour says too.
+  const QRect badge(x + 17, y - 3, 13, 13);
+  painter.setPen(QPen(c.window, 1.5));
+  if (state_ == State::done) {
+    painter.setBrush(c.ok);
+    painter.drawEllipse(badge);
+    theme::icon(QStringLiteral("check"), theme::Tone::onAccent).paint(&painter, badge.adjusted(2, 2, -2, -2));
+  } else if (state_ == State::busy) {
+    painter.setBrush(c.surface);
+    painter.drawEllipse(badge);
+    painter.setPen(QPen(c.border, 2.2));
+    painter.drawEllipse(badge.adjusted(2, 2, -2, -2));
+    painter.setPen(QPen(c.accent, 2.2));
+    painter.drawArc(badge.adjusted(2, 2, -2, -2), 90 * 16, -223 * 16);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,203 @@
+#include "widgets/window/window_actions.hpp"
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+#include <QWidget>
+
+#include "jobs/solver_job.hpp"
+#include "session/session.hpp"
+#include "widgets/kit/theme.hpp"
+#include "widgets/view/timeline.hpp"
+#include "widgets/view/viewport.hpp"
+
+namespace talus {
+
+WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&window), session_(session), window_(window) {
+  makeFileActions();
+  makeViewActions();
+  makeRunActions();
+  connect(&session_.project, &CurrentProject::opened, this, &WindowActions::refresh);
+  connect(&session_.project, &CurrentProject::systemChanged, this, &WindowActions::refresh);
+  connect(&session_.playback, &Playback::framesChanged, this, &WindowActions::refresh);
+  connect(&session_.run.job(), &SolverJob::stateChanged, this, &WindowActions::refresh);
+  connect(&session_.project.document(), &Document::savedChanged, this, &WindowActions::refresh);
+  connect(&session_.project.selection(), &Selection::changed, this, &WindowActions::refresh);
+  refresh();
+}
+
+QAction* WindowActions::add(const QString& text, const QString& icon, const QKeySequence& shortcut) {
+  auto* action = new QAction(text, this);
+  if (!icon.isEmpty()) action->setIcon(theme::icon(icon));
+  action->setShortcut(shortcut);
+  action->setShortcutContext(Qt::WindowShortcut);
+  window_.addAction(action);
+  all_.push_back(action);
+  return action;
+}
+
+void WindowActions::makeFileActions() {
+  open = add(tr("Open…"), QStringLiteral("folder"), QKeySequence::Open);
+  openResults = add(tr("Open results…"), QStringLiteral("results"), QKeySequence(tr("Ctrl+Shift+O")));
+  save = add(tr("Save"), QStringLiteral("file"), QKeySequence::Save);
+  saveAs = add(tr("Save as…"), {}, QKeySequence(tr("Ctrl+Shift+S")));
+  savePicture = add(tr("Save picture…"), QStringLiteral("camera"), QKeySequence(tr("Ctrl+Shift+P")));
+  saveFilm = add(tr("Save film…"), QStringLiteral("film"), QKeySequence(tr("Ctrl+Shift+M")));
+  startPage = add(tr("Start page"), QStringLiteral("home"));
+  quit = add(tr("Quit"), {}, QKeySequence::Quit);
+  QUndoStack& stack = session_.project.document().undoStack();
+  undo = stack.createUndoAction(this, tr("Undo"));
+  redo = stack.createRedoAction(this, tr("Redo"));
+  undo->setIcon(theme::icon(QStringLiteral("undo")));
+  redo->setIcon(theme::icon(QStringLiteral("redo")));
+  undo->setShortcut(QKeySequence::Undo);
+  redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+  for (auto* action : {undo, redo}) {
+    window_.addAction(action);
+    all_.push_back(action);
+  }
+  clearSelection = add(tr("Clear selection"), {}, QKeySequence(Qt::Key_Escape));
+  connect(clearSelection, &QAction::triggered, this, [this] { session_.project.selection().clear(); });
+  connect(save, &QAction::triggered, this, [this] {
+    if (session_.project.document().file().empty())
+      saveAs->trigger();
+    else
+      session_.project.save();
+  });
+}
+
+void WindowActions::makeViewActions() {
+  fit = add(tr("Fit all"), QStringLiteral("fit"), QKeySequence(Qt::Key_Home));
+  iso = add(tr("From the south-west"), QStringLiteral("blocks"), QKeySequence(Qt::Key_0));
+  front = add(tr("From the south"), {}, QKeySequence(Qt::Key_1));
+  side = add(tr("From the east"), {}, QKeySequence(Qt::Key_3));
+  top = add(tr("From above"), {}, QKeySequence(Qt::Key_7));
+  projection = add(tr("Perspective or parallel"), QStringLiteral("perspective"), QKeySequence(Qt::Key_5));
+  hide = add(tr("Hide selected blocks"), QStringLiteral("eye-off"), QKeySequence(Qt::Key_H));
+  isolate = add(tr("Show selected blocks alone"), QStringLiteral("eye"), QKeySequence(Qt::Key_I));
+  showAll = add(tr("Show all blocks"), {}, QKeySequence(Qt::Key_A));
+  dark = add(tr("Light or dark"), {}, QKeySequence(tr("Ctrl+Shift+D")));
+  viewAlone = add(tr("The view alone"), {}, QKeySequence(Qt::Key_F11));
+  viewAlone->setCheckable(true);
+  connect(dark, &QAction::triggered, this, [this] { session_.display.setDark(!session_.display.isDark()); });
+}
+
+void WindowActions::makeRunActions() {
+  for (const WorkflowPage page : all_pages) {
+    const QString key = tr("Ctrl+%1").arg(static_cast<int>(page) + 1);
+    auto* action = add(pageTitle(page), QLatin1String(pageKey(page)), QKeySequence(key));
+    connect(action, &QAction::triggered, this, [this, page] { session_.display.goTo(page); });
+    pages[page] = action;
+  }
+  mesh = add(tr("Cut and mesh"), QStringLiteral("cut"), QKeySequence(Qt::Key_F4));
+  solve = add(tr("Solve"), QStringLiteral("play"), QKeySequence(Qt::Key_F5));
+  pause = add(tr("Pause"), QStringLiteral("pause"), QKeySequence(Qt::Key_F6));
+  oneStep = add(tr("One step"), QStringLiteral("step"), QKeySequence(Qt::Key_F10));
+  stop = add(tr("Stop"), QStringLiteral("stop"), QKeySequence(tr("Shift+F5")));
+  SolverJob& job = session_.run.job();
+  connect(mesh, &QAction::triggered, &session_.run, &CurrentRun::mesh);
+  connect(solve, &QAction::triggered, this, [this] { session_.solve(); });
+  connect(pause, &QAction::triggered, this, [&job] { job.state() == JobState::paused ? job.resume() : job.pause(); });
+  connect(oneStep, &QAction::triggered, this, [&job] {
+    job.pause();
+    job.oneStep();
+  });
+  connect(stop, &QAction::triggered, &job, &SolverJob::stop);
+  play = add(tr("Play or pause"), QStringLiteral("play"), QKeySequence(Qt::Key_Space));
+  previousFrame = add(tr("Previous frame"), QStringLiteral("step-back"), QKeySequence(Qt::Key_Left));
+  nextFrame = add(tr("Next frame"), QStringLiteral("step"), QKeySequence(Qt::Key_Right));
+  firstFrame = add(tr("First frame"), QStringLiteral("first"), QKeySequence(tr("Ctrl+Home")));
+  lastFrame = add(tr("Last frame"), QStringLiteral("last"), QKeySequence(tr("Ctrl+End")));
+  accuracy = add(tr("Accuracy…"), QStringLiteral("report"));
+  knownAnswers = add(tr("Known answers…"), QStringLiteral("report"));
+  hardCases = add(tr("Hard cases…"), QStringLiteral("blocks"));
+  about = add(tr("About Talus"), QStringLiteral("info"));
+}
+
+void WindowActions::drive(Viewport& viewport, Timeline& timeline) {
+  connect(fit, &QAction::triggered, &viewport, &Viewport::fit);
+  const std::pair<QAction*, View> views[] = {
+      {iso, View::iso}, {front, View::front}, {side, View::right}, {top, View::top}};
+  for (const auto& [action, view] : views)
+    connect(action, &QAction::triggered, &viewport, [&viewport, v = view] { viewport.look(v); });
+  connect(projection, &QAction::triggered, &viewport, &Viewport::toggleProjection);
+  connect(hide, &QAction::triggered, &viewport, &Viewport::hideSelected);
+  connect(isolate, &QAction::triggered, &viewport, &Viewport::isolateSelected);
+  connect(showAll, &QAction::triggered, &viewport, &Viewport::showAll);
+  connect(play, &QAction::triggered, &timeline, &Timeline::togglePlay);
+  connect(previousFrame, &QAction::triggered, &timeline, [&timeline] { timeline.stepBy(-1); });
+  connect(nextFrame, &QAction::triggered, &timeline, [&timeline] { timeline.stepBy(1); });
+  connect(firstFrame, &QAction::triggered, &timeline, &Timeline::goToFirst);
+  connect(lastFrame, &QAction::triggered, &timeline, &Timeline::goToLast);
+}
+
+void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
+  auto menu = [&bar](const QString& title, std::initializer_list<QAction*> entries) {
+    auto* made = bar.addMenu(title);
+    made->setToolTipsVisible(true);
+    for (auto* entry : entries) {
+      if (entry)
+        made->addAction(entry);
+      else
+        made->addSeparator();
+    }
+    return made;
+  };
+  auto* file =
+      menu(tr("File"), {open, openResults, save, saveAs, nullptr, savePicture, saveFilm, nullptr, startPage, quit});
+  file->insertMenu(save, recent);
+  menu(tr("Edit"), {undo, redo, nullptr, clearSelection});
+  menu(tr("View"), {fit, iso, front, side, top, projection, nullptr, hide, isolate, showAll, nullptr, dark, viewAlone});
+  auto* model = menu(tr("Model"), {});
+  for (const auto& [page, action] : pages)
+    if (isSetUp(page)) model->addAction(action);
+  model->addSeparator();
+  model->addAction(mesh);
+  menu(tr("Solve"), {pages.at(WorkflowPage::solve), nullptr, solve, pause, oneStep, stop});
+  menu(tr("Results"), {pages.at(WorkflowPage::results), nullptr, play, previousFrame, nextFrame, firstFrame, lastFrame,
+                       nullptr, savePicture, saveFilm, nullptr, accuracy});
+  menu(tr("Help"), {knownAnswers, hardCases, nullptr, about});
+}
+
+void WindowActions::allow(QAction* action, const QString& whyNot) {
+  action->setEnabled(whyNot.isEmpty());
+  const QString key = action->shortcut().toString(QKeySequence::NativeText);
+  const QString name = key.isEmpty() ? action->text() : tr("%1 (%2)").arg(action->text(), key);
+  action->setToolTip(whyNot.isEmpty() ? name : name + u'\n' + whyNot);
+}
+
+void WindowActions::refresh() {
+  const bool isOpen = session_.project.document().isOpen();
+  const QString noProject = isOpen ? QString() : tr("Open a project first");
+  const QString noBlocks = session_.project.system() ? QString() : tr("There are no blocks yet");
+  const QString noFrames = session_.playback.times().empty() ? tr("Nothing has been solved yet") : QString();
+  const JobState state = session_.run.job().state();
+  const bool running = state == JobState::running, paused = state == JobState::paused;
+  const QString notRunning = running || paused ? QString() : tr("Nothing runs");
+  const QString nothingSelected =
+      session_.project.selection().blocks().empty() ? tr("Select a block first") : QString();
+  for (auto* action : {open, openResults, startPage})
+    allow(action, session_.run.job().isBusy() ? tr("A run goes on: stop it first") : QString());
+  allow(save, !isOpen ? noProject
+              : session_.project.document().isSaved() && !session_.project.document().file().empty()
+                  ? tr("Nothing has changed since it was saved")
+                  : QString());
+  allow(saveAs, noProject);
+  allow(savePicture, noBlocks);
+  allow(saveFilm, noFrames);
+  for (auto* action : {fit, iso, front, side, top, projection, showAll}) allow(action, noBlocks);
+  for (auto* action : {hide, isolate}) allow(action, nothingSelected);
+  allow(mesh, session_.run.whyNotMesh());
+  allow(solve, session_.run.whyNotSolve());
+  pause->setText(paused ? tr("Resume") : tr("Pause"));
+  pause->setIcon(theme::icon(paused ? QStringLiteral("play") : QStringLiteral("pause")));
+  allow(pause, notRunning);
+  allow(oneStep, notRunning);
+  allow(stop, session_.run.job().isBusy() ? QString() : tr("Nothing runs"));
+  for (auto* action : {play, previousFrame, nextFrame, firstFrame, lastFrame}) allow(action, noFrames);
+  for (const auto& [page, action] : pages) allow(action, noProject);
+  for (auto* action : {dark, viewAlone, clearSelection, quit, accuracy, knownAnswers, hardCases, about})
+    allow(action, {});
+}
+
+}  // namespace talus

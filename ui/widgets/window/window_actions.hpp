@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QAction>
+#include <QObject>
+#include <map>
+#include <vector>
+
+#include "session/workflow_page.hpp"
+
+class QMenu;
+class QMenuBar;
+
+namespace talus {
+
+struct Session;
+
+class Viewport;
+class Timeline;
+
+/// Everything that can be done in the window, once: menus, buttons, shortcuts and the command search share these.
+/// A disabled one says why in its tooltip.
+class WindowActions : public QObject {
+  Q_OBJECT
+ public:
+  WindowActions(Session& session, QWidget& window);
+
+  // File
+  QAction *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *startPage, *quit;
+  // Edit
+  QAction *undo, *redo, *clearSelection;
+  // View
+  QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *dark, *viewAlone;
+  // Model and solve
+  QAction *mesh, *solve, *pause, *oneStep, *stop;
+  // Results
+  QAction *play, *previousFrame, *nextFrame, *firstFrame, *lastFrame, *accuracy;
+  QAction *knownAnswers, *hardCases, *about;
+  std::map<WorkflowPage, QAction*> pages;
+
+  /// Connects what only the view and the timeline can do.
+  void drive(Viewport& viewport, Timeline& timeline);
+  void fill(QMenuBar& bar, QMenu* recent);
+  /// In the menus' order.
+  const std::vector<QAction*>& all() const { return all_; }
+
+ private:
+  QAction* add(const QString& text, const QString& icon, const QKeySequence& shortcut = {});
+  void makeFileActions();
+  void makeViewActions();
+  void makeRunActions();
+  void refresh();
+  void allow(QAction* action, const QString& whyNot);
+
+  Session& session_;
+  QWidget& window_;
+  std::vector<QAction*> all_;
+};
+
+}  // namespace talus

@@ -1,0 +1,221 @@
+#include "widgets/window/workflow_bar.hpp"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedWidget>
+
+#include "jobs/solver_job.hpp"
+#include "model/stage_length.hpp"
+#include "session/session.hpp"
+#include "widgets/kit/numbers.hpp"
+#include "widgets/kit/parts.hpp"
+#include "widgets/kit/text.hpp"
+#include "widgets/view/field_chooser.hpp"
+#include "widgets/window/top_bar.hpp"
+
+namespace talus {
+
+namespace {
+
+QHBoxLayout* makeRow(QWidget* page) {
+  auto* row = new QHBoxLayout(page);
+  setMargins(row, 0, 2);
+  return row;
+}
+
+}  // namespace
+
+WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(session), actions_(actions) {
+  setProperty("plane", "top");
+  setFixedHeight(theme::now().metrics.bar);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(16, 0, 12, 0);
+  row->setSpacing(8);
+  title_ = makeLabel({}, "title");
+  title_->setMinimumWidth(62);
+  row->addWidget(title_);
+  row->addWidget(makeLine(Qt::Vertical));
+  pages_ = new QStackedWidget;
+  pages_->addWidget(makeSetUpPage());
+  pages_->addWidget(makeSolvePage());
+  pages_->addWidget(makeResultsPage());
+  row->addWidget(pages_);
+  outcome_ = new ElidedLabel({}, "small");
+  outcome_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->addWidget(outcome_, 1);
+  bar_ = makeProgressBar();
+  bar_->setFixedWidth(120);
+  row->addWidget(bar_);
+  primary_ = makeButton({}, "primary");
+  primary_->setObjectName(QStringLiteral("primary"));
+  connect(primary_, &QPushButton::clicked, this, [this] { primaryAction()->trigger(); });
+  row->addWidget(primary_);
+
+  connect(&session_.display, &Display::pageChanged, this, &WorkflowBar::refresh);
+  connect(&session_.project, &CurrentProject::opened, this, &WorkflowBar::refresh);
+  connect(&session_.project, &CurrentProject::systemChanged, this, &WorkflowBar::refresh);
+  connect(&session_.playback, &Playback::framesChanged, this, &WorkflowBar::refresh);
+  connect(&session_.run, &CurrentRun::reportChanged, this, &WorkflowBar::refresh);
+  connect(&session_.run, &CurrentRun::progressed, this, &WorkflowBar::refreshOutcome);
+  connect(&session_.run.job(), &SolverJob::stateChanged, this, &WorkflowBar::refresh);
+  for (auto* action : {actions_.mesh, actions_.solve, actions_.pause, actions_.saveFilm})
+    connect(action, &QAction::changed, this, &WorkflowBar::refreshPrimary);
+  refresh();
+}
+
+QWidget* WorkflowBar::makeSetUpPage() {
+  auto* page = new QWidget;
+  auto* row = makeRow(page);
+  row->addWidget(makeActionButton(actions_.mesh, true));
+  row->addWidget(makeActionButton(actions_.fit, true));
+  row->addWidget(makeActionButton(actions_.savePicture, true));
+  row->addStretch();
+  return page;
+}
+
+QWidget* WorkflowBar::makeSolvePage() {
+  auto* page = new QWidget;
+  auto* row = makeRow(page);
+  row->addWidget(makeActionButton(actions_.oneStep, true));
+  row->addWidget(makeActionButton(actions_.stop, true));
+  auto* field = new FieldChooser(session_.display, this);
+  row->addSpacing(6);
+  row->addWidget(field->quantityBox());
+  row->addWidget(field->componentBox());
+  field->quantityBox()->setFixedWidth(116);
+  field->componentBox()->setFixedWidth(116);
+  row->addStretch();
+  return page;
+}
+
+QWidget* WorkflowBar::makeResultsPage() {
+  auto* page = new QWidget;
+  auto* row = makeRow(page);
+  auto* field = new FieldChooser(session_.display, this);
+  field->quantityBox()->setFixedWidth(136);
+  field->quantityBox()->setObjectName(QStringLiteral("field"));
+  field->componentBox()->setFixedWidth(136);
+  row->addWidget(field->quantityBox());
+  row->addSpacing(4);
+  row->addWidget(field->componentBox());
+  row->addSpacing(8);
+  row->addWidget(makeActionButton(actions_.savePicture, true));
+  row->addWidget(makeActionButton(actions_.solve, true));
+  row->addStretch();
+  return page;
+}
+
+void WorkflowBar::refresh() {
+  title_->setText(pageTitle(session_.display.page()));
+  pages_->setCurrentIndex(isSetUp(session_.display.page())                 ? 0
+                          : session_.display.page() == WorkflowPage::solve ? 1
+                                                                           : 2);
+  refreshOutcome();
+  refreshPrimary();
+}
+
+QString WorkflowBar::runOutcome() const {
+  const SolverJob& job = session_.run.job();
+  if (!job.isBusy()) {
+    const auto& report = session_.run.report();
+    if (!report) return session_.run.whyNotSolve();
+    const QString length =
+        tr("%1 in %2").arg(numbers::counted(report->steps, "step"), numbers::duration(report->wall_seconds));
+    return session_.playback.isCurrent() ? length : tr("edited since; %1").arg(length);
+  }
+  if (job.state() == JobState::meshing) return tr("Cutting and meshing");
+  if (job.state() == JobState::stopping) return tr("Stopping after this step");
+  QString words;
+  if (!session_.run.steps().empty()) {
+    const auto stage = static_cast<size_t>(session_.run.steps().back().stage);
+    const auto& names = session_.run.stageNames();
+    if (stage < names.size()) words = tr("Stage %1 of %2: %3").arg(stage + 1).arg(names.size()).arg(text(names[stage]));
+  }
+  if (job.state() == JobState::paused) return words + tr("   paused");
+  const auto left = job.timeLeft().seconds();
+  return left ? words + tr("   %1 left").arg(numbers::duration(*left)) : words;
+}
+
+QString WorkflowBar::outcome() const {
+  if (!session_.project.document().isOpen()) return {};
+  const Project& project = session_.project.document().project();
+  const auto& system = session_.project.system();
+  switch (session_.display.page()) {
+    case WorkflowPage::geometry:
+      return numbers::counted(project.solids.size(), "solid");
+    case WorkflowPage::joints:
+      return numbers::counted(project.joints.size(), "joint") + QStringLiteral(", ") +
+             numbers::counted(project.cuts.size(), "cut");
+    case WorkflowPage::blocks: {
+      if (!system) return tr("not cut yet");
+      double volume = 0;
+      for (const auto& block : system->blocks) volume += block.volume;
+      return tr("%1, %2 m³").arg(numbers::counted(system->blocks.size(), "block"), numbers::significant(volume, 4));
+    }
+    case WorkflowPage::mesh: {
+      if (!system) return tr("not meshed yet");
+      size_t nodes = 0, tetrahedra = 0;
+      for (const auto& block : system->blocks) {
+        nodes += block.mesh.nodes.size();
+        tetrahedra += block.mesh.tetrahedra.size();
+      }
+      return tr("%1 tetrahedra, %2 nodes").arg(numbers::whole(tetrahedra), numbers::whole(nodes));
+    }
+    case WorkflowPage::materials:
+      return numbers::counted(project.materials.size(), "material");
+    case WorkflowPage::loads:
+      return tr("gravity %1 m/s², %2, %3")
+          .arg(numbers::significant(project.gravity.norm()), numbers::counted(project.loads.size(), "load"),
+               numbers::counted(project.constraints.size(), "support"));
+    case WorkflowPage::stages: {
+      double seconds = 0;
+      for (const auto& stage : project.stages) seconds += length_of(stage);
+      return tr("%1, %2 s").arg(numbers::counted(project.stages.size(), "stage"), numbers::significant(seconds, 4));
+    }
+    case WorkflowPage::solve:
+      return runOutcome();
+    case WorkflowPage::results:
+      break;
+  }
+  if (session_.playback.times().empty()) return tr("nothing has been solved yet");
+  const QString frames = numbers::counted(session_.playback.times().size(), "frame");
+  return session_.playback.isCurrent() ? frames : tr("%1, of the project before it was edited").arg(frames);
+}
+
+void WorkflowBar::refreshOutcome() {
+  outcome_->setText(outcome());
+  const bool busy = session_.run.job().isBusy();
+  bar_->setVisible(busy);
+  if (busy) showShare(*bar_, session_.run.fraction());
+}
+
+QAction* WorkflowBar::primaryAction() const {
+  const bool busy = session_.run.job().isBusy();
+  switch (session_.display.page()) {
+    case WorkflowPage::solve:
+      return busy ? actions_.pause : actions_.solve;
+    case WorkflowPage::results:
+      return actions_.saveFilm;
+    default:
+      return session_.project.system() ? actions_.pages.at(WorkflowPage::solve) : actions_.mesh;
+  }
+}
+
+void WorkflowBar::refreshPrimary() {
+  const QAction* action = primaryAction();
+  const bool leads = action == actions_.pages.at(WorkflowPage::solve);
+  static const std::pair<QAction * WindowActions::*, const char*> icons[] = {
+      {&WindowActions::mesh, "cut"}, {&WindowActions::solve, "play"}, {&WindowActions::saveFilm, "film"}};
+  QString icon = leads ? QStringLiteral("arrow-right") : QStringLiteral("pause");
+  for (const auto& [member, name] : icons)
+    if (actions_.*member == action) icon = QLatin1String(name);
+  if (action == actions_.pause && session_.run.job().state() == JobState::paused) icon = QStringLiteral("play");
+  primary_->setIcon(theme::icon(icon, theme::Tone::onAccent));
+  primary_->setText(leads ? tr("Go to solve") : action->text().remove(u'…'));
+  primary_->setEnabled(action->isEnabled());
+  primary_->setToolTip(action->toolTip());
+}
+
+}  // namespace talus

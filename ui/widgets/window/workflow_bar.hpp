@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QFrame>
+
+#include "widgets/window/window_actions.hpp"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+
+namespace talus {
+
+struct Session;
+
+/// The page's name, its actions with words, one line of outcome, and the one primary button that leads on.
+class WorkflowBar : public QFrame {
+  Q_OBJECT
+ public:
+  WorkflowBar(Session& session, WindowActions& actions);
+
+ private:
+  QWidget* makeSetUpPage();
+  QWidget* makeSolvePage();
+  QWidget* makeResultsPage();
+  void refresh();
+  void refreshOutcome();
+  void refreshPrimary();
+  QString outcome() const;
+  QString runOutcome() const;
+  QAction* primaryAction() const;
+
+  Session& session_;
+  WindowActions& actions_;
+  QLabel *title_, *outcome_;
+  QStackedWidget* pages_;
+  QProgressBar* bar_;
+  QPushButton* primary_;
+};
+
+}  // namespace talus
