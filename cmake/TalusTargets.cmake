@@ -43,6 +43,27 @@ function(talus_compile_by_room target)
   endforeach()
 endfunction()
 
+# talus_share_test_headers(TARGET)  What tests include most, GoogleMock and Eigen above all, is read once for all test
+# programs (docs/developing.md has the figures). Programs of a position-independent library, Qt's, read it themselves.
+function(talus_share_test_headers target)
+  get_target_property(libraries ${target} LINK_LIBRARIES)
+  if(NOT TALUS_BY_ROOM OR libraries MATCHES "talus_(document|jobs|session|widgets)")
+    return()
+  endif()
+  set(for_ccache $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  if(NOT TARGET talus_test_headers)
+    file(WRITE ${CMAKE_BINARY_DIR}/talus_test_headers.cpp "")
+    add_library(talus_test_headers OBJECT ${CMAKE_BINARY_DIR}/talus_test_headers.cpp)
+    target_link_libraries(talus_test_headers PRIVATE talus_options Eigen3::Eigen GTest::gmock)
+    target_compile_options(talus_test_headers PRIVATE $<$<CONFIG:Release>:-O1> ${for_ccache})
+    target_precompile_headers(talus_test_headers PRIVATE <gmock/gmock.h> <Eigen/Dense> <nlohmann/json.hpp>
+      <algorithm> <cmath> <filesystem> <fstream> <functional> <map> <memory> <numbers> <optional> <string> <vector>)
+  endif()
+  target_link_libraries(${target} PRIVATE GTest::gmock)
+  target_compile_options(${target} PRIVATE ${for_ccache})
+  target_precompile_headers(${target} REUSE_FROM talus_test_headers)
+endfunction()
+
 # talus_library(FOLDER [QUICK] [EXCEPT subfolder] [APART room...] [PUBLIC dep...] [PRIVATE dep...])  the folder with all rooms below it
 function(talus_library folder)
   cmake_parse_arguments(ARG "QUICK" "EXCEPT" "PUBLIC;PRIVATE;APART" ${ARGN})
@@ -68,12 +89,13 @@ function(talus_library folder)
   talus_compile_by_room(talus_${folder} ${quick} APART ${ARG_APART})
 endfunction()
 
-# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [BLAS_KERNELS name])  a GoogleTest program, each of its
-# tests a ctest. BLAS_KERNELS: OpenBLAS takes these, where the processor has them, so that figures are those of the
-# tables in docs (its choice differs from processor to processor, and with it the last bits).
+# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [LONG pattern] [BLAS_KERNELS name])  a GoogleTest
+# program, each of its tests a ctest; those that fit GoogleTest's pattern LONG have the label `long` alone. BLAS_KERNELS:
+# OpenBLAS takes these, where the processor has them, so that figures are those of the tables in docs (its choice differs
+# from processor to processor, and with it the last bits).
 file(STRINGS /proc/cpuinfo processor_has_avx2 REGEX "avx2" LIMIT_COUNT 1)
 function(talus_test name)
-  cmake_parse_arguments(ARG "" "BLAS_KERNELS" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "BLAS_KERNELS;LONG" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(ARG_BLAS_KERNELS AND processor_has_avx2)
     set(kernels ENVIRONMENT_MODIFICATION OPENBLAS_CORETYPE=set:${ARG_BLAS_KERNELS})
   endif()
@@ -82,6 +104,16 @@ function(talus_test name)
   target_link_libraries(${name} PRIVATE talus_options ${ARG_LIBRARIES} GTest::gmock_main)
   target_compile_definitions(${name} PRIVATE TALUS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   talus_compile_by_room(${name} QUICK)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-    PROPERTIES ENVIRONMENT "OPENBLAS_NUM_THREADS=1" LABELS "${ARG_LABELS}" ${kernels})
+  talus_share_test_headers(${name})
+  if(ARG_LONG)
+    talus_discover_tests(${name} "${ARG_LONG}" long ${kernels})
+    talus_discover_tests(${name} "-${ARG_LONG}" "${ARG_LABELS}" ${kernels})
+  else()
+    talus_discover_tests(${name} "*" "${ARG_LABELS}" ${kernels})
+  endif()
+endfunction()
+
+function(talus_discover_tests name pattern labels)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_FILTER "${pattern}"
+    PROPERTIES ENVIRONMENT "OPENBLAS_NUM_THREADS=1" LABELS "${labels}" ${ARGN})
 endfunction()

@@ -90,7 +90,7 @@ Ending Cli::wait() {
 Ending talus_cli(const std::vector<std::string>& arguments) { return Cli(arguments).wait(); }
 
 std::string sample(const std::string& name) {
-  return std::string(TALUS_SOURCE_DIR) + "/samples/" + name + "/" + name + ".talus";
+  return (std::filesystem::path(TALUS_SOURCE_DIR) / "samples" / name / (name + ".talus")).string();
 }
 
 }  // namespace talus::test

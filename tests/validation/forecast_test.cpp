@@ -41,7 +41,7 @@ TEST_P(ForecastOfSample, IsWithin30PercentOfTheRun) {
   EXPECT_GT(said.most, measured / 1.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ForecastOfSample,
+INSTANTIATE_TEST_SUITE_P(Long, ForecastOfSample,
                          ::testing::Values("block_ladder", "free_fall", "incline_slide", "incline_stay", "jiweishan",
                                            "step_slope", "wedge"));
 

@@ -6,14 +6,13 @@
 #include "verification/known_answers_page.hpp"
 #include "verification/verify.hpp"
 
-// Compiled twice: for the quick cases, and (TALUS_IN_FULL) for all of them with every row of those that are thinned.
 namespace talus {
 namespace {
 
 std::vector<KnownCase> cases_there_are() { return all_cases(std::filesystem::path(TALUS_SOURCE_DIR) / "samples"); }
 
-std::vector<KnownCase> cases_of_this_program(BodyKind body = BodyKind::tetrahedra) {
-  return chosen_cases(cases_there_are(), {}, TALUS_IN_FULL, body);
+std::vector<KnownCase> quick_cases(BodyKind body = BodyKind::tetrahedra) {
+  return chosen_cases(cases_there_are(), {}, false, body);
 }
 
 void expect_passed(const CaseResult& result) {
@@ -27,13 +26,13 @@ void expect_passed(const CaseResult& result) {
 
 const std::string stale = test::how_to_mend("--all", "known_answers.md");
 
-/// The table is written in full: of a case that is thinned here, only what it is can be compared.
+/// The table is written in full: of a case that was thinned, only what it is can be compared.
 void expect_written(const KnownCase& known, const CaseResult& result) {
   static const test::WrittenPage page("known_answers.md");
   if (!test::has_arithmetic_of_tables()) return;
   std::string section = page.section(known.name), now = case_section(result);
   const std::string row = overview_row(result);
-  if (known.thinned && !TALUS_IN_FULL) {
+  if (known.thinned && !result.options.thorough) {
     for (std::string* text : {&section, &now}) text->resize(std::min(text->size(), text->find("\n\n|")));
     EXPECT_NE(section, "") << stale;
   } else {
@@ -52,8 +51,10 @@ TEST(KnownAnswersTable, HasASectionForEveryCase) {
   EXPECT_EQ(sections, names) << stale;
 }
 
-#if TALUS_IN_FULL
-TEST_P(KnownAnswer, IsComputedInFull) {
+/// All of them, with every row of those that are thinned.
+class KnownAnswerInFull : public testing::TestWithParam<KnownCase> {};
+
+TEST_P(KnownAnswerInFull, IsComputed) {
   NoProgress progress;
   VerifyOptions options;
   options.run.thorough = true;
@@ -61,25 +62,21 @@ TEST_P(KnownAnswer, IsComputedInFull) {
   expect_passed(result);
   expect_written(GetParam(), result);
 }
-#else
-TEST_P(KnownAnswer, IsComputed) {
-  NoProgress progress;
-  const CaseResult result = verify(GetParam(), {}, progress);
-  expect_passed(result);
-  expect_written(GetParam(), result);
-}
 
-TEST_P(KnownAnswer, IsTheSameOnTwoThreadsAndAtATenthOfTheScale) {
+TEST_P(KnownAnswer, IsComputedTheSameOnTwoThreadsAndAtATenthOfTheScale) {
   NoProgress progress;
   VerifyOptions options;
   options.repeat = true;
-  const CaseResult result = verify(GetParam(), options, progress);
+  CaseResult result = verify(GetParam(), options, progress);
   EXPECT_EQ(result.repetitions.size(), GetParam().scales ? 2U : 1U) << result.failure;
   for (const Repetition& repetition : result.repetitions)
     EXPECT_TRUE(repetition.passed) << repetition.options.threads << " threads, scale " << repetition.options.scale
                                    << ": " << repetition.failure << "; differs by " << repetition.largest.value << " ("
                                    << repetition.largest.quantity << "), about zero by " << repetition.about_zero.value
                                    << " of the tolerance (" << repetition.about_zero.quantity << ')';
+  result.repetitions.clear();  // the table is of the first run
+  expect_passed(result);
+  expect_written(GetParam(), result);
 }
 
 /// Cases that ask for no strain, with rigid and affine blocks.
@@ -94,7 +91,6 @@ void expect_passed_with(BodyKind body, const KnownCase& known) {
 
 TEST_P(KnownAnswerOfSingleBody, IsComputedWithRigidBlocks) { expect_passed_with(BodyKind::rigid, GetParam()); }
 TEST_P(KnownAnswerOfSingleBody, IsComputedWithAffineBlocks) { expect_passed_with(BodyKind::affine, GetParam()); }
-#endif
 
 std::string test_name(const testing::TestParamInfo<KnownCase>& one) {
   std::string name = one.param.name;
@@ -102,11 +98,10 @@ std::string test_name(const testing::TestParamInfo<KnownCase>& one) {
   return name;
 }
 
-#if !TALUS_IN_FULL
-INSTANTIATE_TEST_SUITE_P(, KnownAnswerOfSingleBody, testing::ValuesIn(cases_of_this_program(BodyKind::rigid)),
+INSTANTIATE_TEST_SUITE_P(, KnownAnswer, testing::ValuesIn(quick_cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(, KnownAnswerOfSingleBody, testing::ValuesIn(quick_cases(BodyKind::rigid)), test_name);
+INSTANTIATE_TEST_SUITE_P(Long, KnownAnswerInFull, testing::ValuesIn(chosen_cases(cases_there_are(), {}, true)),
                          test_name);
-#endif
-INSTANTIATE_TEST_SUITE_P(, KnownAnswer, testing::ValuesIn(cases_of_this_program()), test_name);
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 #include "verification/hard_cases/scenes/degenerate_contacts.hpp"
+#include "base/rotation.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -60,8 +61,7 @@ TetMesh inner_corner() {
 
 std::vector<DegenerateContact> unstable_contacts() {
   const double diagonal = std::sqrt(3.0);
-  const Mat3 on_corner =
-      Eigen::Quaterniond::FromTwoVectors(Vec3::Ones().normalized(), Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 on_corner = rotation_onto(Vec3::Ones().normalized(), Vec3::UnitZ());
   const auto on_its_corner = [&](double level) { return placed(cube(1), on_corner, {0, 0, level}); };
   const TetMesh ridge = wedge(1, 1, height);
   return {{"vertex_on_vertex",

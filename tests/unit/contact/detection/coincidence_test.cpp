@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rotation.hpp"
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
@@ -34,7 +35,7 @@ Shape on_an_edge(const Vec3& begin, int n) {
 
 /// A cube of 1 m that stands on one corner, at `tip`.
 Shape on_a_corner(const Vec3& tip) {
-  const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3(0, 0, 1)).toRotationMatrix();
+  const Mat3 turn = rotation_onto(Vec3(1, 1, 1), Vec3(0, 0, 1));
   return mapped(box({0, 0, 0}, {1, 1, 1}), [&](const Vec3& p) { return Vec3(turn * p + tip); });
 }
 

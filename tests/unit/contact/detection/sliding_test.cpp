@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/rotation.hpp"
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
@@ -146,7 +147,7 @@ TEST(Sliding, OffAFreeEdgeTheAreaGoesAndNoNormalTurns) {
 }
 
 TEST(Sliding, ACornerOffAFreeEdgeIsHeldUntilItIsPast) {
-  const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3(0, 0, 1)).toRotationMatrix();
+  const Mat3 turn = rotation_onto(Vec3(1, 1, 1), Vec3(0, 0, 1));
   Scene scene;
   scene.add(box({0, 0, -1}, {5, 4, 0}, {7, 6, 2}), true);
   double x = 4.9;

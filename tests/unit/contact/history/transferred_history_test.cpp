@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/rotation.hpp"
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
@@ -120,7 +121,7 @@ TEST(TransferredHistory, ACubeThatRocksBackKeepsItsShear) {
 }
 
 Shape on_a_corner(const Vec3& tip) {
-  const Mat3 r = Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3(0, 0, 1)).toRotationMatrix();
+  const Mat3 r = rotation_onto(Vec3(1, 1, 1), Vec3(0, 0, 1));
   return mapped(box({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), [&](const Vec3& p) { return Vec3(r * p + tip); });
 }
 

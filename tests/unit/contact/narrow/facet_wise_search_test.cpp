@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/rotation.hpp"
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
@@ -60,7 +61,7 @@ TEST(FacetWiseSearch, CohesionIsThatOfTheArea) {
 }
 
 TEST(FacetWiseSearch, ACornerOnAFaceTouchesOnceInsideATriangleAndAlsoTiltedOnAnInnerEdge) {
-  const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3(0, 0, 1)).toRotationMatrix();
+  const Mat3 turn = rotation_onto(Vec3(1, 1, 1), Vec3(0, 0, 1));
   for (const auto& [x, y, on_inner_edge] : {std::tuple(1.9, 1.7, false), std::tuple(10.0 / 7, 1.2, true)}) {
     Scene scene;
     scene.settings.model = ContactModel::facet_wise;

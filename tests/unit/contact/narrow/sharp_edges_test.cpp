@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rotation.hpp"
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
@@ -117,7 +118,7 @@ const ContactSet& come(Scene& scene, const Vec3& from) {
 TEST(SharpEdges, ACornerThatSinksInAtAnEdgeIsLeftToOneAdjacentFace) {
   // A roof whose slopes lean 20° either way, and a steep corner that comes 1e-3 m down through it, beside its top edge.
   const auto roof = [](const Vec3& p) { return Vec3(p - Vec3(0, 0, std::tan(radians(20)) * std::abs(p.x()))); };
-  const Mat3 on_a_corner = Eigen::Quaterniond::FromTwoVectors(Vec3::Ones(), Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 on_a_corner = rotation_onto(Vec3::Ones(), Vec3::UnitZ());
   for (const double beside : {-1e-4, -1e-5, 1e-5, 1e-4}) {
     Scene scene;
     scene.add(mapped(box({-1, -1, -1}, {1, 1, 0}, {2, 1, 1}), roof), true);

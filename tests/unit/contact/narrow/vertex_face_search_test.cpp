@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/rotation.hpp"
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
@@ -23,7 +24,7 @@ Shape turned(const Shape& shape, double degrees, const Vec3& axis, const Vec3& t
 
 /// A cube that stands on one corner, at `tip`.
 Shape on_a_corner(const Vec3& tip, int n = 2) {
-  const Mat3 r = Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3(0, 0, 1)).toRotationMatrix();
+  const Mat3 r = rotation_onto(Vec3(1, 1, 1), Vec3(0, 0, 1));
   return mapped(box({0, 0, 0}, {1, 1, 1}, {n, n, n}), [&](const Vec3& p) { return Vec3(r * p + tip); });
 }
 
@@ -156,7 +157,7 @@ TEST(VertexFaceSearch, InsideTwoFacetsTheShallowerCounts) {
   Scene scene;
   scene.add(box({0, 0, -1}, {5, 4, 0}, {7, 6, 1}), true);
   const Vec3 diagonal = Vec3(1, 1, 1).normalized();
-  const Mat3 r = Eigen::Quaterniond::FromTwoVectors(diagonal, Vec3(1, 0, 1)).toRotationMatrix();
+  const Mat3 r = rotation_onto(diagonal, Vec3(1, 0, 1));
   scene.add(mapped(box({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), [&](const Vec3& p) {
     return Vec3(r * (p + 1.5 * diagonal * diagonal.dot(p)) + Vec3(4.98, 1.7, -0.05));  // a spike
   }));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/rotation.hpp"
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
@@ -18,7 +19,7 @@ using testing::Shape;
 /// A spike with its tip at `tip` and its axis upwards, three times as long as the corner of a cube.
 Shape spike(const Vec3& tip) {
   const Vec3 diagonal = Vec3(1, 1, 1).normalized();
-  const Mat3 r = Eigen::Quaterniond::FromTwoVectors(diagonal, Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 r = rotation_onto(diagonal, Vec3::UnitZ());
   return mapped(box({0, 0, 0}, {1, 1, 1}),
                 [&](const Vec3& p) { return Vec3(r * (p + 2 * diagonal * diagonal.dot(p)) + tip); });
 }
