@@ -56,7 +56,10 @@ function(talus_share_test_headers target)
   if(NOT TALUS_BY_ROOM)
     return()
   endif()
-  set(for_all -fPIC $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # the latter lets ccache keep what uses it
+  set(for_all -fPIC)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # ccache keeps what uses the header; GCC collects no garbage below 1.5 GB
+    list(APPEND for_all -fpch-preprocess "SHELL:--param ggc-min-heapsize=1500000")
+  endif()
   if(NOT TARGET talus_test_headers)
     file(WRITE ${CMAKE_BINARY_DIR}/talus_test_headers.cpp "")
     add_library(talus_test_headers OBJECT ${CMAKE_BINARY_DIR}/talus_test_headers.cpp)
