@@ -21,6 +21,8 @@ struct Invocation {
 };
 
 // One file a command. Each adds its command to the program and sets `invocation.run` when it is chosen.
+void add_new(CLI::App& program, Invocation& invocation);
+void add_blocks(CLI::App& program, Invocation& invocation);
 void add_mesh(CLI::App& program, Invocation& invocation);
 void add_solve(CLI::App& program, Invocation& invocation);
 void add_render(CLI::App& program, Invocation& invocation);
@@ -30,6 +32,7 @@ void add_verify(CLI::App& program, Invocation& invocation);
 void add_study(CLI::App& program, Invocation& invocation);
 void add_info(CLI::App& program, Invocation& invocation);
 void add_export(CLI::App& program, Invocation& invocation);
+void add_stereonet(CLI::App& program, Invocation& invocation);
 
 /// Calls `work` and puts `file` in front of the place of an InputError that comes out of it.
 template <typename Work>

@@ -1,7 +1,7 @@
 // talus [PROJECT|RESULTS]: the window.
 // talus --screenshot OUT.png [--size WxH] [--theme light|dark] [--page PAGE] [--field FIELD] [--time SECONDS]
-// [PROJECT|RESULTS]: a picture of the window and out, for regression tests; with QT_QPA_PLATFORM=offscreen it needs no
-// display.
+// [--select PLACE] [--new TEMPLATE] [PROJECT|RESULTS]: a picture of the window and out, for regression tests; with
+// QT_QPA_PLATFORM=offscreen it needs no display.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSettings>
@@ -48,9 +48,16 @@ int main(int argc, char** argv) {
                                        QStringLiteral("name"));
   const QCommandLineOption timeOption(QStringLiteral("time"), QStringLiteral("Shows the frame nearest to this moment"),
                                       QStringLiteral("seconds"));
+  const QCommandLineOption selectOption(QStringLiteral("select"),
+                                        QStringLiteral("Selects a thing by its place: /materials/rock, /stages/0"),
+                                        QStringLiteral("place"));
   const QCommandLineOption screenshotOption(
       QStringLiteral("screenshot"), QStringLiteral("Write a picture of the window and leave"), QStringLiteral("PNG"));
-  parser.addOptions({themeOption, pageOption, sizeOption, fieldOption, timeOption, screenshotOption});
+  const QCommandLineOption newOption(
+      QStringLiteral("new"), QStringLiteral("Begins a project from this template; talus-cli new --list names them"),
+      QStringLiteral("template"));
+  parser.addOptions({newOption, themeOption, pageOption, sizeOption, fieldOption, timeOption, selectOption,
+                     screenshotOption});
   parser.process(app);
 
   QSettings settings;
@@ -67,6 +74,9 @@ int main(int argc, char** argv) {
   request.page = parser.value(pageOption);
   request.field = parser.value(fieldOption);
   request.time = parser.value(timeOption);
+  request.select = parser.value(selectOption);
+  request.begin = parser.value(newOption);
+  if (const QString wrong = talus::checkTemplate(request.begin); !wrong.isEmpty()) return complain(wrong);
   if (const QString wrong = talus::readSize(parser.value(sizeOption), request.size); !wrong.isEmpty())
     return complain(wrong);
 
@@ -76,6 +86,8 @@ int main(int argc, char** argv) {
   window.restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   window.show();
   if (!request.file.isEmpty()) window.open(request.file.toStdString());
+  if (!request.begin.isEmpty()) window.newProject(request.begin.toStdString());
+  window.offerRecovery();
   const int status = QApplication::exec();
   settings.setValue(QStringLiteral("theme"),
                     talus::theme::now().dark ? QStringLiteral("dark") : QStringLiteral("light"));

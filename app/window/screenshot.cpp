@@ -2,10 +2,15 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QPainter>
 #include <cstdio>
 
 #include "base/error.hpp"
+#include "document/item_place.hpp"
 #include "jobs/solver_job.hpp"
+#include "templates/templates.hpp"
+#include "widgets/begin/new_dialog.hpp"
+#include "widgets/begin/project_preview.hpp"
 #include "widgets/view/viewport.hpp"
 
 namespace talus {
@@ -35,6 +40,18 @@ void rest(int ms) {
   while (timer.elapsed() < ms) QApplication::processEvents(QEventLoop::AllEvents, 20);
 }
 
+/// The window, and over it the dialog that is open.
+QPixmap pictureOf(QWidget& window) {
+  QPixmap picture = window.grab();
+  if (QWidget* dialog = QApplication::activeModalWidget()) {
+    const QPixmap over = dialog->grab();
+    QPainter painter(&picture);
+    painter.fillRect(picture.rect(), QColor(0, 0, 0, 70));
+    painter.drawPixmap((window.width() - dialog->width()) / 2, (window.height() - dialog->height()) / 2, over);
+  }
+  return picture;
+}
+
 }  // namespace
 
 QString readSize(const QString& text, QSize& size) {
@@ -46,6 +63,15 @@ QString readSize(const QString& text, QSize& size) {
   return good ? QString() : QStringLiteral("--size: \"%1\" is no size; give one such as 1280x800").arg(text);
 }
 
+QString checkTemplate(const QString& key) {
+  try {
+    if (!key.isEmpty() && key != QLatin1String(empty_key)) template_named(key.toStdString());
+    return {};
+  } catch (const InputError& error) {
+    return QStringLiteral("--new: ") + QString::fromUtf8(error.what());
+  }
+}
+
 int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
   Session& session = window.session();
   window.show();
@@ -55,6 +81,7 @@ int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
       return complain(bad_input, QStringLiteral("%1: %2; %3").arg(problem.place, problem.problem, problem.remedy));
     }
     const auto failed = [&] { return !session.messages.problems().empty(); };
+    waitFor([&] { return !session.isOpening(); }, patience_ms);
     if (session.playback.isLoading()) waitFor([&] { return session.playback.frame() || failed(); }, patience_ms);
     if (!session.project.system() && !failed()) {
       session.run.mesh();
@@ -81,10 +108,22 @@ int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
     if (request.page == QLatin1String(pageKey(page))) session.display.goTo(page);
   if (!request.page.isEmpty() && request.page != QLatin1String(pageKey(session.display.page())))
     return complain(bad_input, QStringLiteral("--page: there is no page \"%1\"; see talus --help").arg(request.page));
+  if (!request.select.isEmpty()) {
+    const auto& project = session.project.document().json();
+    const Item item = itemAt(nlohmann::ordered_json::json_pointer(request.select.toStdString()), project);
+    if (item == Item{})
+      return complain(bad_input, QStringLiteral("--select: the project has nothing at \"%1\"").arg(request.select));
+    session.project.selection().select(item);
+  }
   window.viewport().fit();
   window.resize(request.size);
+  if (!request.begin.isEmpty()) {
+    window.newProject(request.begin.toStdString());
+    rest(rest_ms);
+    waitFor([&] { return window.findChild<ProjectPreview*>()->isUpToDate(); }, patience_ms);
+  }
   rest(rest_ms);
-  if (!window.grab().save(request.out))
+  if (!pictureOf(window).save(request.out))
     return complain(bad_input, QStringLiteral("%1: cannot be written; choose another place").arg(request.out));
   return session.messages.problems().empty() ? 0 : our_fault;
 }

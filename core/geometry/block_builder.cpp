@@ -7,6 +7,7 @@
 #include "geometry/mesher_process.hpp"
 #include "model/body_choice.hpp"
 #include "model/validate.hpp"
+#include "orientation/drawn_planes.hpp"
 
 namespace talus {
 namespace {
@@ -55,6 +56,8 @@ MesherCut job_cut(const Project& project, std::size_t index) {
   job.through = cut.through;
   job.spacing = cut.spacing.value_or(0);
   job.count = cut.count.value_or(1);
+  if (is_drawn(cut))
+    for (const Cut& plane : single_planes(cut)) job.drawn.push_back({plane.dip, plane.dip_direction, plane.through});
   for (const std::string& name : cut.solids) job.solids.push_back(index_of(project.solids, name));
   return job;
 }
@@ -149,7 +152,7 @@ InputError crashed(const std::string& last_words) {
 }  // namespace
 
 BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress) {
-  validate(project);
+  validate_for_cutting(project);
   const MesherJob job = make_job(project, folder);
   if (progress.cancelled()) throw Cancelled{};
   BlockSystem system;

@@ -14,7 +14,8 @@ namespace talus {
 /// `folder`: where the project file lies; paths in the project are relative to it.
 /// Names: a solid's own when it stays in one piece, else NAME.1, NAME.2, … by the pieces' centroids (x, then y, then z,
 /// ascending); an override's name replaces one of these, the others keep their numbers.
-/// Throws InputError for what the user can mend (what `validate` refuses, overlapping solids, a cut that misses,
+/// A project that is still being set up is cut, too: it may lack stages and the default joint.
+/// Throws InputError for what the user can mend (what `validate_for_cutting` refuses, overlapping solids, a cut that misses,
 /// a file that is not STEP, an override in no block), Cancelled when `progress` says so.
 BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress);
 

@@ -27,7 +27,18 @@ struct MesherSolid {
   }
 };
 
-/// `count` planes, `spacing` apart along the upward normal.
+/// A plane that a set of joints has by chance.
+struct MesherPlane {
+  double dip = 0, dip_direction = 0;  ///< degrees
+  Vec3 through = Vec3::Zero();
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(dip, dip_direction, through);
+  }
+};
+
+/// `count` planes, `spacing` apart along the upward normal; or those that were drawn, where there are any.
 struct MesherCut {
   std::string title;  ///< "cut 3 (J2)"
   int joint = 0;
@@ -35,11 +46,12 @@ struct MesherCut {
   Vec3 through = Vec3::Zero();
   double spacing = 0;  ///< m
   int count = 1;
+  std::vector<MesherPlane> drawn;
   std::vector<int> solids;
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(title, joint, dip, dip_direction, through, spacing, count, solids);
+    stream(title, joint, dip, dip_direction, through, spacing, count, drawn, solids);
   }
 };
 

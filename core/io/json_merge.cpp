@@ -85,7 +85,10 @@ class Merger {
     for (const auto& key : key_order(span, before, after)) {
       const auto old = find(span, key);
       if (!old) {
-        assembly.add(quoted(key) + ": " + format_json(after.at(key), pieces.indent, layout_));
+        if (const auto renamed = find_renamed(span, key, before, after))
+          assembly.keep(*renamed, quoted(key) + behind_key(span.children[*renamed]));
+        else
+          assembly.add(quoted(key) + ": " + format_json(after.at(key), pieces.indent, layout_));
         continue;
       }
       const JsonSpan& member = span.children[*old];
@@ -106,6 +109,24 @@ class Merger {
                                     [&](const JsonSpan& child) { return child.key == key; });
     if (found == span.children.end()) return std::nullopt;
     return static_cast<std::size_t>(found - span.children.begin());
+  }
+
+  /// The member that has another key in `before`, and else is the one that `key` has in `after`.
+  static std::optional<std::size_t> find_renamed(const JsonSpan& span, const std::string& key,
+                                                 const OrderedJson& before, const OrderedJson& after) {
+    if (before.contains(key)) return std::nullopt;
+    for (std::size_t i = 0; i < span.children.size(); ++i) {
+      const std::string& old = span.children[i].key;
+      if (before.contains(old) && !after.contains(old) && before.at(old) == after.at(key)) return i;
+    }
+    return std::nullopt;
+  }
+
+  /// From the colon, or a comment before it, to the end of the value.
+  std::string behind_key(const JsonSpan& member) const {
+    std::size_t quote = member.start + 1;
+    while (text_[quote] != '"') quote += text_[quote] == '\\' ? 2 : 1;
+    return text_.substr(quote + 1, member.end - quote - 1);
   }
 
   /// The author's order as long as `after` only changes, adds and removes; the order of `after` where it moves keys
@@ -129,7 +150,7 @@ class Merger {
       if (left_out) continue;
       if (std::find(order.begin(), order.end(), key) == order.end()) {
         const auto anchor = std::find(order.begin(), order.end(), previous);
-        order.insert(anchor == order.end() ? anchor : anchor + 1, key);
+        order.insert(previous.empty() ? order.begin() : anchor == order.end() ? anchor : anchor + 1, key);
       }
       previous = key;
     }

@@ -13,6 +13,8 @@
 #include "model/place.hpp"
 #include "model/validate.hpp"
 
+extern const char project_schema[];
+
 namespace talus {
 namespace {
 
@@ -83,10 +85,10 @@ struct ParsedProject {
 ParsedProject parse(const std::string& text, const ReadOptions& options) {
   ParsedProject parsed{parse_json_text(text), {}};
   check_version(parsed.json);
-  check_against_schema(parsed.json);
+  check_against_schema(parsed.json, options.unfinished);
   parsed.project = project_from_json(parsed.json.value);
   check_with_lines(parsed.json, [&] {
-    validate(parsed.project);
+    options.unfinished ? validate_what_is_there(parsed.project) : validate(parsed.project);
     if (!options.allow_outside) check_paths(parsed.project);
   });
   return parsed;
@@ -112,12 +114,19 @@ std::string write_project(const Project& project) {
 std::string write_project(const Project& project, const std::string& previous_text) {
   std::optional<ParsedProject> previous;
   try {
-    previous = parse(previous_text, {.allow_outside = true});
+    previous = parse(previous_text, {.allow_outside = true, .unfinished = true});
   } catch (const InputError&) {
     return write_project(project);
   }
   return merge_json(previous->json, project_to_json(previous->project), project_to_json(project));
 }
+
+std::string change_project_text(const std::string& text, const std::string& value) {
+  const JsonText old = parse_json_text(text);
+  return merge_json(old, old.value, parse_json_text(value).value);
+}
+
+const char* project_schema_text() { return project_schema; }
 
 void save_project(const Project& project, const std::filesystem::path& file) {
   std::error_code error;

@@ -10,6 +10,8 @@ namespace talus {
 struct ReadOptions {
   /// Lets `file` name things outside the project's folder ("../", absolute paths, links that lead out).
   bool allow_outside = false;
+  /// The project is still being set up: it may lack solids, stages and the default joint.
+  bool unfinished = false;
 };
 
 /// Parses the text of a `.talus` file (JSON, comments allowed), checks it against the schema and the rules of
@@ -27,6 +29,14 @@ std::string write_project(const Project& project);
 /// project says the same; an unchanged project gives the same text byte for byte. A previous text that is no project
 /// is replaced altogether.
 std::string write_project(const Project& project, const std::string& previous_text);
+
+/// The text changed so that it says what `value` says, a JSON text too. Comments, layout, spelling of numbers and order
+/// of keys stay wherever both say the same, and come with things that are moved in a list. Checks nothing but that both
+/// are JSON: throws InputError where one is not.
+std::string change_project_text(const std::string& text, const std::string& value);
+
+/// The schema of project files, a JSON text: what can be said, with titles, units and defaults.
+const char* project_schema_text();
 
 /// Writes by way of a temporary file beside it, so that a failure leaves the old one. A project that is there already
 /// is changed as by `write_project(project, previous_text)`. Throws InputError when the file cannot be written.

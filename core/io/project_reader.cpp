@@ -116,6 +116,11 @@ Cut read_item(const OrderedJson& value, Cut cut) {
   read(value, "spacing", cut.spacing);
   read(value, "count", cut.count);
   read(value, "solids", cut.solids);
+  read_word(value, "spacing_law", cut.spacing_law,
+            {SpacingLaw::equal, SpacingLaw::normal, SpacingLaw::exponential, SpacingLaw::lognormal});
+  read(value, "spacing_deviation", cut.spacing_deviation);
+  read(value, "fisher_kappa", cut.fisher_kappa);
+  read(value, "seed", cut.seed);
   return cut;
 }
 

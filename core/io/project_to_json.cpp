@@ -73,6 +73,10 @@ OrderedJson json_from(const Cut& cut) {
                    {"through", json_from(cut.through)}};
   write(json, "spacing", cut.spacing);
   write(json, "count", cut.count);
+  write_word_unless_usual(json, "spacing_law", cut.spacing_law, SpacingLaw::equal);
+  write(json, "spacing_deviation", cut.spacing_deviation);
+  write(json, "fisher_kappa", cut.fisher_kappa);
+  write(json, "seed", cut.seed);
   if (!cut.solids.empty()) json["solids"] = cut.solids;
   return json;
 }

@@ -27,14 +27,28 @@ const Json& schema_json() {
   return json;
 }
 
-const valijson::Schema& compiled_schema() {
-  static const auto schema = [] {
-    auto compiled = std::make_unique<valijson::Schema>();
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-        .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json()), *compiled);
-    return compiled;
+/// The schema of a project that is still being set up: of itself it may lack everything but its version.
+const Json& unfinished_schema_json() {
+  static const Json json = [] {
+    Json relaxed = schema_json();
+    relaxed["required"] = {"talus"};
+    for (auto& property : relaxed["properties"]) property.erase("minItems");
+    return relaxed;
   }();
-  return *schema;
+  return json;
+}
+
+std::unique_ptr<valijson::Schema> compiled(const Json& schema) {
+  auto made = std::make_unique<valijson::Schema>();
+  valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+      .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), *made);
+  return made;
+}
+
+const valijson::Schema& compiled_schema(bool unfinished) {
+  static const auto finished_schema = compiled(schema_json());
+  static const auto unfinished_schema = compiled(unfinished_schema_json());
+  return unfinished ? *unfinished_schema : *finished_schema;
 }
 
 /// The smaller comes first among several faults of one text.
@@ -206,9 +220,9 @@ std::optional<Fault> explain(const Json& value, const Json& rule, const Place& p
 }
 
 /// Follows the validator's path ("<root>", "[solids]", "[0]", …) through text and schema at once.
-std::optional<Fault> explain_at(const std::vector<std::string>& path, const Json& root) {
+std::optional<Fault> explain_at(const std::vector<std::string>& path, const Json& root, const Json& schema) {
   const Json* value = &root;
-  const Json* rule = &schema_json();
+  const Json* rule = &schema;
   Place place;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const std::string key = path[i].substr(1, path[i].size() - 2);
@@ -230,16 +244,16 @@ std::optional<Fault> explain_at(const std::vector<std::string>& path, const Json
 
 }  // namespace
 
-void check_against_schema(const JsonText& json) {
+void check_against_schema(const JsonText& json, bool unfinished) {
   const Json value = json.value;  // the validator's adapter knows the library's own object type alone
   valijson::ValidationResults results;
   valijson::Validator validator;
-  if (validator.validate(compiled_schema(), valijson::adapters::NlohmannJsonAdapter(value), &results)) return;
+  if (validator.validate(compiled_schema(unfinished), valijson::adapters::NlohmannJsonAdapter(value), &results)) return;
 
   using Rank = std::pair<Weight, std::size_t>;
   std::optional<std::pair<Rank, Fault>> first;
   for (const auto& error : results) {
-    const auto fault = explain_at(error.context, value);
+    const auto fault = explain_at(error.context, value, unfinished ? unfinished_schema_json() : schema_json());
     if (!fault) continue;  // the fault lies in something that this value holds
     const Rank rank{fault->weight, offset_in_text(json, fault->place.pointer())};
     if (!first || rank < first->first) first = {rank, *fault};

@@ -91,7 +91,26 @@ struct Solid {
   bool operator==(const Solid&) const = default;
 };
 
-/// A plane through `through`, or `count` parallel ones `spacing` apart along the upward normal.
+/// How the distances of a set's planes vary about their mean.
+enum class SpacingLaw { equal, normal, exponential, lognormal };
+
+/// The word the project file uses.
+constexpr std::string_view to_string(SpacingLaw law) {
+  switch (law) {
+    case SpacingLaw::normal:
+      return "normal";
+    case SpacingLaw::exponential:
+      return "exponential";
+    case SpacingLaw::lognormal:
+      return "lognormal";
+    case SpacingLaw::equal:
+      break;
+  }
+  return "equal";
+}
+
+/// A plane through `through`, or `count` ones `spacing` apart along the upward normal: parallel and equally far, or
+/// drawn by a law of spacing and a scatter about the mean attitude (orientation/drawn_planes).
 struct Cut {
   std::string joint;
   double dip = 0, dip_direction = 0;  ///< degrees
@@ -99,6 +118,10 @@ struct Cut {
   std::optional<double> spacing;  ///< m
   std::optional<int> count;
   std::vector<std::string> solids;  ///< names it is limited to; all when empty
+  SpacingLaw spacing_law = SpacingLaw::equal;
+  std::optional<double> spacing_deviation{};  ///< m, of a normal or lognormal spacing; half the spacing when absent
+  std::optional<double> fisher_kappa{};       ///< scatter of the poles (Fisher 1953); absent: all are parallel
+  std::optional<int> seed{};                  ///< of what is drawn; 1 when absent
   bool operator==(const Cut&) const = default;
 };
 

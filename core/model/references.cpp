@@ -73,12 +73,7 @@ void check_joints(const Project& project) {
       check_joint(project, change.name, Place() / "stages" / i / "joints" / change.name);
     }
   }
-  const Place place = Place() / "default_joint";
-  if (!project.default_joint.empty()) return check_joint(project, project.default_joint, place);
-  require(project.joints.empty(), place, "no joint is named for contacts that lie on no cut",
-          "give the name of one of the joints");
-  require(project.solids.size() < 2, place, "several solids may touch, and no joint says how they slide",
-          "define a joint under joints and name it here");
+  if (!project.default_joint.empty()) check_joint(project, project.default_joint, Place() / "default_joint");
 }
 
 void check_cut_solids(const Project& project) {
@@ -133,6 +128,15 @@ void validate_names(const Project& project) {
   check_unique_names(project.blocks, Place() / "blocks", blocks);
   check_unique_names(project.stages, Place() / "stages", stages);
   check_unique_names(project.monitors, Place() / "monitors", monitors);
+}
+
+void validate_default_joint(const Project& project) {
+  if (!project.default_joint.empty()) return;
+  const Place place = Place() / "default_joint";
+  require(project.joints.empty(), place, "no joint is named for contacts that lie on no cut",
+          "give the name of one of the joints");
+  require(project.solids.size() < 2, place, "several solids may touch, and no joint says how they slide",
+          "define a joint under joints and name it here");
 }
 
 void validate_references(const Project& project) {

@@ -63,8 +63,6 @@ void check_joint_changes(const Stage& stage, const std::vector<Joint>& after, co
 }  // namespace
 
 void check_stages(const Project& project) {
-  require(!project.stages.empty(), Place() / "stages", "the project has no stage",
-          "add one with a type, a time_step, and steps or a duration");
   for (std::size_t i = 0; i < project.stages.size(); ++i) {
     const Stage& stage = project.stages[i];
     const Place place = Place() / "stages" / i;

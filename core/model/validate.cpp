@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -76,6 +77,27 @@ void check(const Solid& solid, const Place& place) {
   check_mesh_size(solid.mesh_size, place / "mesh_size");
 }
 
+/// What chance decides of a set of joints.
+void check_drawing(const Cut& cut, const Place& place) {
+  const SpacingLaw law = cut.spacing_law;
+  const std::string name(to_string(law));
+  const bool has_law = law != SpacingLaw::equal;
+  require(!has_law || cut.spacing, place / "spacing_law", "a law of spacing needs a spacing, its mean",
+          "add 'spacing' in m and 'count'");
+  require(!cut.spacing_deviation || law == SpacingLaw::normal || law == SpacingLaw::lognormal,
+          place / "spacing_deviation", "the law " + name + " has no standard deviation to give",
+          "leave it out, or take the law normal or lognormal");
+  if (cut.spacing_deviation)
+    require_positive(*cut.spacing_deviation, place / "spacing_deviation", "standard deviation", "m");
+  if (cut.fisher_kappa)
+    require(*cut.fisher_kappa > 0 && std::isfinite(*cut.fisher_kappa), place / "fisher_kappa",
+            "Fisher's κ must be greater than 0, is " + number_text(*cut.fisher_kappa),
+            "give a positive number: 20 scatters much, 500 little");
+  require(!cut.seed || has_law || cut.fisher_kappa, place / "seed", "there is nothing to draw",
+          "add 'spacing_law' or 'fisher_kappa', or leave the seed out");
+  require(cut.seed.value_or(1) >= 0, place / "seed", "a seed is not negative", "give 0, 1, 2 …");
+}
+
 void check(const Cut& cut, const Place& place) {
   require_finite(cut.dip, place / "dip");
   require(cut.dip >= 0 && cut.dip <= 90, place / "dip", "dip must be 0 to 90, is " + number_text(cut.dip),
@@ -92,6 +114,7 @@ void check(const Cut& cut, const Place& place) {
     require(*cut.count >= 1, place / "count", "count must be at least 1, is " + std::to_string(*cut.count),
             "give the number of parallel planes");
   }
+  check_drawing(cut, place);
 }
 
 void check(const BlockOverride& block, const Place& place) {
@@ -134,9 +157,26 @@ void check_each(const Things& things, const char* list) {
   for (std::size_t i = 0; i < things.size(); ++i) check(things[i], Place() / list / i);
 }
 
+void require_solids(const Project& project) {
+  require(!project.solids.empty(), Place() / "solids", "the project has no solid", "add a box, a polyhedron or a file");
+}
+
 }  // namespace
 
 void validate(const Project& project) {
+  require_solids(project);
+  require(!project.stages.empty(), Place() / "stages", "the project has no stage",
+          "add one with a type, a time_step, and steps or a duration");
+  validate_what_is_there(project);
+  validate_default_joint(project);
+}
+
+void validate_for_cutting(const Project& project) {
+  require_solids(project);
+  validate_what_is_there(project);
+}
+
+void validate_what_is_there(const Project& project) {
   require_finite(project.gravity, Place() / "gravity");
   validate_names(project);
   for (const auto& material : project.materials) {
@@ -144,7 +184,6 @@ void validate(const Project& project) {
     check_law(material, project.solver);
   }
   for (const auto& joint : project.joints) check(joint, Place() / "joints" / joint.name);
-  require(!project.solids.empty(), Place() / "solids", "the project has no solid", "add a box, a polyhedron or a file");
   check_each(project.solids, "solids");
   check_each(project.cuts, "cuts");
   check_each(project.blocks, "blocks");

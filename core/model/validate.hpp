@@ -11,6 +11,12 @@ namespace talus {
 /// polyhedra. Throws InputError for the first broken rule, with a JSON pointer as place.
 void validate(const Project& project);
 
+/// The same of a project that is still being set up: it may lack solids, stages and the default joint.
+void validate_what_is_there(const Project& project);
+
+/// What is needed to cut and mesh: the same, with solids.
+void validate_for_cutting(const Project& project);
+
 /// A block as geometry made it.
 struct BuiltBlock {
   std::string name;

@@ -20,4 +20,11 @@ void FrameTables::open_in(const hdf5::Handle& file) {
   stage = Table(file, "/Talus/frame_stage", H5T_NATIVE_INT32);
 }
 
+void FrameTables::refresh() {
+  for (hdf5::Table* table : {&displacement, &velocity, &stress, &contacts, &contact_ends, &index, &stage})
+    table->refresh();
+  if (has_motions)
+    for (hdf5::Table* table : {&motions, &motion_ends}) table->refresh();
+}
+
 }  // namespace talus

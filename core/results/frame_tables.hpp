@@ -13,6 +13,24 @@ struct FrameTables {
 
   /// Opens them in a file that has them.
   void open_in(const hdf5::Handle& file);
+  /// Those that are open learn what has been written since.
+  void refresh();
+};
+
+/// A file that is open, and its tables.
+struct OpenResultFile {
+  hdf5::Handle file;
+  FrameTables tables;
+  bool has_tables = false;
+
+  /// After the moments of the frames were read: of those that they announce all is there.
+  void look_again() {
+    if (has_tables)
+      tables.refresh();
+    else
+      tables.open_in(file);
+    has_tables = true;
+  }
 };
 
 }  // namespace talus

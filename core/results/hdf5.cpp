@@ -200,11 +200,14 @@ void insert_field(hid_t type, const char* name, std::size_t offset, hid_t number
 
 Table::Table(hid_t parent, const std::string& path, hid_t type)
     : path_(path), dataset_(open_dataset(parent, path)), type_(type) {
-  // What this process has read before may be out of date where another one writes.
-  check(H5Drefresh(dataset_), "cannot open " + path);
-  const Handle space(check(H5Dget_space(dataset_), "cannot read the size of " + path));
+  refresh();
+}
+
+void Table::refresh() {
+  check(H5Drefresh(dataset_), "cannot open " + path_);
+  const Handle space(check(H5Dget_space(dataset_), "cannot read the size of " + path_));
   hsize_t size[2] = {0, 0};
-  check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path);
+  check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path_);
   rows_ = size[0];
   width_ = size[1];
 }

@@ -95,6 +95,9 @@ class Table {
   /// Opens one; `type` is that of the rows in memory and outlives the table.
   Table(hid_t parent, const std::string& path, hid_t type);
 
+  /// What this process has read before may be out of date where another one writes. No other handle of this process
+  /// may have the dataset open.
+  void refresh();
   void append(const void* data, hsize_t rows);
   void read(void* data, hsize_t first, hsize_t count) const;
   hsize_t rows() const { return rows_; }

@@ -47,7 +47,7 @@ class ResultFileReader {
   std::vector<HistoryMonitor> history_monitors;  ///< in the order of their names
   std::vector<double> frame_times;               ///< s
 
-  /// Throws std::out_of_range for a frame that is not there, std::runtime_error when it cannot be read.
+  /// Throws std::out_of_range for a frame that is not there, InputError when it cannot be read.
   Frame frame(int index) const;
 
  private:

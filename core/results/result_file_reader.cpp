@@ -1,5 +1,9 @@
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -103,6 +107,17 @@ std::vector<HistoryMonitor> read_history_monitors(hid_t file, const std::vector<
   return monitors;
 }
 
+/// HDF5's own words say much to its makers alone: they stand in brackets.
+std::string damaged(const std::exception& error) {
+  return std::string("the file is damaged or was cut off (") + error.what() + ")";
+}
+
+InputError unreadable(const std::filesystem::path& file, const std::exception& error) {
+  if (H5Fis_hdf5(file.c_str()) <= 0)
+    return {file.string(), "is no results file, or its beginning is lost", "choose a results folder written by Talus"};
+  return {file.string(), damaged(error), "copy it again from where it was computed, or solve the project again"};
+}
+
 /// The rows of a frame that has as many as it likes.
 template <class Row, class Thing>
 std::vector<Thing> read_list(const Table& table, const Table& ends, hsize_t frame) {
@@ -116,31 +131,48 @@ std::vector<Thing> read_list(const Table& table, const Table& ends, hsize_t fram
   return things;
 }
 
+/// All who read a file in this program share its tables: HDF5 loses where a data set's pieces lie when it is opened a
+/// second time and refreshed, and from then on all of them read zeros. Throws hdf5::Error.
+std::shared_ptr<OpenResultFile> shared_file(const std::filesystem::path& path) {
+  static std::map<std::pair<dev_t, ino_t>, std::weak_ptr<OpenResultFile>> open_files;
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) throw hdf5::Error("cannot be opened");
+  std::weak_ptr<OpenResultFile>& known = open_files[{status.st_dev, status.st_ino}];
+  std::shared_ptr<OpenResultFile> shared = known.lock();
+  if (!shared) {
+    shared = std::make_shared<OpenResultFile>();
+    shared->file = open_file(path);
+    known = shared;
+  }
+  return shared;
+}
+
 }  // namespace
 
-struct ResultFileReader::State : FrameTables {
+struct ResultFileReader::State {
   std::filesystem::path path;
   hsize_t node_count = 0, tetrahedron_count = 0;
-  Handle file;
+  std::shared_ptr<OpenResultFile> shared;
 
   Frame read(int number, double time) const;
 };
 
 Frame ResultFileReader::State::read(int number, double time) const {
   const auto row = static_cast<hsize_t>(number);
+  const FrameTables& t = shared->tables;
   Frame frame;
   frame.time = time;
-  index.read(&frame.index, row, 1);
-  stage.read(&frame.stage, row, 1);
+  t.index.read(&frame.index, row, 1);
+  t.stage.read(&frame.stage, row, 1);
   frame.displacement.resize(node_count);
   frame.velocity.resize(node_count);
   frame.stress.resize(tetrahedron_count);
-  displacement.read(frame.displacement.data(), row * node_count, node_count);
-  velocity.read(frame.velocity.data(), row * node_count, node_count);
-  stress.read(frame.stress.data(), row * tetrahedron_count, tetrahedron_count);
+  t.displacement.read(frame.displacement.data(), row * node_count, node_count);
+  t.velocity.read(frame.velocity.data(), row * node_count, node_count);
+  t.stress.read(frame.stress.data(), row * tetrahedron_count, tetrahedron_count);
 
-  frame.contacts = read_list<StoredContact, ContactSample>(contacts, contact_ends, row);
-  if (has_motions) frame.motions = read_list<StoredMotion, MotionClass>(motions, motion_ends, row);
+  frame.contacts = read_list<StoredContact, ContactSample>(t.contacts, t.contact_ends, row);
+  if (t.has_motions) frame.motions = read_list<StoredMotion, MotionClass>(t.motions, t.motion_ends, row);
   return frame;
 }
 
@@ -148,23 +180,24 @@ ResultFileReader::ResultFileReader(const std::filesystem::path& file) : state_(s
   const std::lock_guard lock(hdf5::library_mutex());
   try {
     state_->path = file;
-    state_->file = open_file(file);
-    system = read_system(state_->file);
+    state_->shared = shared_file(file);
+    const Handle& opened = state_->shared->file;
+    system = read_system(opened);
     for (const Block& block : system.blocks) {
       state_->node_count += block.mesh.nodes.size();
       state_->tetrahedron_count += block.mesh.tetrahedra.size();
     }
-    project_name = hdf5::read_strings(state_->file, "/Talus/project").at(0);
-    stage_names = hdf5::read_strings(state_->file, "/Talus/stages");
-    monitor_names = hdf5::read_strings(state_->file, "/Talus/monitors");
-    history_monitors = read_history_monitors(state_->file, monitor_names);
-    const Table times(state_->file, "/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE);
+    project_name = hdf5::read_strings(opened, "/Talus/project").at(0);
+    stage_names = hdf5::read_strings(opened, "/Talus/stages");
+    monitor_names = hdf5::read_strings(opened, "/Talus/monitors");
+    history_monitors = read_history_monitors(opened, monitor_names);
+    const Table times(opened, "/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE);
     frame_times.resize(times.rows());
     times.read(frame_times.data(), 0, times.rows());
-    state_->open_in(state_->file);
+    state_->shared->look_again();
   } catch (const std::exception& error) {
     state_.reset();
-    throw InputError(file.string(), error.what(), "choose a results folder written by Talus");
+    throw unreadable(file, error);
   }
 }
 
@@ -179,7 +212,8 @@ Frame ResultFileReader::frame(int number) const {
   try {
     return state_->read(number, time);
   } catch (const hdf5::Error& error) {
-    throw std::runtime_error(state_->path.string() + ": " + error.what());
+    throw InputError(state_->path.string(), "frame " + std::to_string(number) + " cannot be read: " + damaged(error),
+                     "look at the other frames, or solve the project again");
   }
 }
 

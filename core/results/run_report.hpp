@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -149,5 +150,11 @@ struct RunReport {
   std::vector<Event> events;
   std::vector<ExpectationOutcome> expect;
 };
+
+/// Expected values that did not come out, or were not reached.
+inline long missed_expectations(const RunReport& report) {
+  return std::count_if(report.expect.begin(), report.expect.end(),
+                       [](const ExpectationOutcome& outcome) { return !outcome.passed; });
+}
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -106,6 +107,21 @@ TEST_F(Commands, MeshTellsBlocks) {
   EXPECT_GT(mesh["blocks"][1]["quality"]["worst"], 0.05);
   EXPECT_LE(mesh["blocks"][1]["quality"]["mean"], 1.0);
   EXPECT_THAT(talus_cli({"mesh", sample("incline_slide")}).out, HasSubstr("Volume [m³]"));
+}
+
+/// A block on a plane of 30°: F = tan 15° / tan 30°.
+TEST_F(Commands, BlocksSaysWhichCanLeaveAndHow) {
+  const Ending ending = talus_cli({"blocks", sample("incline_slide"), "--json"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  const Json blocks = Json::parse(ending.out)["blocks"];
+  ASSERT_EQ(blocks.size(), 2U);
+  EXPECT_EQ(blocks[0]["fixed"], true);
+  EXPECT_EQ(blocks[1]["leaving"], "slides on one face");
+  EXPECT_EQ(blocks[1]["neighbours"], Json({"slope"}));
+  EXPECT_EQ(blocks[1]["free_faces"], 5);
+  EXPECT_NEAR(blocks[1]["plunge"].get<double>(), 30, 1e-9);
+  EXPECT_NEAR(blocks[1]["factor_of_safety"].get<double>(), std::tan(M_PI / 12) / std::tan(M_PI / 6), 1e-9);
+  EXPECT_THAT(talus_cli({"blocks", sample("incline_slide")}).out, HasSubstr("slides on one face"));
 }
 
 TEST_F(Commands, MeshAndInfoSayWhatAutoBecameAndWhy) {

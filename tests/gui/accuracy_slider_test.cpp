@@ -124,9 +124,9 @@ TEST_F(AccuracySliderTest, GoesFromDraftToReferenceAndChangesTheProjectAsOneStep
   session->project.document().undoStack().undo();
   EXPECT_EQ(session->project.document().project(), before);
 
-  Joint joint = before.joints[0];
-  joint.friction_angle = 25;
-  session->project.document().changeJoint(0, joint);
+  Project changed = before;
+  changed.joints[0].friction_angle = 25;
+  session->project.document().change(changed, {});
   EXPECT_FALSE(slider().isEnabled());
   EXPECT_TRUE(says(QStringLiteral("before it was changed")));
   EXPECT_FALSE(button(panel(), "Study again").isEnabled()) << "a study is made of the file";

@@ -29,11 +29,12 @@ TEST_F(CostAheadTest, IsSaidOnceThereAreBlocksAndAnewWhenTheProjectChanges) {
   ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
   EXPECT_EQ(said(), QStringLiteral("This run: estimating…"));
   rest(500);  // the first drawing compiles shaders
-  Joint joint = session->project.document().project().joints[0];
+  Project changed = session->project.document().project();
+  double& angle = changed.joints[0].friction_angle;
   expectNoWait([&](const Watchdog&) {
     ASSERT_TRUE(waitForTheEstimate()) << said().toStdString();
-    joint.friction_angle += 1;
-    session->project.document().changeJoint(0, joint);
+    angle += 1;
+    session->project.document().change(changed, {});
     EXPECT_EQ(said(), QStringLiteral("This run: estimating…"));
   });
   ASSERT_TRUE(waitForTheEstimate());
@@ -48,11 +49,11 @@ TEST_F(CostAheadTest, IsSaidOnceThereAreBlocksAndAnewWhenTheProjectChanges) {
   keepPicture(*window, "cost_ahead_dark.png");
   theme::install(false);
 
-  joint.friction_angle = 25;
-  session->project.document().changeJoint(0, joint);
+  angle = 25;
+  session->project.document().change(changed, {});
   EXPECT_EQ(said(), QStringLiteral("This run: estimating…"));
-  joint.friction_angle = 26;
-  session->project.document().changeJoint(0, joint);
+  angle = 26;
+  session->project.document().change(changed, {});
   ASSERT_TRUE(waitForTheEstimate());
 }
 

@@ -18,6 +18,8 @@ int main(int argc, char** argv) {
   QTemporaryDir settings;  // the user's own recent files are no part of a test
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  // … nor is their unsaved work; a test that plays a second start says where both keep it.
+  if (!qEnvironmentVariableIsSet("TALUS_TEST_STATE")) qputenv("XDG_STATE_HOME", settings.path().toUtf8());
   talus::theme::install(false);
   return RUN_ALL_TESTS();
 }

@@ -3,11 +3,11 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "widgets/begin/samples.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/plot.hpp"
 #include "widgets/kit/tokens.hpp"
 #include "widgets/project/page_table.hpp"
-#include "widgets/project/samples.hpp"
 #include "widgets/view/camera_moves.hpp"
 
 namespace talus {

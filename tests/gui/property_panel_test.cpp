@@ -1,9 +1,13 @@
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
+#include <QToolButton>
 
-#include "driven_window.hpp"
+#include "driven_form.hpp"
 #include "listed_runs.hpp"
+#include "widgets/kit/model_words.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/setup/property_panel.hpp"
 
@@ -43,43 +47,42 @@ class PropertyPanelTest : public DrivenWindow {
   }
 
   Session session;
-  PropertyPanel panel{session.project, session.playback, session.messages};
+  PropertyPanel panel{session.project, session.playback, session.messages, session.display};
 };
 
 void expectWords(const std::string& shown, std::initializer_list<const char*> expected) {
   for (const char* words : expected) EXPECT_NE(shown.find(words), std::string::npos) << words << "\n" << shown;
 }
 
-TEST_F(PropertyPanelTest, ShowsTheSolverAndTheStressInSitu) {
-  expectWords(shown({}),
-              {"Strain|corotational", "Integrator|generalized-alpha", "Spectral radius|0.900", "Contact|facet-wise",
-               "Time steps|adaptive", "Iterations|6", "every block|−1.000, −2.000, −4.000"});
+TEST_F(PropertyPanelTest, AFieldThatIsLeftOutSaysWhatThatMeans) {
+  expectWords(shown({Item::Kind::stage, 0}), {"Damping", "Joint strength|as before"});
+  session.project.selection().select({Item::Kind::joint, 0});
+  auto* stiffness = panel.findChild<NumberField*>(QStringLiteral("/joints/J1/normal_stiffness"));
+  ASSERT_NE(stiffness, nullptr);
+  EXPECT_TRUE(stiffness->text().isEmpty());
+  EXPECT_EQ(stiffness->placeholderText(), QStringLiteral("automatic"));
 }
 
-TEST_F(PropertyPanelTest, ShowsWhatActsByTable) {
-  expectWords(shown({Item::Kind::load, 0}), {"Force by table|2 rows, 0 … 2.000 s"});
-  expectWords(shown({Item::Kind::constraint, 0}), {"At, m|whole block", "3 rows, 0 … 1.000 s", "East|by table"});
-}
-
-TEST_F(PropertyPanelTest, ShowsHowAStageEndsAndWhatItChanges) {
-  expectWords(shown({Item::Kind::stage, 0}), {"Until equilibrium|1", "cube|held"});
-  expectWords(shown({Item::Kind::stage, 1}),
-              {"Damping|0.100 1/s", "J1|φ 20.0°, c 0 MPa", "Point loads|none", "cube|let go"});
+TEST_F(PropertyPanelTest, TheTableOfStagesSaysWhatEachChanges) {
+  const auto& stages = session.project.document().project().stages;
+  EXPECT_EQ(words::changes(stages[0]).toStdString(), "cube held");
+  EXPECT_EQ(words::changes(stages[1]).toStdString(), "J1 φ 20°, c 0 MPa; no loads; cube let go; damping 0.1 1/s");
 }
 
 TEST_F(PropertyPanelTest, ABodyIsChosenAndTakenBack) {
   ASSERT_EQ(session.project.document().project().solids[1].name, "cube");
   session.project.selection().select({Item::Kind::solid, 1});
-  auto* box = panel.findChild<QComboBox*>();
-  ASSERT_NE(box, nullptr);
-  EXPECT_EQ(box->currentText().toStdString(), "tetrahedra");
+  const auto box = [&] { return panel.findChild<QComboBox*>(QStringLiteral("/solids/1/body")); };
+  ASSERT_NE(box(), nullptr);
+  EXPECT_EQ(box()->currentText().toStdString(), "tetrahedra (usual)");
   // The stages hold the cube and let it go as tetrahedra.
-  emit box->activated(box->findText(QStringLiteral("rigid")));
+  emit box()->activated(box()->findText(QStringLiteral("rigid")));
   EXPECT_EQ(session.project.document().project().solids[1].body, BodyKind::tetrahedra);
-  ASSERT_EQ(session.messages.problems().size(), 1u);
-  EXPECT_NE(session.messages.problems()[0].problem.indexOf(QStringLiteral("cannot become 'tetrahedra'")), -1);
-  EXPECT_EQ(box->currentText().toStdString(), "tetrahedra");
-  emit box->activated(box->findText(QStringLiteral("auto")));
+  EXPECT_EQ(box()->currentText().toStdString(), "tetrahedra (usual)");
+  auto* said = panel.findChild<QLabel*>(QStringLiteral("/solids/1/body#problem"));
+  ASSERT_NE(said, nullptr);
+  EXPECT_TRUE(said->text().contains(QStringLiteral("cannot become 'tetrahedra'"))) << said->text().toStdString();
+  emit box()->activated(box()->findText(QStringLiteral("auto")));
   EXPECT_EQ(session.project.document().project().solids[1].body, BodyKind::automatic);
   session.project.document().undoStack().undo();
   EXPECT_EQ(session.project.document().project().solids[1].body, BodyKind::tetrahedra);
@@ -95,9 +98,9 @@ TEST_F(PropertyPanelTest, SaysWhatAutoBecameAndMeshesAnewAfterAChange) {
   expectWords(shown({Item::Kind::block, 0}),
               {"Body|rigid", "chosen: hard rock: the model's weight strains it by 1e-6"});
   const size_t coarse = session.project.system()->blocks[0].mesh.nodes.size();
-  Solid changed = session.project.document().project().solids[0];
-  changed.body = BodyKind::tetrahedra;
-  session.project.document().changeSolid(0, changed);
+  Project changed = session.project.document().project();
+  changed.solids[0].body = BodyKind::tetrahedra;
+  session.project.document().change(changed, {});
   EXPECT_FALSE(session.project.systemIsCurrent());
   session.solve();
   ASSERT_TRUE(wait([&] { return !session.run.job().isBusy(); }));
@@ -143,6 +146,136 @@ TEST_F(DrivenWindow, TheRestitutionOfAJointIsEditedAsAShareOfSpeed) {
   EXPECT_EQ(restitution(), std::nullopt) << "an empty field takes it away";
   rest(50);
   keepPicture(*window, "joint_panel_emptied.png");
+}
+
+TEST_F(DrivenForm, AnyUnitOfTheKindIsUnderstoodAndAnyOtherSaysWhy) {
+  window->open(slidingCube());
+  session->project.selection().select({Item::Kind::joint, 0});
+  type("/joints/J1/cohesion", QStringLiteral("50 kPa"));
+  EXPECT_EQ(project()["joints"]["J1"]["cohesion"], 50000);
+  EXPECT_EQ(widget<NumberField>("/joints/J1/cohesion")->text(), QStringLiteral("0.05 MPa"));
+  type("/joints/J1/cohesion", QStringLiteral("3 mm"));
+  EXPECT_EQ(project()["joints"]["J1"]["cohesion"], 50000);
+  auto* said = widget<QLabel>("/joints/J1/cohesion#problem");
+  ASSERT_NE(said, nullptr);
+  EXPECT_TRUE(said->isVisible());
+  EXPECT_TRUE(said->text().contains(QStringLiteral("'mm' is a length, and a stress is wanted here")));
+  keepPicture(*window, "wrong_unit.png");
+}
+
+TEST_F(DrivenForm, TheUnitsThatAreShownAreChosen) {
+  window->open(slidingCube());
+  session->project.selection().select({Item::Kind::material, 0});
+  const auto shown = [&](const char* name) { return widget<NumberField>(name)->text(); };
+  EXPECT_EQ(shown("/materials/rock/young"), QStringLiteral("1 GPa"));
+  const auto choose_unit = [&](const QString& quantity, const QString& unit) {
+    auto* button = window->findChild<QToolButton*>(QStringLiteral("units"));
+    for (auto* kind : button->menu()->actions())
+      if (kind->text() == quantity)
+        for (auto* entry : kind->menu()->actions())
+          if (entry->text() == unit) entry->trigger();
+    rest(10);
+  };
+  choose_unit(QStringLiteral("Stress"), QStringLiteral("kPa"));
+  choose_unit(QStringLiteral("Density"), QStringLiteral("kN/m³"));
+  EXPECT_EQ(shown("/materials/rock/young"), QStringLiteral("1000000 kPa"));
+  EXPECT_EQ(shown("/materials/rock/density"), QStringLiteral("25.506 kN/m³"));
+  type("/materials/rock/density", QStringLiteral("26.487"));
+  EXPECT_NEAR(project()["materials"]["rock"]["density"].get<double>(), 2700, 1e-9);
+  for (const char* quantity : {"Stress", "Density"})
+    choose_unit(QLatin1String(quantity), QStringLiteral("as usual for each"));
+  EXPECT_EQ(shown("/materials/rock/young"), QStringLiteral("1 GPa"));
+}
+
+TEST_F(DrivenForm, AThingThatIsRenamedTakesAlongWhoNamesIt) {
+  window->open(slidingCube());
+  session->project.selection().select({Item::Kind::material, 0});
+  type("/materials/rock#name", QStringLiteral("granite"));
+  EXPECT_EQ(project()["solids"][0]["material"], "granite");
+  EXPECT_EQ(project()["solids"][1]["material"], "granite");
+  session->project.selection().select({Item::Kind::solid, 1});
+  type("/solids/1/name", QStringLiteral("boulder"));
+  EXPECT_EQ(project()["monitors"][0]["block"], "boulder");
+  EXPECT_EQ(session->project.document().undoStack().undoText(), QStringLiteral("rename solid cube"));
+}
+
+TEST_F(DrivenForm, ThingsAreCopiedMovedAndDeletedUnlessTheyAreNamed) {
+  window->open(slidingCube());
+  Selection& selection = session->project.selection();
+  selection.select({Item::Kind::material, 0});
+  const auto tool = [&](const char* name) {
+    for (auto* button : window->findChild<PropertyPanel*>()->findChildren<QToolButton*>())
+      if (button->accessibleName() == QLatin1String(name)) QTest::mouseClick(button, Qt::LeftButton);
+    rest(10);
+  };
+  tool("Delete");
+  EXPECT_TRUE(project()["materials"].contains("rock"));
+  ASSERT_EQ(session->messages.problems().size(), 1u);
+  EXPECT_EQ(session->messages.problems()[0].problem.toStdString(), "material rock is used by solid base, solid cube");
+  tool("Duplicate");
+  EXPECT_TRUE(project()["materials"].contains("rock 1"));
+  EXPECT_EQ(selection.current(), (Item{Item::Kind::material, 1}));
+  tool("Move up the list");
+  EXPECT_EQ(project()["materials"].begin().key(), "rock 1");
+  EXPECT_EQ(selection.current(), (Item{Item::Kind::material, 0}));
+  tool("Delete");
+  EXPECT_FALSE(project()["materials"].contains("rock 1"));
+  EXPECT_EQ(session->project.document().undoStack().count(), 3);
+}
+
+TEST_F(DrivenForm, ABlockThatWasCutIsNamedFromItsPanel) {
+  openAndMesh(slidingCube());
+  session->project.selection().select({Item::Kind::block, 1});
+  click("wish");
+  rest(20);
+  EXPECT_EQ(session->project.selection().current(), (Item{Item::Kind::blockWish, 0}));
+  type("/blocks/0/name", QStringLiteral("slider"));
+  choose("/blocks/0/body", QStringLiteral("rigid"));
+  session->run.mesh();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
+  EXPECT_EQ(session->project.system()->blocks[1].name, "slider");
+  EXPECT_EQ(session->project.system()->blocks[1].body, BodyKind::rigid);
+}
+
+TEST_F(DrivenForm, ATimeTableIsPastedFromASpreadsheet) {
+  window->open(slidingCube());
+  const Place load = addThing("loads");
+  choose(load.to_string() + "#variant", QStringLiteral("By time"));
+  QApplication::clipboard()->setText(QStringLiteral("t\tx\ty\tz\n0\t0\t0\t-1\n0.5\t0,25\t0\t-2\r\n2\t0\t0\t-4\n"));
+  click("/loads/0/table#paste");
+  EXPECT_EQ(project()["loads"][0]["table"], Json::parse("[[0,0,0,-1000],[0.5,250,0,-2000],[2,0,0,-4000]]"))
+      << "kN are shown";
+  rest(20);
+  keepPicture(*window, "time_table.png");
+  QApplication::clipboard()->setText(QStringLiteral("0\t1\n"));
+  click("/loads/0/table#paste");
+  EXPECT_TRUE(widget<QLabel>("/loads/0/table#problem")->text().contains(QStringLiteral("2 numbers; 4 are wanted")));
+  EXPECT_EQ(project()["loads"][0]["table"].size(), 3u);
+  click("/loads/0/table#add");
+  EXPECT_EQ(project()["loads"][0]["table"].size(), 4u);
+  click("/loads/0/table#remove");
+  EXPECT_EQ(project()["loads"][0]["table"].size(), 3u);
+}
+
+TEST_F(DrivenForm, TheSolverHasReadySettingsAndAllItsFields) {
+  window->open(slidingCube());
+  selectRow({Item::Kind::solver, 0});
+  EXPECT_EQ(widget<QComboBox>("/solver#preset")->currentText(), QStringLiteral("standard"));
+  choose("/solver#preset", QStringLiteral("draft"));
+  EXPECT_EQ(project()["solver"]["adaptive"]["error_limit"], 1e-3);
+  choose("/solver#depth", QStringLiteral("nothing more"));
+  rest(20);
+  EXPECT_EQ(window->findChild<QWidget*>(QStringLiteral("/solver/contact_stiffness")), nullptr);
+  choose("/solver#depth", QStringLiteral("what the file says"));
+  rest(20);
+  EXPECT_NE(window->findChild<QWidget*>(QStringLiteral("/solver/time_step_control")), nullptr);
+  EXPECT_EQ(window->findChild<QWidget*>(QStringLiteral("/solver/contact_stiffness")), nullptr);
+  choose("/solver#depth", QStringLiteral("all fields"));
+  rest(20);
+  type("/solver/contact_stiffness", QStringLiteral("12"));
+  EXPECT_EQ(widget<QComboBox>("/solver#preset")->currentText(), QStringLiteral("own"));
+  choose("/solver#preset", QStringLiteral("standard"));
+  EXPECT_FALSE(project().contains("solver"));
 }
 
 TEST_F(DrivenWindow, OneGoesOnTypingAfterANumberWasAccepted) {

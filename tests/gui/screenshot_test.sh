@@ -11,11 +11,13 @@ cp -r "$samples/free_fall" "$folder"
 # Bytes 16 to 24 of a PNG are its width and height.
 [ "$(od -An -tu1 -j16 -N8 "$folder/dark.png" | tr -s ' ')" = " 0 0 5 0 0 0 2 208" ] || fail "the picture is not 1280 x 720"
 "$talus" --screenshot "$folder/start.png" || fail "no picture of the start page"
+"$talus" --screenshot "$folder/new.png" --new column || fail "no picture of a new project"
 
 expect_2() { "$talus" "$@" 2> "$folder/words"; [ $? = 2 ] || fail "not exit code 2: $*"; [ "$(wc -l < "$folder/words")" = 1 ] || fail "not one line: $*"; }
 expect_2 --screenshot "$folder/x.png" "$folder/not_there.talus"
 expect_2 --screenshot "$folder/x.png" --size 12 "$folder/free_fall/free_fall.talus"
 expect_2 --screenshot "$folder/x.png" --theme blue "$folder/free_fall/free_fall.talus"
+expect_2 --screenshot "$folder/x.png" --new dance
 expect_2 --screenshot "$folder/x.png" --page dance "$folder/free_fall/free_fall.talus"
 expect_2 --screenshot "$folder/x.png" --step dance "$folder/free_fall/free_fall.talus"  # what --page was called before
 expect_2 --screenshot "$folder/none/x.png" "$folder/free_fall/free_fall.talus"

@@ -1,75 +1,100 @@
 #include "document/document.hpp"
 
 #include "base/error.hpp"
-#include "document/commands.hpp"
+#include "document/brought_files.hpp"
+#include "document/content.hpp"
+#include "document/item_place.hpp"
+#include "document/text_change.hpp"
 #include "io/project_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace talus {
 
 namespace {
 
-/// The same checks that a file is read with: what the window lets through can be opened again.
-void check(const Project& project) { parse_project(write_project(project)); }
+constexpr ReadOptions setting_up{.unfinished = true};
 
 }  // namespace
 
-Document::Document(QObject* parent) : QObject(parent) {
+Document::Document(QObject* parent) : QObject(parent), content_(std::make_unique<Content>()) {
   connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::savedChanged);
 }
 
+Document::~Document() = default;
+
+const Project& Document::project() const { return content_->project; }
+
+const std::string& Document::text() const { return content_->text; }
+
+const Document::Json& Document::json() const { return content_->json; }
+
 QString Document::name() const {
-  return QString::fromStdString(project_.name.empty() ? file_.stem().string() : project_.name);
+  return QString::fromStdString(project().name.empty() ? file_.stem().string() : project().name);
 }
 
-std::filesystem::path Document::folder() const { return std::filesystem::absolute(file_).parent_path(); }
+std::filesystem::path Document::folder() const {
+  return file_.empty() ? origin_ : std::filesystem::absolute(file_).parent_path();
+}
 
 std::filesystem::path Document::resultsFolder() const { return folder() / (file_.stem().string() + ".results"); }
 
-void Document::open(const std::filesystem::path& file) { replace(read_project(file), std::filesystem::absolute(file)); }
+void Document::open(const std::filesystem::path& file) {
+  read_project(file, setting_up);  // its errors say that they are a file's; links must not lead out of its folder
+  replace(read(read_whole_file(file)), {.file = std::filesystem::absolute(file), .isWork = false});
+}
 
-void Document::show(Project project) { replace(std::move(project), {}); }
+void Document::begin(const Draft& draft) { replace(read(draft.text), draft); }
+
+void Document::show(const Project& project, const std::filesystem::path& folder) {
+  begin({.text = write_project(project), .folder = folder, .isWork = false});
+}
 
 void Document::save() { saveAs(file_); }
 
 void Document::saveAs(const std::filesystem::path& file) {
-  save_project(project_, file);
-  file_ = std::filesystem::absolute(file);
+  const auto target = std::filesystem::absolute(file);
+  bring_files(project(), folder(), target.parent_path());
+  replace_whole_file(target, text());
+  file_ = target;
+  isUnsavedWork_ = false;
   undoStack_.setClean();
   emit savedChanged();
 }
 
-template <class Thing>
-void Document::changeItem(std::vector<Thing> Project::*list, int index, const Thing& changed, const QString& what) {
-  Project candidate = project_;
-  Thing& item = (candidate.*list).at(static_cast<size_t>(index));
-  const QString name = QString::fromStdString(item.name);
-  item = changed;
-  check(candidate);
-  undoStack_.push(new ChangeItem<Thing>(*this, list, index, changed, what.arg(name)));
+void Document::change(const Project& changed, const QString& what, int gesture) {
+  changeText(write_project(changed, text()), what, gesture);
 }
 
-void Document::changeMaterial(int index, const Material& changed) {
-  changeItem(&Project::materials, index, changed, tr("change material %1"));
+void Document::change(const Json& changed, const QString& what, int gesture) {
+  changeText(change_project_text(text(), changed.dump()), what, gesture);
 }
 
-void Document::changeJoint(int index, const Joint& changed) {
-  changeItem(&Project::joints, index, changed, tr("change joint %1"));
+/// The same checks that a file is read with: what the window lets through can be opened again.
+std::unique_ptr<Document::Content> Document::read(std::string text) {
+  auto content = std::make_unique<Content>();
+  content->project = parse_project(text, setting_up);
+  content->json = Json::parse(text, nullptr, true, true);
+  content->text = std::move(text);
+  return content;
 }
 
-void Document::changeSolid(int index, const Solid& changed) {
-  changeItem(&Project::solids, index, changed, tr("change solid %1"));
+void Document::changeText(std::string text, const QString& what, int gesture) {
+  if (text != content_->text) undoStack_.push(new TextChange(*this, read(std::move(text)), what, gesture));
 }
 
-void Document::changeProject(const Project& changed, const QString& what) {
-  check(changed);
-  undoStack_.push(new ChangeProject(*this, changed, what));
+void Document::put(std::unique_ptr<Content> content) {
+  content_ = std::move(content);
+  if (!exists(selection_.current(), json())) selection_.clear();
+  emit projectChanged();
 }
 
-void Document::replace(Project project, std::filesystem::path file) {
+void Document::replace(std::unique_ptr<Content> content, const Draft& place) {
   undoStack_.clear();
   selection_.clear();
-  project_ = std::move(project);
-  file_ = std::move(file);
+  content_ = std::move(content);
+  file_ = place.file;
+  origin_ = place.folder;
+  isUnsavedWork_ = place.isWork;
   open_ = true;
   emit opened();
   emit savedChanged();

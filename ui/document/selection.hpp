@@ -8,7 +8,25 @@ namespace talus {
 
 /// A thing that the window can point at: its kind and its place in the project's (or the block system's) list.
 struct Item {
-  enum class Kind { none, solid, cut, joint, block, material, load, constraint, velocity, stage, monitor };
+  enum class Kind {
+    none,
+    solid,
+    cut,
+    joint,
+    block,      ///< as it was cut
+    blockWish,  ///< name and overrides that the project has for a block
+    interface,
+    material,
+    load,
+    constraint,
+    velocity,
+    inSitu,
+    stage,
+    monitor,
+    expectation,
+    solver,
+    output
+  };
   Kind kind = Kind::none;
   int index = -1;
   bool operator==(const Item&) const = default;

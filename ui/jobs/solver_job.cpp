@@ -52,7 +52,7 @@ void SolverJob::work(const JobTask& task) {
     if (!system) {
       system = std::make_shared<BlockSystem>(parts_.mesh(task.project, task.folder, *exchange_));
       exchange_->meshed(system);
-      exchange_->sized(parts_.size(task.project, *system));
+      if (const auto size = parts_.size(task.project, *system)) exchange_->sized(*size);
     }
     if (!task.solve) {
       end_.kind = JobEnd::Kind::meshed;

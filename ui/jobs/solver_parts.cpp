@@ -1,7 +1,23 @@
 #include "jobs/solver_parts.hpp"
 
+#include "base/error.hpp"
+#include "model/validate.hpp"
+
 namespace talus {
 
-SolverParts solverParts() { return {build_blocks, scene_size, run}; }
+namespace {
+
+std::optional<SceneSize> sizeWhereItCanRun(const Project& project, const BlockSystem& system) {
+  try {
+    validate(project);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return scene_size(project, system);
+}
+
+}  // namespace
+
+SolverParts solverParts() { return {build_blocks, sizeWhereItCanRun, run}; }
 
 }  // namespace talus

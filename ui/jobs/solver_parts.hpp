@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "geometry/block_builder.hpp"
 #include "run/effect_costs.hpp"
@@ -11,7 +12,8 @@ namespace talus {
 /// The parts of the work of a job; tests put shorter ones in their place.
 struct SolverParts {
   std::function<BlockSystem(const Project&, const std::filesystem::path& folder, Progress&)> mesh;
-  std::function<SceneSize(const Project&, const BlockSystem&)> size;
+  /// Nothing for a project that is still being set up.
+  std::function<std::optional<SceneSize>(const Project&, const BlockSystem&)> size;
   std::function<RunReport(const Project&, const BlockSystem&, const RunOptions&, RunObserver&)> solve;
 };
 

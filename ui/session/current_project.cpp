@@ -1,28 +1,65 @@
 #include "session/current_project.hpp"
 
 #include "base/error.hpp"
+#include "document/brought_files.hpp"
 #include "geometry/block_builder.hpp"
-#include "session/messages.hpp"
+#include "io/project_file.hpp"
+#include "model/validate.hpp"
+#include "session/solid_file.hpp"
 #include "study/accuracy/study_record.hpp"
 
 namespace talus {
 
-CurrentProject::CurrentProject(Messages& messages) : messages_(messages) {}
+CurrentProject::CurrentProject(Messages& messages) : messages_(messages) {
+  connect(&document_, &Document::opened, this, &CurrentProject::lookForLack);
+  connect(&document_, &Document::projectChanged, this, [this] {
+    lookForLack();
+    tellLack();
+  });
+}
 
 CurrentProject::~CurrentProject() = default;
+
+void CurrentProject::lookForLack() {
+  lack_.reset();
+  try {
+    validate(document_.project());
+  } catch (const InputError& error) {
+    lack_ = problemOf(error, Problem::Severity::info);
+  }
+}
 
 void CurrentProject::save() { saveAs(document_.file()); }
 
 bool CurrentProject::saveAs(const std::filesystem::path& file) {
   try {
     document_.saveAs(file);
+    messages_.settle(Problem::Of::file);
     messages_.log(tr("saved %1").arg(QString::fromStdString(file.string())));
     lookForStudy();
     return true;
   } catch (const InputError& error) {
-    messages_.add(problemOf(error));
+    messages_.settle(Problem::Of::file);
+    messages_.add(problemIn(file, error));
     return false;
   }
+}
+
+void CurrentProject::addSolid(const std::filesystem::path& file) {
+  const auto folder = document_.folder();
+  const auto source = std::filesystem::absolute(file), copy = folder / file.filename();
+  const auto seen = source.lexically_relative(folder);
+  const bool isBeside = !seen.empty() && *seen.begin() != "..";
+  const Project changed = with_solid(document_.project(), isBeside ? source : copy, folder);
+  parse_project(write_project(changed), {.unfinished = true});  // before anything is copied
+  if (!isBeside) {
+    if (document_.file().empty())
+      throw InputError(file.string(), "cannot be copied beside a project that has no place yet",
+                       "save the project, and drop the file again");
+    bring_file(source, copy);
+    messages_.log(tr("copied %1 beside the project").arg(QString::fromStdString(file.string())));
+  }
+  document_.change(changed, tr("add solid %1").arg(QString::fromStdString(changed.solids.back().name)));
 }
 
 bool CurrentProject::systemIsCurrent() const { return system_ && build_alike(builtFrom_, document_.project()); }
@@ -61,7 +98,7 @@ void CurrentProject::useSetting(const StudyRecord& record, int run) {
   const AccuracyRow& row = record.study.rows[static_cast<std::size_t>(run)];
   const QString label = QString::fromStdString(row.label);
   try {
-    document_.changeProject(under(row.setting, *record.project), tr("use %1").arg(label));
+    document_.change(under(row.setting, *record.project), tr("use %1").arg(label));
     messages_.log(tr("the project has the setting %1").arg(label));
   } catch (const InputError& error) {
     messages_.add(problemOf(error, Problem::Severity::warning));

@@ -7,10 +7,10 @@
 
 #include "document/document.hpp"
 #include "mesh/block.hpp"
+#include "session/messages.hpp"
 
 namespace talus {
 
-class Messages;
 struct StudyRecord;
 
 /// The project that is open: its document, the blocks that were cut out of it, and its accuracy study.
@@ -26,11 +26,21 @@ class CurrentProject : public QObject {
   /// Both say a problem where the file cannot be written.
   void save();
   bool saveAs(const std::filesystem::path& file);
+  /// Adds a solid from a file of geometry, which is copied beside the project where it lies elsewhere. Throws
+  /// InputError.
+  void addSolid(const std::filesystem::path& file);
+
+  /// The first thing that the project as it is now lacks before it can be run, or has wrong; empty: nothing.
+  const std::optional<Problem>& lack() const { return lack_; }
+  /// Tells it, as a problem.
+  void tellLack() { messages_.setLack(lack_); }
 
   /// Blocks of the project or of the results; empty before meshing.
   std::shared_ptr<const BlockSystem> system() const { return system_; }
   /// They are what the project as it is now would be cut into; if not, the next run cuts and meshes first.
   bool systemIsCurrent() const;
+  /// The project that the blocks were built from.
+  const Project& builtFrom() const { return builtFrom_; }
   /// Name of a block, empty when there is none.
   QString blockName(int block) const;
   void setSystem(std::shared_ptr<const BlockSystem> system);
@@ -51,8 +61,11 @@ class CurrentProject : public QObject {
   void studyChanged();
 
  private:
+  void lookForLack();
+
   Messages& messages_;
   Document document_;
+  std::optional<Problem> lack_;
   std::shared_ptr<const BlockSystem> system_;
   Project builtFrom_;  ///< the project that `system_` was, or is being, built from
   std::unique_ptr<StudyRecord> study_;

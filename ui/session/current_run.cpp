@@ -14,13 +14,37 @@ namespace {
 
 /// Of a run that did not converge: in words, and as the place that the view can go to.
 Problem problemOf(const RunReport& report) {
-  Problem problem{Problem::Severity::warning,
-                  QObject::tr("run"),
-                  QString::fromStdString(report.reason),
-                  QObject::tr("the results hold until then"),
-                  {}};
+  Problem problem{.severity = Problem::Severity::warning,
+                  .place = QObject::tr("run"),
+                  .problem = QString::fromStdString(report.reason),
+                  .remedy = QObject::tr("the results hold until then"),
+                  .of = Problem::Of::run};
   if (!report.troubles.empty() && report.troubles.front().ended_run) problem.where = report.troubles.front();
   return problem;
+}
+
+QString number(double value) { return QString::fromStdString(format_number(value, 4)); }
+
+/// Of an expected value that did not come out.
+Problem problemOf(const ExpectationOutcome& outcome) {
+  const Expectation& expected = outcome.expectation;
+  const QString wanted = QObject::tr("%1 was expected at %2 s, within %3")
+                             .arg(number(expected.value), number(expected.time), number(expected.tolerance));
+  return {.severity = Problem::Severity::warning,
+          .place = QString::fromStdString(expected.quantity),
+          .problem = outcome.reached ? QObject::tr("is %1; %2").arg(number(outcome.computed), wanted)
+                                     : QObject::tr("was not reached by the run; %1").arg(wanted),
+          .remedy = QObject::tr("see how it went in the histories, and which of project and expectation is wrong"),
+          .of = Problem::Of::run};
+}
+
+/// In what a run that has ended falls short; empty: in nothing.
+QString shortfallOf(const RunReport& report) {
+  if (report.status == RunStatus::stopped) return QObject::tr("stopped at %1 s").arg(number(report.time));
+  if (report.status == RunStatus::not_converged) return QObject::tr("did not converge at %1 s").arg(number(report.time));
+  const long missed = missed_expectations(report);
+  if (missed == 0) return {};
+  return QObject::tr("%1 of %2 expected values missed").arg(missed).arg(report.expect.size());
 }
 
 /// "1 block", "12 300 blocks".
@@ -46,13 +70,14 @@ CurrentRun::CurrentRun(CurrentProject& project, Playback& playback, Messages& me
 
 CurrentRun::~CurrentRun() = default;
 
+bool CurrentRun::isBusy() const { return job_->isBusy(); }
+
 QString CurrentRun::whyNotMesh() const {
   const Document& document = project_.document();
   if (!document.isOpen()) return tr("Open a project first");
   if (job_->isBusy()) return tr("A run goes on");
   // It reads the results that a run would replace.
   if (playback_.isExporting()) return tr("A picture or film is being written");
-  if (document.file().empty()) return tr("Save the project first: it came out of a results folder");
   if (document.project().solids.empty()) return tr("The project has no solid");
   return {};
 }
@@ -61,6 +86,7 @@ QString CurrentRun::whyNotSolve() const {
   const QString mesh = whyNotMesh();
   if (!mesh.isEmpty()) return mesh;
   if (project_.document().project().stages.empty()) return tr("The project has no stage");
+  if (const auto& lack = project_.lack()) return tr("%1: %2").arg(lack->place, lack->problem);
   return {};
 }
 
@@ -71,7 +97,7 @@ void CurrentRun::mesh() {
 }
 
 void CurrentRun::solve() {
-  if (whyNotSolve().isEmpty()) start(true);
+  if (whyNotSolve().isEmpty() && !project_.document().file().empty()) start(true);
 }
 
 void CurrentRun::clear() {
@@ -96,7 +122,8 @@ void CurrentRun::clear() {
 void CurrentRun::start(bool solve) {
   playback_.clear();
   clear();
-  messages_.clearTroubles();
+  messages_.settle(Problem::Of::run);
+  messages_.settle(Problem::Of::results);
   if (!project_.systemIsCurrent()) project_.setSystem(nullptr);
   project_.beginBuilding();
   const Document& document = project_.document();
@@ -137,7 +164,8 @@ void CurrentRun::takeEnd(const JobEnd& end) {
     case JobEnd::Kind::meshed:
       break;
     case JobEnd::Kind::completed:
-      messages_.log(tr("run finished"));
+      messages_.log(missed_expectations(*end.report) == 0 ? tr("run finished")
+                                                          : tr("run finished, but %1").arg(shortfallOf(*end.report)));
       break;
     case JobEnd::Kind::stopped:
       messages_.log(tr("run stopped; its results stay"));
@@ -150,7 +178,7 @@ void CurrentRun::takeEnd(const JobEnd& end) {
       messages_.add(problemOf(*end.report));
       break;
     case JobEnd::Kind::failed:
-      messages_.add(problemOf(*end.failure));
+      messages_.add(problemOf(*end.failure, Problem::Of::run));
       playback_.abandonRun();
       break;
   }
@@ -164,8 +192,15 @@ void CurrentRun::takeReport(const RunReport& report) {
   events_ = report.events;
   effects_ = report.effects;
   takeTroubles(report.troubles);
+  for (const ExpectationOutcome& outcome : report.expect)
+    if (!outcome.passed && report.status == RunStatus::completed) messages_.add(problemOf(outcome));
   emit reportChanged();
   emit effectsChanged();
+}
+
+QString CurrentRun::shortfall() const {
+  if (report_) return shortfallOf(*report_);
+  return steps_.empty() ? QString() : tr("the run was not brought to its end");
 }
 
 void CurrentRun::takeTroubles(const std::vector<ConvergenceTrouble>& troubles) {

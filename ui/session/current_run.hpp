@@ -28,10 +28,13 @@ class CurrentRun : public QObject {
   ~CurrentRun() override;
 
   SolverJob& job() { return *job_; }
+  /// Blocks are being cut, or a run goes on.
+  bool isBusy() const;
   /// Empty when the project can be meshed, or solved; otherwise why not.
   QString whyNotMesh() const;
   QString whyNotSolve() const;
   void mesh();
+  /// Of a project that has a file: its results lie beside it.
   void solve();
   /// Nothing is known of a run; one of the project as it is now may begin.
   void clear();
@@ -46,6 +49,8 @@ class CurrentRun : public QObject {
   const std::vector<std::string>& stageNames() const { return stageNames_; }
   const std::vector<std::string>& monitorNames() const { return monitorNames_; }
   const std::optional<RunReport>& report() const { return report_; }
+  /// In what the run that has ended falls short: "stopped at 0.3 s", "1 of 2 expected values missed"; empty: in nothing.
+  QString shortfall() const;
   /// What the effects of the project as it is now will be paid for; empty until its blocks are cut.
   std::vector<EffectCost> effectCosts() const;
   /// What each effect of the run has cost so far, or did; empty while nothing is known of it.

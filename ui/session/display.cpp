@@ -5,8 +5,14 @@
 
 namespace talus {
 
-Display::Display(CurrentProject& project, Playback& playback) : project_(project), playback_(playback) {
+Display::Display(CurrentProject& project, Playback& playback)
+    : project_(project), playback_(playback), whole_(project, playback) {
   connect(&playback_, &Playback::frameChanged, this, &Display::takeFrame);
+  connect(&whole_, &RunRange::changed, this, [this] {
+    const auto before = settings_.range;
+    takeFrame();
+    if (settings_.range != before) emit changed();
+  });
 }
 
 void Display::goTo(WorkflowPage page) {
@@ -15,25 +21,21 @@ void Display::goTo(WorkflowPage page) {
   emit pageChanged();
 }
 
-void Display::takeFrame() {
+void Display::takeFrame() { settings_.range = legendRange(); }
+
+std::optional<ValueRange> Display::legendRange() const {
   const auto frame = playback_.frame();
-  if (!frame) {
-    seen_ = {};
-    settings_.range.reset();
-  } else if (settings_.field && project_.system()) {
-    seen_.include(field_range(*project_.system(), *frame, *settings_.field));
-    settings_.range = rangeFollowsRun_ && !seen_.empty()
-                          ? std::optional<ValueRange>(legend_range(*settings_.field, seen_))
-                          : std::nullopt;
-  }
+  if (!frame || !settings_.field || !project_.system() || !rangeFollowsRun_) return std::nullopt;
+  ValueRange range = whole_.known();
+  if (range.empty()) range = field_range(*project_.system(), *frame, *settings_.field);  // until the others are read
+  return range.empty() ? std::nullopt : std::optional<ValueRange>(legend_range(*settings_.field, range));
 }
 
 void Display::set(const SceneSettings& settings) {
   const bool anotherField = settings.field != settings_.field;
   settings_ = settings;
   if (anotherField) {
-    seen_ = {};
-    settings_.range.reset();
+    whole_.follow(settings_.field);
     takeFrame();
   }
   emit changed();

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "render/scene/scene.hpp"
+#include "session/run_range.hpp"
 #include "session/workflow_page.hpp"
 
 namespace talus {
@@ -22,7 +23,7 @@ class Display : public QObject {
 
   const SceneSettings& settings() const { return settings_; }
   void set(const SceneSettings& settings);
-  /// Whether the legend spans the frames seen so far or the one in view alone.
+  /// Whether the legend spans all frames of the run, as far as it has come, or the one in view alone.
   bool rangeFollowsRun() const { return rangeFollowsRun_; }
   void setRangeFollowsRun(bool follows);
   bool isDark() const { return settings_.theme == Theme::dark; }
@@ -35,17 +36,19 @@ class Display : public QObject {
   void pageChanged();
   void changed();  ///< the settings
   void themeChanged();
+  void unitsChanged();                                           ///< in which numbers are shown
   void troubleWanted(const talus::ConvergenceTrouble& trouble);  ///< the view should go there
 
  private:
   void takeFrame();
+  std::optional<ValueRange> legendRange() const;
 
   CurrentProject& project_;
   Playback& playback_;
   WorkflowPage page_ = WorkflowPage::geometry;
   SceneSettings settings_;
   bool rangeFollowsRun_ = true;
-  ValueRange seen_;  ///< of the field, in the frames seen so far
+  RunRange whole_;
 };
 
 }  // namespace talus

@@ -4,15 +4,50 @@
 
 namespace talus {
 
+namespace {
+
+/// What the core advises in options of the command line, as it is done in the window.
+QString inTheWindow(QString remedy) {
+  remedy.replace(QStringLiteral("choose another --out"),
+                 QObject::tr("save the project in another folder, where its results will lie beside it"));
+  return remedy.remove(QStringLiteral(", or allow it with --allow-outside"));
+}
+
+}  // namespace
+
 Problem problemOf(const InputError& error, Problem::Severity severity) {
-  return {severity, QString::fromStdString(error.place()), QString::fromStdString(error.problem()),
-          QString::fromStdString(error.remedy())};
+  return {.severity = severity,
+          .place = QString::fromStdString(error.place()),
+          .problem = QString::fromStdString(error.problem()),
+          .remedy = inTheWindow(QString::fromStdString(error.remedy()))};
+}
+
+Problem problemOf(const InputError& error, Problem::Of of) {
+  Problem problem = problemOf(error);
+  problem.of = of;
+  return problem;
+}
+
+Problem problemIn(const std::filesystem::path& file, const InputError& error) {
+  Problem problem = problemOf(error, Problem::Of::file);
+  problem.place = QString::fromStdString(file.string()) + QStringLiteral(": ") + problem.place;
+  return problem;
 }
 
 void Messages::add(const Problem& problem) {
   problems_.push_back(problem);
+  problems_.back().number = ++added_;
   log(QStringLiteral("%1: %2; %3").arg(problem.place, problem.problem, problem.remedy));
-  emit problemAdded(problem);
+  emit problemAdded(problems_.back());
+  emit problemsChanged();
+}
+
+void Messages::setLack(const std::optional<Problem>& lack) {
+  std::erase_if(problems_, [](const Problem& problem) { return problem.isLack; });
+  if (lack) {
+    problems_.push_back(*lack);
+    problems_.back().isLack = true;
+  }
   emit problemsChanged();
 }
 
@@ -21,9 +56,9 @@ void Messages::clear() {
   emit problemsChanged();
 }
 
-void Messages::clearTroubles() {
-  std::erase_if(problems_, [](const Problem& problem) { return problem.where.has_value(); });
-  emit problemsChanged();
+void Messages::settle(Problem::Of of) {
+  const auto gone = std::erase_if(problems_, [of](const Problem& problem) { return problem.of == of; });
+  if (gone > 0) emit problemsChanged();
 }
 
 }  // namespace talus

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -17,10 +18,17 @@ struct Problem {
   Severity severity = Severity::error;
   QString place, problem, remedy;
   std::optional<ConvergenceTrouble> where{};  ///< to be shown in the view
+  /// What was tried when it came; it goes when that is tried again.
+  enum class Of { project, run, results, file, picture } of = Of::project;
+  int number = 0;  ///< given by Messages
+  bool isLack = false;                        ///< of a project that is still being set up
 };
 
 /// What an error says that the user can mend.
 Problem problemOf(const InputError& error, Problem::Severity severity = Problem::Severity::error);
+Problem problemOf(const InputError& error, Problem::Of of);
+/// The same of what is wrong in or with a file, which its words leave out.
+Problem problemIn(const std::filesystem::path& file, const InputError& error);
 
 /// What the window tells its user: the problems since a file was opened, and a log line for all that happens.
 class Messages : public QObject {
@@ -31,10 +39,12 @@ class Messages : public QObject {
   const std::vector<Problem>& problems() const { return problems_; }
   void add(const Problem& problem);
   void log(const QString& line) { emit logged(line); }
+  /// What the project lacks before it can be run, in place of what was said of that before: in the list alone.
+  void setLack(const std::optional<Problem>& lack);
   /// Another file has been opened.
   void clear();
-  /// Takes away the problems that have a place in the view: they were of the run before.
-  void clearTroubles();
+  /// Takes away the problems that came of the same thing when it was tried before.
+  void settle(Problem::Of of);
 
  signals:
   void problemsChanged();
@@ -43,6 +53,7 @@ class Messages : public QObject {
 
  private:
   std::vector<Problem> problems_;
+  int added_ = 0;
 };
 
 }  // namespace talus

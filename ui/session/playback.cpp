@@ -25,7 +25,7 @@ Playback::Playback(Document& document, Messages& messages) : loader_(std::make_u
   connect(loader_.get(), &ResultsLoader::frameReady, this, &Playback::takeFrame);
   connect(loader_.get(), &ResultsLoader::failed, this, [this, &messages](const InputError& error) {
     waiting_ = false;
-    messages.add(problemOf(error));
+    messages.add(problemOf(error, Problem::Of::results));
   });
   connect(&document, &Document::projectChanged, this, [this] {
     current_ = false;

@@ -38,6 +38,8 @@ class Playback : public QObject {
   /// Of the frame in view; -1 without one.
   int number() const { return number_; }
   std::shared_ptr<const Frame> frame() const { return frame_; }
+  /// Those of a run that goes on which are kept.
+  const std::vector<std::shared_ptr<const Frame>>& liveFrames() const { return liveFrames_.frames(); }
   /// s, of the frame in view; 0 without one.
   double time() const { return frame_ ? frame_->time : 0; }
   /// Shows a frame as soon as it is read; the newest of a live run is followed from then on.

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "jobs/results_loader.hpp"
 #include "session/current_project.hpp"
 #include "session/current_run.hpp"
 #include "session/display.hpp"
@@ -15,9 +16,15 @@ namespace talus {
 struct Session {
   explicit Session(SolverParts parts = solverParts());
 
-  /// A project file or a results folder. Reports a problem, and changes nothing, when it cannot be opened.
+  /// Another project may take this one's place; reports a problem, about `what`, while a run goes on.
+  bool isFree(const QString& what);
+  /// A project file or a results folder. Reports a problem, and changes nothing, when it cannot be opened. Results are
+  /// read first and shown when all is well: until then `isOpening`.
   bool open(const std::filesystem::path& path);
-  /// Starts a run and shows its page, unless the project cannot be solved.
+  bool isOpening() const { return opening_; }
+  /// A project that is not in a file as it is, called `what` in the log. Reports a problem like `open`.
+  bool begin(const Draft& draft, const QString& what);
+  /// Starts a run and shows its page, unless the project cannot be solved. It has a file.
   void solve();
 
   // In this order: the legend's range is known before the widgets are told of a frame.
@@ -30,7 +37,11 @@ struct Session {
  private:
   bool openProject(const std::filesystem::path& file);
   bool openResults(const std::filesystem::path& folder);
+  void showResults(const std::filesystem::path& folder, const Project& found);
   void beginProject(const std::filesystem::path& path, const QString& sentence);
+
+  ResultsLoader incoming_;  ///< looks at results before they take the place of what is open
+  bool opening_ = false;
 };
 
 }  // namespace talus

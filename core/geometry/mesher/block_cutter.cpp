@@ -270,6 +270,11 @@ std::vector<CutBlock> SolidCutter::cut() {
 std::vector<Plane> planes_of(const MesherCut& cut, const Vec3& origin) {
   const Vec3 normal = upward_normal(cut.dip, cut.dip_direction);
   std::vector<Plane> planes;
+  for (const MesherPlane& drawn : cut.drawn) {
+    const Vec3 own = upward_normal(drawn.dip, drawn.dip_direction);
+    planes.push_back({own, own.dot(drawn.through - origin)});
+  }
+  if (!planes.empty()) return planes;
   for (int k = 0; k < cut.count; ++k) {
     planes.push_back({normal, normal.dot(cut.through - origin) + k * cut.spacing});
   }

@@ -6,9 +6,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "io/project_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace talus {
 namespace {
@@ -57,77 +59,117 @@ TEST_F(DocumentTest, KeepsWhatWasOpenWhenTheNextFileIsBroken) {
   EXPECT_EQ(document.file(), file);
 }
 
-TEST_F(DocumentTest, ChangesTheWholeProjectAtOnceAndTakesItBack) {
+/// The slab with another friction of its joint.
+Project withFriction(const Document& document, double angle) {
+  Project changed = document.project();
+  changed.joints[0].friction_angle = angle;
+  return changed;
+}
+
+TEST_F(DocumentTest, ChangesTheProjectAndTakesItBack) {
   document.open(file);
   const Project before = document.project();
+  int told = 0;
+  QObject::connect(&document, &Document::projectChanged, [&] { ++told; });
   Project changed = before;
   changed.solver.integrator = Integrator::generalized_alpha;
   changed.stages[0].time_step = 0.005;
-  document.changeProject(changed, QStringLiteral("use Δ/2"));
+  document.change(changed, QStringLiteral("use Δ/2"));
   EXPECT_EQ(document.project(), changed);
   EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("use Δ/2"));
+  EXPECT_FALSE(document.isSaved());
   document.undoStack().undo();
   EXPECT_EQ(document.project(), before);
-  changed.stages[0].time_step = -1;
-  EXPECT_THROW(document.changeProject(changed, {}), InputError);
-  EXPECT_EQ(document.undoStack().count(), 1);
-}
-
-TEST_F(DocumentTest, ChangesAJointAndTakesItBack) {
-  document.open(file);
-  int changed = 0;
-  QObject::connect(&document, &Document::projectChanged, [&] { ++changed; });
-  Joint joint = document.project().joints[0];
-  joint.friction_angle = 22;
-  document.changeJoint(0, joint);
-  EXPECT_EQ(document.project().joints[0].friction_angle, 22);
-  EXPECT_FALSE(document.isSaved());
-  EXPECT_EQ(document.undoStack().undoText().toStdString(), "change joint J1");
-  document.undoStack().undo();
-  EXPECT_EQ(document.project().joints[0].friction_angle, 30);
   EXPECT_TRUE(document.isSaved());
-  EXPECT_EQ(changed, 2);
-}
-
-TEST_F(DocumentTest, ChangesTheBodyOfASolidAndTakesItBack) {
-  document.open(file);
-  int changed = 0;
-  QObject::connect(&document, &Document::projectChanged, [&] { ++changed; });
-  Solid solid = document.project().solids[0];
-  solid.body = BodyKind::automatic;
-  document.changeSolid(0, solid);
-  EXPECT_EQ(document.project().solids[0].body, BodyKind::automatic);
-  EXPECT_EQ(document.undoStack().undoText().toStdString(), "change solid base");
-  document.undoStack().undo();
-  EXPECT_EQ(document.project().solids[0].body, BodyKind::fixed);
   document.undoStack().redo();
-  document.save();
-  EXPECT_EQ(read_project(file).solids[0].body, BodyKind::automatic);
-  EXPECT_EQ(changed, 3);
-  solid.mesh_size = -1;
-  EXPECT_THROW(document.changeSolid(0, solid), InputError);
-  EXPECT_FALSE(document.project().solids[0].mesh_size);
+  EXPECT_EQ(document.project(), changed);
+  EXPECT_EQ(told, 3);
 }
 
-TEST_F(DocumentTest, RefusesWhatAFileMayNotHold) {
+TEST_F(DocumentTest, RefusesWhatAFileMayNotHoldAndLosesNothing) {
   document.open(file);
-  Material material = document.project().materials[0];
-  material.poisson = 0.5;
-  EXPECT_THROW(document.changeMaterial(0, material), InputError);
-  EXPECT_EQ(document.project().materials[0].poisson, 0.25);
+  const Project before = document.project();
+  Project changed = before;
+  changed.stages[0].time_step = -1;
+  EXPECT_THROW(document.change(changed, {}), InputError);
+  changed = before;
+  changed.materials[0].poisson = 0.5;
+  EXPECT_THROW(document.change(changed, {}), InputError);
+  EXPECT_EQ(document.project(), before);
+  EXPECT_EQ(document.text(), slab);
   EXPECT_EQ(document.undoStack().count(), 0);
 }
 
-TEST_F(DocumentTest, SavesWhatItChanged) {
+TEST_F(DocumentTest, ChangesWhatTheFileSaysKeyByKey) {
   document.open(file);
-  Material material = document.project().materials[0];
-  material.density = 2710;
-  document.changeMaterial(0, material);
+  auto json = document.json();
+  EXPECT_FALSE(json["materials"]["rock"].contains("damping"));
+  json["materials"]["rock"]["damping"] = 0;  // what it is without being said
+  document.change(json, QStringLiteral("say it"));
+  EXPECT_TRUE(document.json()["materials"]["rock"].contains("damping"));
+  EXPECT_EQ(document.undoStack().count(), 1);
+  document.change(json, QStringLiteral("say it again"));
+  EXPECT_EQ(document.undoStack().count(), 1) << "nothing has changed";
+  json["materials"]["rock"]["dampng"] = 1;
+  EXPECT_THROW(document.change(json, {}), InputError);
+}
+
+TEST_F(DocumentTest, ChangesOfOneGestureAreOneStep) {
+  document.open(file);
+  document.change(withFriction(document, 31), QStringLiteral("before"));
+  const int gesture = document.newGesture();
+  for (const double angle : {32.5, 33.0, 34.25})
+    document.change(withFriction(document, angle), QStringLiteral("turn"), gesture);
+  EXPECT_EQ(document.undoStack().count(), 2);
+  document.change(withFriction(document, 35), QStringLiteral("turn"), document.newGesture());
+  EXPECT_EQ(document.undoStack().count(), 3);
+  document.undoStack().undo();
+  EXPECT_EQ(document.project().joints[0].friction_angle, 34.25);
+  document.undoStack().undo();
+  EXPECT_EQ(document.project().joints[0].friction_angle, 31);
+  document.undoStack().redo();
+  EXPECT_EQ(document.project().joints[0].friction_angle, 34.25);
+}
+
+TEST_F(DocumentTest, CommentsSurviveChangesAndSaving) {
+  const std::string text = std::string("// a slab\n") + slab + "// its end\n";
+  std::ofstream(file) << text;
+  document.open(file);
+  document.change(withFriction(document, 33.5), {});
   document.save();
-  EXPECT_TRUE(document.isSaved());
+  std::string expected = text;
+  expected.replace(expected.find("\"friction_angle\": 30"), 20, "\"friction_angle\": 33.5");
+  EXPECT_EQ(read_whole_file(file), expected);
+  document.undoStack().undo();
+  EXPECT_EQ(document.text(), text);
+  document.saveAs(folder / "copy.talus");
+  EXPECT_EQ(read_whole_file(folder / "copy.talus"), text);
+}
+
+TEST_F(DocumentTest, AProjectThatIsBeingSetUpMayLackWhatARunNeeds) {
+  document.show(Project{});
+  EXPECT_TRUE(document.isOpen());
+  Project changed = document.project();
+  changed.joints.emplace_back().name = "J1";
+  document.change(changed, QStringLiteral("add joint J1"));
+  changed.materials.push_back({.name = "rock", .density = 2600, .young = 1e9, .poisson = 0.2});
+  document.change(changed, QStringLiteral("add material rock"));
+  document.saveAs(folder / "new.talus");
+  EXPECT_THROW(read_project(folder / "new.talus"), InputError) << "a run needs more";
   Document again;
-  again.open(file);
-  EXPECT_EQ(again.project().materials[0].density, 2710);
+  again.open(folder / "new.talus");
+  EXPECT_EQ(again.project(), changed);
+}
+
+TEST_F(DocumentTest, WhatWasSelectedAndIsGoneIsSelectedNoMore) {
+  document.open(file);
+  Project changed = document.project();
+  changed.stages.push_back(changed.stages[0]);
+  changed.stages[1].name = "more";
+  document.change(changed, {});
+  document.selection().select({Item::Kind::stage, 1});
+  document.undoStack().undo();
+  EXPECT_EQ(document.selection().current(), Item{});
 }
 
 TEST(Selection, OneSelectionWithBlocksAddedByControl) {

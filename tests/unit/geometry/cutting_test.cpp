@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "orientation/drawn_planes.hpp"
 #include "rock.hpp"
 
 namespace talus {
@@ -97,6 +98,40 @@ TEST(Cutting, SpacingAndCountRepeatAPlaneUpwards) {
   const std::vector<double> volumes{1, 2, 2, 2, 3};
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(system.blocks[i].volume, volumes[i], 1e-9);
   expect_sound(system, 10);
+}
+
+TEST(Cutting, ASetWithALawOfSpacingCutsWhereItsPlanesAreDrawn) {
+  Project p = project();
+  p.solids = {box("column", {0, 0, 0}, {1, 1, 10}, 1)};
+  Cut bedding = cut("J1", 0, 0, {0, 0, 1});
+  bedding.spacing = 2;
+  bedding.count = 4;
+  bedding.spacing_law = SpacingLaw::exponential;
+  bedding.seed = 3;
+  std::vector<double> heights{0};
+  for (const Cut& plane : single_planes(bedding))
+    if (plane.through.z() < 10) heights.push_back(plane.through.z());
+  ASSERT_GT(heights.size(), 2u);
+  heights.push_back(10);
+  p.cuts = {bedding};
+  const BlockSystem system = build(p);
+  ASSERT_EQ(system.blocks.size(), heights.size() - 1);
+  for (std::size_t i = 0; i + 1 < heights.size(); ++i)
+    EXPECT_NEAR(system.blocks[i].volume, heights[i + 1] - heights[i], 1e-9);
+}
+
+TEST(Cutting, PlanesThatScatterFillTheSolidAndSomeMayMissIt) {
+  Project p = project();
+  p.solids = {box("cube", {0, 0, 0}, {4, 4, 4}, 4)};
+  Cut steep = cut("J1", 70, 90, {0.5, 2, 2});
+  steep.spacing = 1.1;
+  steep.count = 12;
+  steep.fisher_kappa = 150;
+  p.cuts = {steep};
+  const BlockSystem system = build(p);
+  EXPECT_GT(system.blocks.size(), 3u);
+  EXPECT_LT(system.blocks.size(), 13u);
+  expect_sound(system, 64);
 }
 
 TEST(Cutting, ACutMayBeLimitedToSolids) {

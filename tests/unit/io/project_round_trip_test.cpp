@@ -34,9 +34,10 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
                               {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   EXPECT_EQ(p.solids[1], (Solid{"wedge", wedge, "hard/rock", BodyKind::automatic, {}}));
   EXPECT_EQ(p.solids[2], (Solid{"hill", FileShape{"shapes/hill.step", 0.001}, "soft rock", BodyKind::fixed, {}}));
-  ASSERT_EQ(p.cuts.size(), 2u);
+  ASSERT_EQ(p.cuts.size(), 3u);
   EXPECT_EQ(p.cuts[0], (Cut{"J1", 35, 120, {5, 5, 5}, {}, {}, {"slope", "hill"}}));
-  EXPECT_EQ(p.cuts[1], (Cut{"J2", 90, 360, {1e-3, 5, 5}, 2.0, 3, {}}));
+  EXPECT_EQ(p.cuts[1], (Cut{"J2", 60, 30, {5, 5, 5}, 1.5, 4, {}, SpacingLaw::lognormal, 0.25, 120.0, 7}));
+  EXPECT_EQ(p.cuts[2], (Cut{"J2", 90, 360, {1e-3, 5, 5}, 2.0, 3, {}}));
   ASSERT_EQ(p.blocks.size(), 2u);
   EXPECT_EQ(p.blocks[0], (BlockOverride{"top", {5, 5, 9}, BodyKind::tetrahedra, "hard/rock", 0.5}));
   EXPECT_EQ(p.blocks[1], (BlockOverride{"foot", {5, 5, 1}, BodyKind::fixed, {}, {}}));
@@ -247,9 +248,9 @@ TEST(ProjectMerge, AThingAddedInTheMiddleLeavesTheOthersAlone) {
   cut.solids.clear();
   project.cuts.insert(project.cuts.begin() + 1, cut);
   EXPECT_EQ(write_project(project, full_project),
-            replaced(full_project, "    {\"joint\": \"J2\", \"dip\": 90",
+            replaced(full_project, "    {\"joint\": \"J2\", \"dip\": 60",
                      "    {\"joint\": \"J1\", \"dip\": 60, \"dip_direction\": 120, \"through\": [5, 5, 5]},\n"
-                     "    {\"joint\": \"J2\", \"dip\": 90"));
+                     "    {\"joint\": \"J2\", \"dip\": 60"));
 }
 
 TEST(ProjectMerge, AThingAddedAtTheEndComesBehindTheLastOnesComment) {

@@ -38,6 +38,8 @@ inline const std::string full_project = R"(// A slope above a road.
   ],
   "cuts": [
     {"joint": "J1", "dip": 35, "dip_direction": 120, "through": [5, 5, 5], "solids": ["slope", "hill"]},
+    {"joint": "J2", "dip": 60, "dip_direction": 30, "through": [5, 5, 5], "spacing": 1.5, "count": 4,
+     "spacing_law": "lognormal", "spacing_deviation": 0.25, "fisher_kappa": 120, "seed": 7},
     {"joint": "J2", "dip": 90, "dip_direction": 360, "through": [1e-3, 5, 5], "spacing": 2.0, "count": 3} // last
     // nothing else
   ],

@@ -62,6 +62,13 @@ const std::vector<BadProject> bad_values{
     {"count alone", [](Project& p) { p.cuts[0].count = 2; }, "/cuts/0", "belong together", "'spacing'"},
     {"spacing zero", [](Project& p) { p.cuts[0].spacing = 0, p.cuts[0].count = 2; }, "/cuts/0/spacing",
      "greater than 0", "m"},
+    {"law without spacing", [](Project& p) { p.cuts[0].spacing_law = SpacingLaw::exponential; }, "/cuts/0/spacing_law",
+     "needs a spacing", "'count'"},
+    {"deviation without law", [](Project& p) { p.cuts[0].spacing_deviation = 1; }, "/cuts/0/spacing_deviation",
+     "no standard deviation", "leave it out"},
+    {"kappa zero", [](Project& p) { p.cuts[0].fisher_kappa = 0; }, "/cuts/0/fisher_kappa", "greater than 0",
+     "20 scatters"},
+    {"seed alone", [](Project& p) { p.cuts[0].seed = 3; }, "/cuts/0/seed", "nothing to draw", "leave the seed out"},
     {"count zero", [](Project& p) { p.cuts[0].spacing = 1, p.cuts[0].count = 0; }, "/cuts/0/count", "at least 1",
      "planes"},
     {"interface with itself", [](Project& p) { p.interfaces[0].between[0] = "slope.1"; }, "/interfaces/0/between",
@@ -197,6 +204,17 @@ std::vector<BuiltBlock> blocks(const std::vector<std::string>& names) {
 
 TEST(ValidateAgainstBlocks, KnowsTheNamesGeometryGave) {
   EXPECT_NO_THROW(validate_against_blocks(slope(), blocks({"slope.1", "top"})));
+}
+
+TEST(ValidateForCutting, AsksForSolidsAndNotForStages) {
+  Project project = slope();
+  project.stages.clear();
+  project.expect.clear();
+  EXPECT_THROW(validate(project), InputError);
+  EXPECT_NO_THROW(validate_for_cutting(project));
+  project.materials[0].density = -1;
+  EXPECT_THROW(validate_for_cutting(project), InputError) << "what is there must be right";
+  EXPECT_THROW(validate_for_cutting(Project{}), InputError);
 }
 
 TEST(ValidateAgainstBlocks, NamesTheReferenceThatIsMissing) {

@@ -112,6 +112,27 @@ TEST(ResultFolder, FramesComeBackExactlyAfterTheRunAndWhileItGoesOn) {
   EXPECT_THROW(after.frame(-1), std::out_of_range);
 }
 
+TEST(ResultFolder, SeveralMayReadAtATimeInOneProgram) {
+  const TemporaryFolder temporary;
+  const BlockSystem system = example_system();
+  constexpr int count = 40;
+  {
+    ResultWriter writer(temporary.path, example_project(), system, "{}");
+    for (int i = 0; i < count; ++i) writer.add_frame(example_frame(system, i));
+  }
+  const auto reads = [&](const ResultReader& reader, int i) { return same(reader.frame(i), example_frame(system, i)); };
+  const ResultReader view(temporary.path);
+  EXPECT_TRUE(reads(view, 7));
+  {
+    const ResultReader film(temporary.path);
+    for (int i = 0; i < count; ++i) {
+      EXPECT_TRUE(reads(film, i)) << i;
+      EXPECT_TRUE(reads(view, count - 1 - i)) << i;
+    }
+  }
+  for (int i = 0; i < count; ++i) EXPECT_TRUE(reads(view, i)) << i;
+}
+
 TEST(ResultFolder, StressIsKeptAsAFloat) {
   const TemporaryFolder temporary;
   const BlockSystem system = example_system();

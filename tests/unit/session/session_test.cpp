@@ -110,9 +110,9 @@ TEST_F(SessionTest, FramesAreOutdatedByAnEdit) {
   EXPECT_TRUE(session.playback.isCurrent());
   int told = 0;
   QObject::connect(&session.playback, &Playback::framesChanged, [&] { ++told; });
-  Joint joint = session.project.document().project().joints[0];
-  joint.friction_angle = 20;
-  session.project.document().changeJoint(0, joint);
+  Project changed = session.project.document().project();
+  changed.joints[0].friction_angle = 20;
+  session.project.document().change(changed, {});
   EXPECT_FALSE(session.playback.isCurrent());
   EXPECT_EQ(told, 1);
 }
@@ -170,9 +170,9 @@ TEST(Messages, ProblemsOfARunGoWithIt) {
   QObject::connect(&messages, &Messages::logged, [&](const QString& words) { line = words; });
   messages.add(problemOf(InputError("joint J1", "is steep", "turn it")));
   EXPECT_EQ(line, QStringLiteral("joint J1: is steep; turn it"));
-  messages.add({Problem::Severity::warning, {}, QStringLiteral("did not converge"), {}, ConvergenceTrouble{}});
+  messages.add(problemOf(InputError("run", "did not converge", "take shorter steps"), Problem::Of::run));
   EXPECT_EQ(added, 2);
-  messages.clearTroubles();
+  messages.settle(Problem::Of::run);
   ASSERT_EQ(messages.problems().size(), 1u);
   EXPECT_EQ(messages.problems()[0].place, QStringLiteral("joint J1"));
 }

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "widgets/kit/numbers.hpp"
+#include "widgets/kit/text.hpp"
 
 namespace talus::words {
 
@@ -33,6 +34,39 @@ QString span(const TimeTable& table) {
   return QObject::tr("%1, %2 … %3 s")
       .arg(numbers::counted(table.size(), "row"), numbers::significant(table.front().time, 4),
            numbers::significant(table.back().time, 4));
+}
+
+namespace {
+
+QString strength(const JointChange& change) {
+  QStringList parts;
+  const auto say = [&](const QString& words, const std::optional<double>& value, double scale) {
+    if (value) parts << words.arg(numbers::figure(*value / scale, 4));
+  };
+  say(QObject::tr("φ %1°"), change.friction_angle, 1);
+  say(QObject::tr("residual φ %1°"), change.residual_friction_angle, 1);
+  say(QObject::tr("c %1 MPa"), change.cohesion, 1e6);
+  say(QObject::tr("tension %1 MPa"), change.tensile_strength, 1e6);
+  return text(change.name) + u' ' + parts.join(QStringLiteral(", "));
+}
+
+/// For a list that a stage puts in the place of the one before.
+QString replaced(const auto& list, const char* noun) {
+  return list.empty() ? QObject::tr("no %1s").arg(QLatin1String(noun)) : numbers::counted(list.size(), noun);
+}
+
+}  // namespace
+
+QString changes(const Stage& stage) {
+  QStringList all;
+  for (const auto& joint : stage.joints) all << strength(joint);
+  if (stage.loads) all << replaced(*stage.loads, "load");
+  if (stage.constraints) all << replaced(*stage.constraints, "support");
+  for (const auto& block : stage.blocks)
+    all << QObject::tr("%1 %2").arg(text(block.name),
+                                    block.body == BodyKind::fixed ? QObject::tr("held") : QObject::tr("let go"));
+  if (stage.damping) all << QObject::tr("damping %1 1/s").arg(numbers::figure(*stage.damping, 4));
+  return all.join(QStringLiteral("; "));
 }
 
 }  // namespace talus::words

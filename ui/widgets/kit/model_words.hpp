@@ -14,4 +14,7 @@ QString point(const Vec3& p);
 /// "3 rows, 0 … 2 s"; the table is not empty.
 QString span(const TimeTable& table);
 
+/// What a stage changes: "J1 φ 20°, c 0 MPa; 2 loads; cube held"; empty: nothing.
+QString changes(const Stage& stage);
+
 }  // namespace talus::words

@@ -4,12 +4,14 @@
 #include <QStyle>
 #include <QTimer>
 
+#include "base/error.hpp"
+#include "base/quantity_text.hpp"
 #include "widgets/kit/numbers.hpp"
+#include "widgets/kit/text.hpp"
 
 namespace talus {
 
-NumberField::NumberField(std::optional<double> value, double scale, const QString& unit)
-    : value_(value), scale_(scale), unit_(unit) {
+NumberField::NumberField(std::optional<double> value, Units units) : value_(value), units_(std::move(units)) {
   setAlignment(Qt::AlignRight);
   setMinimumWidth(66);
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -22,10 +24,18 @@ void NumberField::allowNone(const QString& meaning) {
   setPlaceholderText(meaning);
 }
 
+void NumberField::setValue(std::optional<double> value) {
+  value_ = value;
+  setProblem({});
+  show();
+}
+
 void NumberField::show() {
   if (!value_) return clear();
-  const QString number = QString::number(*value_ / scale_, 'g', 12).replace(u'-', QChar(0x2212));
-  setText(unit_.isEmpty() ? number : number + u' ' + unit_);
+  const double shown = converted(*value_, units_.kept.toStdString(), units_.shown.toStdString());
+  const QString number = numbers::inField(shown);
+  setText(units_.behind && !units_.shown.isEmpty() ? number + u' ' + units_.shown : number);
+  setCursorPosition(0);
 }
 
 void NumberField::setProblem(const QString& sentence) {
@@ -33,29 +43,39 @@ void NumberField::setProblem(const QString& sentence) {
   setToolTip(sentence);
   style()->unpolish(this);
   style()->polish(this);
+  emit problemChanged(sentence);
 }
 
 void NumberField::commit() {
   if (!isModified()) return;
   setModified(false);
-  QString typed = text();
-  if (!unit_.isEmpty() && typed.endsWith(unit_)) typed.chop(unit_.size());
-  if (mayBeEmpty_ && typed.trimmed().isEmpty()) {
+  if (mayBeEmpty_ && QLineEdit::text().trimmed().isEmpty()) {
     setProblem({});
     if (value_) emit cleared();
     return;
   }
-  double number = 0;
-  if (!numbers::parse(typed, number)) {
-    setProblem(tr("This is not a number"));
-    return;
+  try {
+    const double number =
+        read_quantity(QLineEdit::text().toStdString(), units_.kept.toStdString(), units_.shown.toStdString());
+    setProblem({});
+    if (number == value_) return show();
+    emit committed(number);
+  } catch (const InputError& error) {
+    setProblem(QObject::tr("%1; %2").arg(talus::text(error.problem()), talus::text(error.remedy())));
   }
-  setProblem({});
-  if (number * scale_ == value_) {
-    show();
-    return;
+}
+
+bool NumberField::event(QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride) return QLineEdit::event(event);
+  auto* keys = static_cast<QKeyEvent*>(event);
+  const bool typedIn = isModified() || property("state").isValid();
+  // Escape takes back what was typed, and nothing else in the window; while nothing was typed, the project is undone.
+  if (keys->key() == Qt::Key_Escape && typedIn) {
+    event->accept();
+    return true;
   }
-  emit committed(number * scale_);
+  if ((keys->matches(QKeySequence::Undo) || keys->matches(QKeySequence::Redo)) && !typedIn) return false;
+  return QLineEdit::event(event);
 }
 
 void NumberField::focusInEvent(QFocusEvent* event) {

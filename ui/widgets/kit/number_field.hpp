@@ -5,24 +5,35 @@
 
 namespace talus {
 
-/// A number with its unit that can be typed over. Red, and not committed, when it is none.
+/// A number with its unit that can be typed over, also in another unit of the same kind: "50 kPa". Red, and not
+/// committed, when it is none.
 class NumberField : public QLineEdit {
   Q_OBJECT
  public:
-  /// Shows `value`, which the program keeps in SI, divided by `scale`: Pa as MPa with a scale of 1e6.
-  NumberField(std::optional<double> value, double scale, const QString& unit);
+  /// What the field is about: the unit that the program keeps, the one that is shown, and whether that stands behind
+  /// the number.
+  struct Units {
+    QString kept, shown;
+    bool behind = true;
+  };
+  NumberField(std::optional<double> value, Units units);
   /// It may be left empty, which means this.
   void allowNone(const QString& meaning);
-  /// Marks what was typed as impossible and says why; an empty sentence takes the mark away.
+  /// Another value, from now on; no signal.
+  void setValue(std::optional<double> value);
+  /// Marks what was typed as impossible; an empty sentence takes the mark away.
   void setProblem(const QString& sentence);
 
  signals:
-  /// In SI, when the user has finished and the number has changed.
+  /// In the unit that is kept, when the user has finished and the number has changed.
   void committed(double value);
   /// The user has taken the number away.
   void cleared();
+  /// Why what was typed is no number of this kind; empty once it is.
+  void problemChanged(const QString& sentence);
 
  protected:
+  bool event(QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -30,8 +41,7 @@ class NumberField : public QLineEdit {
   void commit();
   void show();
   std::optional<double> value_;
-  double scale_;
-  QString unit_;
+  Units units_;
   bool mayBeEmpty_ = false;
 };
 

@@ -17,6 +17,11 @@ QString figure(double value, int figures) {
   return significant(value, figures).replace(zeros, QStringLiteral("\\1")).remove(point);
 }
 
+QString inField(double value) {
+  static const QRegularExpression exponent(QStringLiteral("e\\+?(-?)0*(?=\\d)"));
+  return QString::number(value, 'g', 12).replace(exponent, QStringLiteral("e\\1")).replace(u'-', QChar(0x2212));
+}
+
 QString quantity(double value, const char* unit) {
   const DisplayUnit shown = display_unit(unit, std::abs(value));
   return significant(value * shown.factor) + u' ' + text(shown.name);

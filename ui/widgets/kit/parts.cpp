@@ -167,7 +167,7 @@ void Section::addFact(const QString& name, const QString& value, const QString& 
 
 void Section::addWide(QWidget* widget) { rows_->addRow(widget); }
 
-QWidget* makeScrolled(QWidget* content) {
+QScrollArea* makeScrolled(QWidget* content) {
   auto* area = new QScrollArea;
   area->setWidget(content);
   area->setWidgetResizable(true);

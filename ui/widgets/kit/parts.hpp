@@ -6,6 +6,7 @@
 #include <QFrame>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
 
 #include "widgets/kit/theme.hpp"
@@ -90,6 +91,6 @@ class Section : public QWidget {
 /// A box that does not ask for the width of its longest item.
 QComboBox* makeCombo(const QStringList& items, const QString& name);
 /// `content` scrolls up and down, never sideways.
-QWidget* makeScrolled(QWidget* content);
+QScrollArea* makeScrolled(QWidget* content);
 
 }  // namespace talus

@@ -70,6 +70,7 @@ class ToneEngine : public QIconEngine {
   // `size` is in device pixels already.
   QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state, qreal) override {
     QPixmap picture(size);
+    if (picture.isNull()) return picture;  // a button that has no room yet
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     paint(&painter, QRect(QPoint(), size), mode, state);

@@ -158,11 +158,12 @@ PageRows loadRows(const Project& project) {
 
 PageRows stageRows(const Project& project) {
   PageRows content{QObject::tr("Stages"),
-                   {QObject::tr("Stage"), QObject::tr("Type"), QObject::tr("Δt ms"), QObject::tr("Steps"),
-                    QObject::tr("Duration s")},
-                   2,
+                   {QObject::tr("Stage"), QObject::tr("Type"), QObject::tr("Changes"), QObject::tr("Δt ms"),
+                    QObject::tr("Steps"), QObject::tr("Duration s")},
+                   3,
                    {},
-                   QObject::tr("The project has no stage: there is nothing to solve.")};
+                   QObject::tr("The project has no stage: there is nothing to solve."),
+                   2};
   for (size_t i = 0; i < project.stages.size(); ++i) {
     const Stage& stage = project.stages[i];
     const double duration = length_of(stage);
@@ -171,7 +172,7 @@ PageRows stageRows(const Project& project) {
         {item(Item::Kind::stage, i),
          {text(stage.name),
           stage.until_equilibrium ? QObject::tr("static, until equilibrium") : words::stage(stage.kind),
-          number(stage.time_step * 1e3), numbers::whole(steps), number(duration, 4)}});
+          words::changes(stage), number(stage.time_step * 1e3), numbers::whole(steps), number(duration, 4)}});
   }
   return content;
 }
@@ -231,13 +232,20 @@ void PageTable::refresh() {
   const QSignalBlocker silent(this);
   const BlockSystem* system = project_.system().get();
   showsMotion_ = mayShowMotion();
+  const bool ofBlocks = display_.page() == WorkflowPage::blocks || display_.page() == WorkflowPage::mesh;
+  const bool stale = ofBlocks && system && !project_.systemIsCurrent();
   content_ = showsMotion_ ? motionRows(*system, *playback_.frame())
-                          : rowsOf(display_.page(), project_.document().project(), system);
+                          : rowsOf(display_.page(), stale ? project_.builtFrom() : project_.document().project(), system);
+  if (stale) content_.title = tr("%1, before the last change").arg(content_.title);
   std::vector<QStringList> rows;
   for (const auto& row : content_.rows) rows.push_back(row.cells);
   std::vector<bool> words(static_cast<size_t>(content_.heads.size()));
   std::fill_n(words.begin(), content_.wordColumns, true);
   setContent(content_.heads, rows, words);
+  for (int column = 0; column < columnCount(); ++column) {
+    const bool stretches = content_.roomy < 0 || column == content_.roomy;
+    horizontalHeader()->setSectionResizeMode(column, stretches ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+  }
   showSelection();
   blockSignals(false);
   emit titleChanged(content_.title);

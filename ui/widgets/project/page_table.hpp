@@ -24,7 +24,8 @@ struct PageRows {
   QStringList heads;
   int wordColumns = 1;  ///< columns from the left that hold words; the others hold numbers
   std::vector<Row> rows;
-  QString empty;  ///< what to say when there is no row
+  QString empty;   ///< what to say when there is no row
+  int roomy = -1;  ///< a column that takes the room which the others leave; none: all share it
 };
 
 /// For the pages that set the project up.

@@ -115,8 +115,8 @@ ProblemStrip::ProblemStrip(Messages& messages, Display& display)
   connect(&messages, &Messages::problemAdded, this, &ProblemStrip::show);
   connect(&messages, &Messages::problemsChanged, this, [this, &messages] {
     const auto& problems = messages.problems();
-    const bool anyPlace = std::any_of(problems.begin(), problems.end(), [](const Problem& one) { return one.where; });
-    if (problems.empty() || (where_ && !anyPlace)) hide();  // it was of another file, or of the run before
+    const bool stays = std::any_of(problems.begin(), problems.end(), [this](const auto& one) { return one.number == number_; });
+    if (!stays) hide();  // it was of another file, or is settled
   });
   hide();
 }
@@ -129,6 +129,7 @@ void ProblemStrip::show(const Problem& problem) {
   what_->setText(sentence(problem));
   remedy_->setText(problem.remedy);
   where_ = problem.where;
+  number_ = problem.number;
   show_->setVisible(where_.has_value());
   setVisible(true);
 }

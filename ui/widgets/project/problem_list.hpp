@@ -34,6 +34,7 @@ class ProblemStrip : public QFrame {
   QLabel *what_, *remedy_;
   QPushButton* show_;
   std::optional<ConvergenceTrouble> where_;  ///< of the problem that is shown
+  int number_ = 0;                           ///< its own
 };
 
 }  // namespace talus

@@ -1,14 +1,19 @@
 #include "widgets/project/project_tree.hpp"
 
 #include <QHeaderView>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QScopedValueRollback>
 #include <filesystem>
 
+#include "base/error.hpp"
+#include "document/things.hpp"
 #include "model/stage_length.hpp"
 #include "session/current_project.hpp"
 #include "session/display.hpp"
+#include "session/messages.hpp"
 #include "widgets/kit/numbers.hpp"
+#include "widgets/kit/parts.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/kit/theme.hpp"
 
@@ -37,12 +42,16 @@ QString stageFigure(const Stage& stage) {
 
 }  // namespace
 
-ProjectTree::ProjectTree(CurrentProject& project, Display& display) : project_(project), display_(display) {
+ProjectTree::ProjectTree(CurrentProject& project, Display& display, Messages& messages)
+    : project_(project), display_(display), messages_(messages) {
   setHeaderHidden(true);
-  setColumnCount(2);
+  setColumnCount(3);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(2, QHeaderView::Fixed);
+  header()->setMinimumSectionSize(0);
+  header()->resizeSection(2, theme::now().metrics.row);
   setUniformRowHeights(true);
   setTextElideMode(Qt::ElideRight);
   setMouseTracking(true);
@@ -83,6 +92,35 @@ QTreeWidgetItem* ProjectTree::addGroup(WorkflowPage page, const QString& figure)
   return group;
 }
 
+void ProjectTree::offerNew(QTreeWidgetItem* group, const std::vector<Item::Kind>& kinds) {
+  auto* button = makeTool(QStringLiteral("plus"),
+                          kinds.size() == 1 ? tr("New %1").arg(things::titleOf(kinds[0]).toLower()) : tr("New…"));
+  button->setObjectName(QStringLiteral("new/") +
+                        QLatin1String(pageKey(static_cast<WorkflowPage>(group->data(0, page_role).toInt()))));
+  const auto add = [this](Item::Kind kind) {
+    try {
+      things::add(project_.document(), kind);
+    } catch (const InputError& error) {
+      messages_.add(problemOf(error));
+    }
+  };
+  // The tree is made anew by what is added, and the button with it: after the click.
+  if (kinds.size() == 1) {
+    connect(
+        button, &QToolButton::clicked, this, [add, kind = kinds[0]] { add(kind); }, Qt::QueuedConnection);
+  } else {
+    auto* menu = new QMenu(button);
+    for (const auto kind : kinds)
+      connect(
+          menu->addAction(things::titleOf(kind)), &QAction::triggered, this, [add, kind] { add(kind); },
+          Qt::QueuedConnection);
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setProperty("kind", "new");
+  }
+  setItemWidget(group, 2, button);
+}
+
 QTreeWidgetItem* ProjectTree::addRow(QTreeWidgetItem* group, const Item& item, const QString& name,
                                      const QString& figure) {
   auto* row = new QTreeWidgetItem(QStringList{name, figure});
@@ -111,27 +149,45 @@ void ProjectTree::rebuild() {
   for (size_t i = 0; i < project.solids.size(); ++i)
     addRow(geometry, {Item::Kind::solid, static_cast<int>(i)}, text(project.solids[i].name),
            solidFigure(project.solids[i]));
+  offerNew(geometry, {Item::Kind::solid});
   addJoints(addGroup(WorkflowPage::joints, numbers::whole(project.joints.size())));
-  addBlocks(addGroup(WorkflowPage::blocks, system ? numbers::whole(system->blocks.size()) : tr("not cut")));
+  const bool current = project_.systemIsCurrent();
+  addBlocks(addGroup(WorkflowPage::blocks, !system ? tr("not cut")
+                                           : current ? numbers::whole(system->blocks.size())
+                                                     : tr("to be cut anew")));
   size_t tetrahedra = 0;
   if (system)
     for (const auto& block : system->blocks) tetrahedra += block.mesh.tetrahedra.size();
-  addGroup(WorkflowPage::mesh, system ? tr("%1 tet").arg(numbers::whole(tetrahedra)) : tr("not made"));
+  addGroup(WorkflowPage::mesh, !system ? tr("not made")
+                               : current ? tr("%1 tet").arg(numbers::whole(tetrahedra))
+                                         : tr("to be made anew"));
   auto* materials = addGroup(WorkflowPage::materials, numbers::whole(project.materials.size()));
   for (size_t i = 0; i < project.materials.size(); ++i)
     addRow(materials, {Item::Kind::material, static_cast<int>(i)}, text(project.materials[i].name),
            tr("%1 kg/m³").arg(numbers::significant(project.materials[i].density, 4)));
-  addLoads(addGroup(WorkflowPage::loads,
-                    numbers::whole(project.loads.size() + project.constraints.size() + project.velocities.size())));
+  offerNew(materials, {Item::Kind::material});
+  addLoads(addGroup(WorkflowPage::loads, numbers::whole(project.loads.size() + project.constraints.size() +
+                                                        project.velocities.size() + project.in_situ.size())));
   auto* stages = addGroup(WorkflowPage::stages, numbers::whole(project.stages.size()));
   for (size_t i = 0; i < project.stages.size(); ++i)
     addRow(stages, {Item::Kind::stage, static_cast<int>(i)}, text(project.stages[i].name),
            stageFigure(project.stages[i]));
+  addRow(stages, {Item::Kind::solver, 0}, tr("solver"), text(to_string(project.solver.time_step_control)))
+      ->setIcon(0, theme::icon(QStringLiteral("settings")));
+  addRow(stages, {Item::Kind::output, 0}, tr("output"),
+         tr("every %1 s").arg(numbers::significant(project.output.every)))
+      ->setIcon(0, theme::icon(QStringLiteral("film")));
+  offerNew(stages, {Item::Kind::stage});
   auto* results = addGroup(WorkflowPage::results, {});
   for (size_t i = 0; i < project.monitors.size(); ++i)
     addRow(results, {Item::Kind::monitor, static_cast<int>(i)}, text(project.monitors[i].name),
            tr("on %1").arg(text(project.monitors[i].block)))
         ->setIcon(0, theme::icon(QStringLiteral("monitor")));
+  for (size_t i = 0; i < project.expect.size(); ++i)
+    addRow(results, {Item::Kind::expectation, static_cast<int>(i)}, text(project.expect[i].quantity),
+           numbers::significant(project.expect[i].value))
+        ->setIcon(0, theme::icon(QStringLiteral("check")));
+  offerNew(results, {Item::Kind::monitor, Item::Kind::expectation});
   for (const auto& [page, group] : groups_) group->setExpanded(unfolded[page]);
   unfoldPage();
   showSelection();
@@ -151,9 +207,21 @@ void ProjectTree::addJoints(QTreeWidgetItem* group) {
                        numbers::orientation(cut.dip, cut.dip_direction));
     row->setIcon(0, theme::icon(QStringLiteral("cut")));
   }
+  for (size_t i = 0; i < project.interfaces.size(); ++i) {
+    const Interface& interface = project.interfaces[i];
+    addRow(group, {Item::Kind::interface, static_cast<int>(i)},
+           tr("%1 – %2").arg(text(interface.between[0]), text(interface.between[1])), text(interface.joint))
+        ->setIcon(0, theme::icon(QStringLiteral("face")));
+  }
+  offerNew(group, {Item::Kind::joint, Item::Kind::cut, Item::Kind::interface});
 }
 
 void ProjectTree::addBlocks(QTreeWidgetItem* group) {
+  const auto& wishes = project_.document().project().blocks;
+  for (size_t i = 0; i < wishes.size(); ++i)
+    addRow(group, {Item::Kind::blockWish, static_cast<int>(i)}, text(wishes[i].name), tr("named"))
+        ->setIcon(0, theme::icon(QStringLiteral("point")));
+  offerNew(group, {Item::Kind::blockWish});
   if (!project_.system()) return;
   const auto& blocks = project_.system()->blocks;
   for (size_t i = 0; i < blocks.size(); ++i) {
@@ -178,6 +246,11 @@ void ProjectTree::addLoads(QTreeWidgetItem* group) {
     addRow(group, {Item::Kind::velocity, static_cast<int>(i)},
            tr("velocity of %1").arg(text(project.velocities[i].block)),
            tr("%1 m/s").arg(numbers::significant(project.velocities[i].linear.norm())));
+  for (size_t i = 0; i < project.in_situ.size(); ++i)
+    addRow(
+        group, {Item::Kind::inSitu, static_cast<int>(i)}, tr("stress in situ %1").arg(i + 1),
+        project.in_situ[i].blocks.empty() ? tr("every block") : tr("%1 blocks").arg(project.in_situ[i].blocks.size()));
+  offerNew(group, {Item::Kind::load, Item::Kind::constraint, Item::Kind::velocity, Item::Kind::inSitu});
 }
 
 QTreeWidgetItem* ProjectTree::rowOf(const Item& item) const {

@@ -10,12 +10,13 @@ namespace talus {
 
 class CurrentProject;
 class Display;
+class Messages;
 
 /// All of the project, each group under its page of the workflow, with its telling figure at the right.
 class ProjectTree : public QTreeWidget {
   Q_OBJECT
  public:
-  ProjectTree(CurrentProject& project, Display& display);
+  ProjectTree(CurrentProject& project, Display& display, Messages& messages);
 
   /// The row of a thing, null when the project does not hold it.
   QTreeWidgetItem* rowOf(const Item& item) const;
@@ -30,12 +31,15 @@ class ProjectTree : public QTreeWidget {
   void showSelection();
   QTreeWidgetItem* addGroup(WorkflowPage page, const QString& figure);
   QTreeWidgetItem* addRow(QTreeWidgetItem* group, const Item& item, const QString& name, const QString& figure);
+  /// A button at the group that makes a thing of one of these kinds.
+  void offerNew(QTreeWidgetItem* group, const std::vector<Item::Kind>& kinds);
   void addJoints(QTreeWidgetItem* group);
   void addBlocks(QTreeWidgetItem* group);
   void addLoads(QTreeWidgetItem* group);
 
   CurrentProject& project_;
   Display& display_;
+  Messages& messages_;
   std::map<WorkflowPage, QTreeWidgetItem*> groups_;
 };
 

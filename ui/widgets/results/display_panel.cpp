@@ -26,7 +26,7 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   auto* field = new Section(tr("Field"));
   field->addRow(tr("Colour by"), field_->quantityBox());
   field->addRow(tr("Component"), field_->componentBox());
-  range_ = makeCombo({tr("frames so far"), tr("this frame")}, tr("Range of the legend"));
+  range_ = makeCombo({tr("all frames"), tr("this frame")}, tr("Range of the legend"));
   connect(range_, &QComboBox::activated, this, [this](int index) { display_.setRangeFollowsRun(index == 0); });
   field->addRow(tr("Range"), range_);
   inner->addWidget(field);

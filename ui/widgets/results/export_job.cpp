@@ -26,17 +26,33 @@ ExportJob::~ExportJob() {
 }
 
 void ExportJob::start(ExportTask task) {
-  Q_ASSERT(!isBusy());
+  waiting_.push_back(std::move(task));
+  if (isBusy()) {
+    emit waitingChanged(static_cast<int>(waiting_.size()));
+    return;
+  }
+  startNext();
+  emit busyChanged(true);
+}
+
+void ExportJob::startNext() {
   cancelled_ = false;
+  ExportTask task = std::move(waiting_.front());
+  waiting_.pop_front();
+  const QString what = task.what;
   thread_.reset(QThread::create([this, task = std::move(task)] { work(task); }));
   connect(thread_.get(), &QThread::finished, this, [this] {
     thread_->wait();
     thread_.reset();
-    emit busyChanged(false);
     std::exchange(outcome_, {})();
+    if (waiting_.empty())
+      emit busyChanged(false);
+    else
+      startNext();
   });
   thread_->start(QThread::LowPriority);
-  emit busyChanged(true);
+  emit started(what);
+  emit waitingChanged(static_cast<int>(waiting_.size()));
 }
 
 void ExportJob::work(const ExportTask& task) {

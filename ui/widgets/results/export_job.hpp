@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QThread>
 #include <atomic>
+#include <deque>
 #include <functional>
 #include <memory>
 
@@ -14,6 +15,7 @@ namespace talus {
 
 /// What a picture or film shows: the window's view, by value.
 struct ExportTask {
+  QString what;  ///< "Film"
   std::shared_ptr<const BlockSystem> system;
   SceneSettings settings;
   CameraPose pose;
@@ -36,11 +38,14 @@ class ExportJob : public QObject {
   ~ExportJob() override;
 
   bool isBusy() const { return thread_ != nullptr; }
-  /// One at a time.
+  /// One at a time: what is asked for meanwhile waits for its turn.
   void start(ExportTask task);
+  /// The one that is being written; those that wait go on.
   void cancel() { cancelled_ = true; }
 
  signals:
+  void started(const QString& what);
+  void waitingChanged(int count);
   void busyChanged(bool busy);
   void progressed(double fraction);
   void finished(const QString& path);
@@ -49,9 +54,11 @@ class ExportJob : public QObject {
 
  private:
   class FilmProgress;
+  void startNext();
   void work(const ExportTask& task);
   void draw(const ExportTask& task);
 
+  std::deque<ExportTask> waiting_;
   std::unique_ptr<QThread> thread_;
   std::atomic<bool> cancelled_ = false;
   std::function<void()> outcome_;  ///< set by the worker, called when its thread has ended

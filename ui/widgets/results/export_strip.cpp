@@ -13,20 +13,21 @@ ExportStrip::ExportStrip(ExportJob& job) : what_(makeLabel({}, "small")), bar_(m
   row->addWidget(what_);
   bar_->setFixedWidth(120);
   row->addWidget(bar_);
+  bar_->setAccessibleName(tr("Share of the picture or film that is written"));
   auto* cancel = makeButton(tr("Cancel"), "link");
+  cancel->setFocusPolicy(Qt::TabFocus);  // the view keeps the keys when it is clicked
   row->addWidget(cancel);
   connect(cancel, &QPushButton::clicked, &job, &ExportJob::cancel);
   connect(&job, &ExportJob::progressed, this, [this](double fraction) { showShare(*bar_, fraction); });
-  connect(&job, &ExportJob::cancelledByUser, this, &QWidget::hide);
-  connect(&job, &ExportJob::finished, this, &QWidget::hide);
-  connect(&job, &ExportJob::failed, this, &QWidget::hide);
+  connect(&job, &ExportJob::started, this, [this](const QString& what) {
+    name_ = what;
+    bar_->setValue(0);
+  });
+  connect(&job, &ExportJob::waitingChanged, this, [this](int count) {
+    what_->setText(count == 0 ? name_ : tr("%1, %2 more to write").arg(name_).arg(count));
+  });
+  connect(&job, &ExportJob::busyChanged, this, &QWidget::setVisible);
   hide();
-}
-
-void ExportStrip::begin(const QString& what) {
-  what_->setText(what);
-  bar_->setValue(0);
-  show();
 }
 
 }  // namespace talus

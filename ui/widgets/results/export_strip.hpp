@@ -14,9 +14,9 @@ class ExportStrip : public QWidget {
   Q_OBJECT
  public:
   explicit ExportStrip(ExportJob& job);
-  void begin(const QString& what);
 
  private:
+  QString name_;
   QLabel* what_;
   QProgressBar* bar_;
 };

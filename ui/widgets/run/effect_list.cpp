@@ -17,11 +17,6 @@ namespace {
 
 constexpr int cost_width = 62;
 
-QString sentenceCase(QString name) {
-  if (!name.isEmpty()) name[0] = name[0].toUpper();
-  return name;
-}
-
 double dearest(const auto& effects) {
   double most = 0;
   for (const auto& effect : effects) most = std::max(most, effect.seconds);

@@ -19,7 +19,7 @@ namespace talus {
 
 namespace {
 
-QString stateWords(JobState state, const std::optional<RunReport>& report) {
+QString stateWords(JobState state, const CurrentRun& run) {
   switch (state) {
     case JobState::meshing:
       return QObject::tr("cutting and meshing");
@@ -32,16 +32,9 @@ QString stateWords(JobState state, const std::optional<RunReport>& report) {
     case JobState::idle:
       break;
   }
-  if (!report) return {};
-  switch (report->status) {
-    case RunStatus::completed:
-      return QObject::tr("finished");
-    case RunStatus::stopped:
-      return QObject::tr("stopped");
-    case RunStatus::not_converged:
-      return QObject::tr("did not converge");
-  }
-  return {};
+  const QString shortfall = run.shortfall();
+  if (!run.report() || !shortfall.isEmpty()) return shortfall;
+  return QObject::tr("finished");
 }
 
 /// Of model time, by a run that has ended.
@@ -106,7 +99,7 @@ RunPanel::RunPanel(Session& session) : session_(session), header_(new PanelHeade
 void RunPanel::refresh() {
   const SolverJob& job = session_.run.job();
   const auto& report = session_.run.report();
-  header_->setTitle(tr("Run"), stateWords(job.state(), report));
+  header_->setTitle(tr("Run"), stateWords(job.state(), session_.run));
   const bool busy = job.isBusy();
   const double fraction = busy     ? session_.run.fraction()
                           : report ? shareOf(*report, session_.run.steps(), session_.project.document().project())

@@ -139,7 +139,7 @@ void AccuracySlider::startOrStop() {
 
 void AccuracySlider::takeEnd(const QString& problem) {
   if (!problem.isEmpty())
-    messages_.add({Problem::Severity::warning, tr("accuracy study"), problem, tr("what has ended is kept"), {}});
+    messages_.add({Problem::Severity::warning, tr("accuracy study"), problem, tr("what has ended is kept")});
   project_.lookForStudy();
   refresh();
 }

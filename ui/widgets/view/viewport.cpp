@@ -308,6 +308,8 @@ std::optional<CameraPose> Viewport::pose() const {
   return scene_ ? std::optional<CameraPose>(scene_->pose()) : std::nullopt;
 }
 
+QPixmap Viewport::picture() { return surface_->widget()->grab(); }
+
 std::optional<Pick> Viewport::pickAt(QPointF point) const {
   if (!scene_) return std::nullopt;
   const double ratio = devicePixelRatioF();

@@ -42,6 +42,8 @@ class Viewport : public QWidget {
   /// What lies under a point of the view, logical pixels from its upper left corner.
   std::optional<Pick> pickAt(QPointF point) const;
   const RenderSurface& surface() const { return *surface_; }
+  /// What the view shows, without its tools.
+  QPixmap picture();
   /// The toolbar over the view's right edge; the window adds to it.
   QWidget* tools() { return tools_; }
 

@@ -9,13 +9,13 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include "base/error.hpp"
 #include "jobs/solver_job.hpp"
+#include "widgets/begin/start_page.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/project/problem_list.hpp"
 #include "widgets/project/project_tree.hpp"
-#include "widgets/project/samples.hpp"
-#include "widgets/project/start_page.hpp"
 #include "widgets/results/display_panel.hpp"
 #include "widgets/results/export_strip.hpp"
 #include "widgets/run/run_panel.hpp"
@@ -23,8 +23,10 @@
 #include "widgets/view/timeline.hpp"
 #include "widgets/view/viewport.hpp"
 #include "widgets/window/bottom_panel.hpp"
+#include "widgets/window/guards.hpp"
 #include "widgets/window/rail.hpp"
 #include "widgets/window/top_bar.hpp"
+#include "widgets/window/units_button.hpp"
 #include "widgets/window/window_actions.hpp"
 #include "widgets/window/workflow_bar.hpp"
 
@@ -47,7 +49,10 @@ QToolBar* makeBar(QWidget* content) {
 
 }  // namespace
 
-MainWindow::MainWindow(SolverParts parts) : session_(std::move(parts)) {
+MainWindow::MainWindow(SolverParts parts)
+    : session_(std::move(parts)),
+      autosave_(session_.project.document()),
+      guards_(new Guards(session_, *this, [this] { return saveAs(); })) {
   // First of all who listen: they paint with the new colours.
   connect(&session_.display, &Display::themeChanged, this, [this] { theme::install(session_.display.isDark()); });
   session_.display.setDark(theme::now().dark);
@@ -64,6 +69,9 @@ MainWindow::MainWindow(SolverParts parts) : session_(std::move(parts)) {
   connect(&session_.project, &CurrentProject::opened, this, [this] { showStart(false); });
   connect(&session_.project, &CurrentProject::opened, this, &MainWindow::updateTitle);
   connect(&session_.project.document(), &Document::savedChanged, this, &MainWindow::updateTitle);
+  connect(&autosave_, &Autosave::failed, this,
+          [this](const InputError& error) { session_.messages.add(problemOf(error, Problem::Severity::warning)); });
+  setAcceptDrops(true);
   showStart(true);
   showPage();
   updateTitle();
@@ -105,6 +113,9 @@ void MainWindow::makeCentre() {
   connect(start_, &StartPage::openRequested, this, &MainWindow::askForProject);
   connect(start_, &StartPage::openResultsRequested, this, &MainWindow::askForResults);
   connect(start_, &StartPage::fileChosen, this, &MainWindow::open);
+  connect(start_, &StartPage::sampleChosen, this, &MainWindow::openCopy);
+  connect(start_, &StartPage::templateChosen, this, [this](const QString& key) { newProject(key.toStdString()); });
+  connect(start_, &StartPage::returnRequested, this, [this] { showStart(false); });
 }
 
 QDockWidget* MainWindow::addDock(Qt::DockWidgetArea area, const QString& name, QWidget* content) {
@@ -124,11 +135,11 @@ void MainWindow::makeDocks() {
   auto* column = new QVBoxLayout(project);
   setMargins(column, 0, 0);
   column->addWidget(new PanelHeader(tr("Project")));
-  column->addWidget(new ProjectTree(session_.project, session_.display), 1);
+  column->addWidget(new ProjectTree(session_.project, session_.display, session_.messages), 1);
   project->setMinimumWidth(tree_width);
   left_ = addDock(Qt::LeftDockWidgetArea, QStringLiteral("project"), project);
   rightPages_ = new QStackedWidget;
-  rightPages_->addWidget(new PropertyPanel(session_.project, session_.playback, session_.messages));
+  rightPages_->addWidget(new PropertyPanel(session_.project, session_.playback, session_.messages, session_.display));
   rightPages_->addWidget(new RunPanel(session_));
   rightPages_->addWidget(new DisplayPanel(session_.display, session_.run));
   auto* right = makePlane("surface");
@@ -146,12 +157,10 @@ void MainWindow::makeStatusBar() {
   bar->setContentsMargins(8, 0, 8, 0);
   message_ = new ElidedLabel({}, "small");
   bar->addWidget(message_, 1);
-  auto* strip = new ExportStrip(exporter_);
-  strip->setObjectName(QStringLiteral("export"));
-  bar->addPermanentWidget(strip);
+  bar->addPermanentWidget(new ExportStrip(exporter_));
   place_ = makeLabel({}, "small");
   bar->addPermanentWidget(place_);
-  bar->addPermanentWidget(makeLabel(QStringLiteral("  m · kN · MPa · °  "), "small"));
+  bar->addPermanentWidget(new UnitsButton(session_.display));
   connect(&session_.messages, &Messages::logged, message_, &QLabel::setText);
   connect(&session_.playback, &Playback::frameChanged, this, [this] {
     const auto frames = session_.playback.times().size();
@@ -163,7 +172,7 @@ void MainWindow::makeStatusBar() {
   connect(&exporter_, &ExportJob::cancelledByUser, this,
           [this] { session_.messages.log(tr("cancelled; no file was left")); });
   connect(&exporter_, &ExportJob::failed, this,
-          [this](const InputError& error) { session_.messages.add(problemOf(error)); });
+          [this](const InputError& error) { session_.messages.add(problemOf(error, Problem::Of::picture)); });
 }
 
 void MainWindow::makeViewTools() {
@@ -174,7 +183,10 @@ void MainWindow::makeViewTools() {
 }
 
 void MainWindow::showStart(bool start) {
-  if (start) start_->refresh();
+  if (start) {
+    keepPictureOfProject();
+    start_->refresh(session_.project.document().isOpen());
+  }
   centre_->setCurrentIndex(start ? 0 : 1);
   for (auto* bar : bars_) bar->setVisible(!start);
   for (auto* dock : {left_, right_, bottom_}) dock->setVisible(!start);
@@ -207,11 +219,6 @@ void MainWindow::updateTitle() {
                      : QStringLiteral("Talus"));
 }
 
-void MainWindow::open(const std::filesystem::path& path) {
-  if (session_.project.document().isOpen() && !askToSave()) return;
-  if (session_.open(path)) rememberRecent(path);
-}
-
 ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) const {
   ExportTask task;
   task.system = session_.project.system();
@@ -229,41 +236,42 @@ ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) 
 }
 
 void MainWindow::savePicture(const std::filesystem::path& path) {
-  if (!session_.project.system() || exporter_.isBusy()) return;
+  if (!session_.project.system()) return;
   ExportTask task = exportTask(path, 1920);
   if (const auto frame = session_.playback.frame()) {
     task.frame = [frame](int) { return frame; };
     task.frameCount = 1;
   }
-  findChild<ExportStrip*>(QStringLiteral("export"))->begin(tr("Picture"));
+  task.what = tr("Picture");
+  session_.messages.settle(Problem::Of::picture);
   exporter_.start(std::move(task));
 }
 
 void MainWindow::saveFilm(const std::filesystem::path& path) {
-  if (session_.playback.times().empty() || exporter_.isBusy()) return;
+  if (session_.playback.times().empty()) return;
   ExportTask task = exportTask(path, 1280);
   task.frame = session_.playback.source();
   task.frameCount = static_cast<int>(session_.playback.times().size());
-  findChild<ExportStrip*>(QStringLiteral("export"))->begin(tr("Film"));
+  task.what = tr("Film");
+  session_.messages.settle(Problem::Of::picture);
   exporter_.start(std::move(task));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  event->ignore();
   if (session_.run.job().isBusy()) {
     // The step that is being made ends first; the window stays alive meanwhile.
-    event->ignore();
-    if (closing_) return;
+    if (closing_ || !guards_->mayStopRun()) return;
     closing_ = true;
     session_.messages.log(tr("stopping the run before the window closes"));
-    connect(&session_.run.job(), &SolverJob::ended, this, &QWidget::close, Qt::QueuedConnection);
+    connect(&session_.run.job(), &SolverJob::ended, this, &QWidget::close,
+            static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
     session_.run.job().stop();
     return;
   }
   closing_ = false;
-  if (!askToSave()) {
-    event->ignore();
-    return;
-  }
+  if (!guards_->mayLeaveProject()) return;
+  keepPictureOfProject();
   QSettings().setValue(QStringLiteral("geometry"), saveGeometry());
   event->accept();
 }

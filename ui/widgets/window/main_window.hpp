@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 
+#include "document/autosave.hpp"
 #include "session/session.hpp"
 #include "widgets/results/export_job.hpp"
 
@@ -13,8 +14,11 @@ namespace talus {
 
 class AccuracyPanel;
 class ExportStrip;
+class Guards;
+class PasteJoints;
 class Rail;
 class StartPage;
+class StereonetPanel;
 class WorkflowBar;
 class Timeline;
 class TopBar;
@@ -34,13 +38,23 @@ class MainWindow : public QMainWindow {
   Timeline& timeline() { return *timeline_; }
   ExportJob& exporter() { return exporter_; }
 
+  /// Asks what a new project is to be; `key`: the template that is chosen first.
+  void newProject(const std::string& key = {});
   void open(const std::filesystem::path& path);
+  /// A sample, as a project that has no file of its own yet.
+  void openCopy(const std::filesystem::path& sample);
+  /// What a file or folder is, it becomes: the project, its results, another solid.
+  void takeDropped(const std::filesystem::path& path);
+  /// Asks what is to become of work that other windows left unsaved when they ended without closing.
+  void offerRecovery();
   /// In the view's shape, 1920 pixels wide.
   void savePicture(const std::filesystem::path& path);
   void saveFilm(const std::filesystem::path& path);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void makeBars();
@@ -56,20 +70,27 @@ class MainWindow : public QMainWindow {
   void showRecent();
   void askForProject();
   void askForResults();
-  bool askToSave();
   bool saveAs();
+  void solve();
+  bool begin(const Draft& draft, const QString& what);
+  void beginWithSolid(const std::filesystem::path& file);
+  void keepPictureOfProject();
   void askForPicture();
   void askForFilm();
   /// Null, and a problem is said, where the samples cannot be read.
   Verification* verification();
   void showAccuracy();
+  void showStereonet();
+  void askForJoints();
   void showAbout();
   ExportTask exportTask(const std::filesystem::path& path, int width) const;
   QString folderForDialogs() const;
   void updateTitle();
 
   Session session_;
+  Autosave autosave_;
   ExportJob exporter_;
+  Guards* guards_;
   WindowActions* actions_;
   TopBar* topBar_;
   WorkflowBar* workflowBar_;
@@ -82,6 +103,8 @@ class MainWindow : public QMainWindow {
   QStackedWidget* rightPages_;
   Verification* verification_ = nullptr;  ///< once it has been asked for
   AccuracyPanel* accuracy_ = nullptr;     ///< once it has been asked for
+  StereonetPanel* stereonet_ = nullptr;   ///< likewise
+  PasteJoints* pasteJoints_ = nullptr;    ///< likewise
   QList<QToolBar*> bars_;
   QLabel *message_, *place_;
   bool docksSized_ = false;

@@ -2,14 +2,18 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
+#include <QStackedWidget>
 
 #include "base/error.hpp"
 #include "verification/hard_cases/scenes/all_hard_cases.hpp"
+#include "widgets/begin/recent_files.hpp"
+#include "widgets/begin/samples.hpp"
 #include "widgets/kit/text.hpp"
-#include "widgets/project/samples.hpp"
-#include "widgets/project/start_page.hpp"
+#include "widgets/orientation/paste_joints.hpp"
+#include "widgets/orientation/stereonet_panel.hpp"
 #include "widgets/study/accuracy_panel.hpp"
 #include "widgets/verification/verification.hpp"
+#include "widgets/window/guards.hpp"
 #include "widgets/window/main_window.hpp"
 #include "widgets/window/top_bar.hpp"
 #include "widgets/window/window_actions.hpp"
@@ -28,12 +32,17 @@ std::filesystem::path withEnding(const QString& name, const char* ending) {
 }  // namespace
 
 void MainWindow::connectActions() {
+  connect(actions_->newProject, &QAction::triggered, this, [this] { newProject(); });
+  connect(actions_->solve, &QAction::triggered, this, &MainWindow::solve);
   connect(actions_->open, &QAction::triggered, this, &MainWindow::askForProject);
   connect(actions_->openResults, &QAction::triggered, this, &MainWindow::askForResults);
   connect(actions_->saveAs, &QAction::triggered, this, &MainWindow::saveAs);
   connect(actions_->savePicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(actions_->saveFilm, &QAction::triggered, this, &MainWindow::askForFilm);
   connect(actions_->startPage, &QAction::triggered, this, [this] { showStart(true); });
+  connect(actions_->clearSelection, &QAction::triggered, this, [this] {  // Esc leaves the start page
+    if (centre_->currentIndex() == 0 && session_.project.document().isOpen()) showStart(false);
+  });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   for (const auto& [action, list] : {std::pair(actions_->knownAnswers, Verification::List::knownAnswers),
                                      std::pair(actions_->hardCases, Verification::List::hardCases)})
@@ -41,6 +50,8 @@ void MainWindow::connectActions() {
       if (auto* dialog = verification()) dialog->open(list);
     });
   connect(actions_->accuracy, &QAction::triggered, this, &MainWindow::showAccuracy);
+  connect(actions_->stereonet, &QAction::triggered, this, &MainWindow::showStereonet);
+  connect(actions_->pasteJoints, &QAction::triggered, this, &MainWindow::askForJoints);
   connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_->viewAlone, &QAction::toggled, this, &MainWindow::showViewAlone);
   connect(topBar_->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::showRecent);
@@ -54,7 +65,8 @@ QString MainWindow::folderForDialogs() const {
 void MainWindow::showRecent() {
   auto* menu = topBar_->recentMenu();
   menu->clear();
-  for (const auto& file : recentFiles()) menu->addAction(text(file.string()), this, [this, file] { open(file); });
+  for (const RecentFile& file : recentFiles())
+    if (file.isThere) menu->addAction(text(file.path.string()), this, [this, path = file.path] { open(path); });
   if (menu->isEmpty()) menu->addAction(tr("No file has been opened yet"))->setEnabled(false);
 }
 
@@ -72,18 +84,15 @@ void MainWindow::askForResults() {
 bool MainWindow::saveAs() {
   const QString name =
       QFileDialog::getSaveFileName(this, tr("Save the project"), folderForDialogs(), tr("Talus projects (*.talus)"));
-  return !name.isEmpty() && session_.project.saveAs(withEnding(name, ".talus"));
+  if (name.isEmpty() || !session_.project.saveAs(withEnding(name, ".talus"))) return false;
+  rememberRecent(session_.project.document().file());
+  return true;
 }
 
-bool MainWindow::askToSave() {
-  Document& document = session_.project.document();
-  if (!document.isOpen() || document.isSaved()) return true;
-  const auto answer =
-      QMessageBox::question(this, tr("Unsaved changes"), tr("%1 has changes that are not saved.").arg(document.name()),
-                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-  if (answer == QMessageBox::Cancel) return false;
-  if (answer == QMessageBox::Discard) return true;
-  return document.file().empty() ? saveAs() : session_.project.saveAs(document.file());
+void MainWindow::solve() {
+  if (!session_.run.whyNotSolve().isEmpty()) return;
+  if (session_.project.document().file().empty() && !saveAs()) return;  // results lie beside the project
+  if (guards_->mayReplaceResults()) session_.solve();
 }
 
 void MainWindow::askForPicture() {
@@ -111,6 +120,19 @@ Verification* MainWindow::verification() {
 void MainWindow::showAccuracy() {
   if (!accuracy_) accuracy_ = new AccuracyPanel(session_.project, session_.run, this);
   accuracy_->present();
+}
+
+void MainWindow::showStereonet() {
+  if (!stereonet_) {
+    stereonet_ = new StereonetPanel(session_.project, session_.messages, session_.display, this);
+    connect(stereonet_, &StereonetPanel::pasteWanted, this, &MainWindow::askForJoints);
+  }
+  stereonet_->present();
+}
+
+void MainWindow::askForJoints() {
+  if (!pasteJoints_) pasteJoints_ = new PasteJoints(session_.project, this);
+  pasteJoints_->present();
 }
 
 void MainWindow::showAbout() {

@@ -8,8 +8,29 @@
 #include "jobs/solver_job.hpp"
 #include "session/session.hpp"
 #include "widgets/kit/parts.hpp"
+#include "widgets/kit/text.hpp"
 
 namespace talus {
+
+namespace {
+
+QString stateWord(RailItem::State state) {
+  switch (state) {
+    case RailItem::State::done:
+      return QObject::tr("done");
+    case RailItem::State::doubtful:
+      return QObject::tr("doubtful");
+    case RailItem::State::busy:
+      return QObject::tr("running");
+    case RailItem::State::locked:
+      return QObject::tr("not yet possible");
+    case RailItem::State::open:
+      break;
+  }
+  return QObject::tr("to do");
+}
+
+}  // namespace
 
 Rail::Rail(Session& session) : session_(session) {
   setProperty("plane", "rail");
@@ -33,6 +54,7 @@ Rail::Rail(Session& session) : session_(session) {
   connect(&session_.display, &Display::pageChanged, this, &Rail::refresh);
   connect(&session_.project, &CurrentProject::opened, this, &Rail::refresh);
   connect(&session_.project, &CurrentProject::systemChanged, this, &Rail::refresh);
+  connect(&session_.project.document(), &Document::projectChanged, this, &Rail::refresh);
   connect(&session_.playback, &Playback::framesChanged, this, &Rail::refresh);
   connect(&session_.run, &CurrentRun::reportChanged, this, &Rail::refresh);
   connect(&session_.messages, &Messages::problemsChanged, this, &Rail::refresh);
@@ -44,30 +66,35 @@ void Rail::refresh() {
   using State = RailItem::State;
   const Project& project = session_.project.document().project();
   const JobState job = session_.run.job().state();
-  const bool meshed = session_.project.system() != nullptr;
+  const bool meshed = session_.project.systemIsCurrent();
+  const QString staleBlocks = meshed || !session_.project.system() ? QString() : tr("Changed since it was cut");
   const bool meshing = job == JobState::meshing, running = session_.run.job().isBusy() && !meshing;
   auto doneIf = [](bool done) { return done ? State::done : State::open; };
   auto set = [this](WorkflowPage page, State state, const QString& why = {}) { items_.at(page)->setState(state, why); };
   set(WorkflowPage::geometry, doneIf(!project.solids.empty()));
   set(WorkflowPage::joints, doneIf(!project.joints.empty()));
-  set(WorkflowPage::blocks, meshing ? State::busy : doneIf(meshed));
-  set(WorkflowPage::mesh, meshing ? State::busy : doneIf(meshed));
+  for (const WorkflowPage page : {WorkflowPage::blocks, WorkflowPage::mesh})
+    set(page, meshing ? State::busy : doneIf(meshed), staleBlocks);
   set(WorkflowPage::materials, doneIf(!project.materials.empty()));
   set(WorkflowPage::loads,
       doneIf(!project.loads.empty() || !project.constraints.empty() || project.gravity.norm() > 0));
   set(WorkflowPage::stages, doneIf(!project.stages.empty()));
   const bool solved = !session_.playback.times().empty() && !session_.run.job().isBusy();
+  const bool current = solved && session_.playback.isCurrent();
+  const QString shortfall = solved ? session_.run.shortfall() : QString();
+  const State outcome = shortfall.isEmpty() ? State::done : State::doubtful;
   const QString why = session_.run.whyNotSolve();
   if (running)
     set(WorkflowPage::solve, State::busy);
-  else if (solved && session_.playback.isCurrent())
-    set(WorkflowPage::solve, State::done);
+  else if (current)
+    set(WorkflowPage::solve, outcome, sentenceCase(shortfall));
   else
     set(WorkflowPage::solve, why.isEmpty() ? State::open : State::locked, why);
   if (session_.playback.times().empty())
     set(WorkflowPage::results, State::locked, tr("Nothing has been solved yet"));
   else
-    set(WorkflowPage::results, doneIf(solved && session_.playback.isCurrent()));
+    set(WorkflowPage::results, current ? outcome : State::open,
+        current ? sentenceCase(shortfall) : solved ? tr("Changed since it was solved") : QString());
   for (const auto& [page, item] : items_) item->setCurrent(page == session_.display.page());
 }
 
@@ -86,6 +113,7 @@ void RailItem::setState(State state, const QString& why) {
   state_ = state;
   const QString key = tr("%1 (Ctrl+%2)").arg(pageTitle(page_)).arg(static_cast<int>(page_) + 1);
   setToolTip(why.isEmpty() ? key : key + u'\n' + why);
+  setAccessibleDescription(why.isEmpty() ? stateWord(state) : stateWord(state) + QStringLiteral(": ") + why);
   update();
 }
 
@@ -134,6 +162,12 @@ void RailItem::paintEvent(QPaintEvent*) {
     painter.setBrush(c.ok);
     painter.drawEllipse(badge);
     theme::icon(QStringLiteral("check"), theme::Tone::onAccent).paint(&painter, badge.adjusted(2, 2, -2, -2));
+  } else if (state_ == State::doubtful) {
+    painter.setBrush(c.warn);
+    painter.drawEllipse(badge);
+    painter.setPen(c.onAccent);
+    painter.setFont(theme::font(10, QFont::Bold));
+    painter.drawText(badge, Qt::AlignCenter, QStringLiteral("!"));
   } else if (state_ == State::busy) {
     painter.setBrush(c.surface);
     painter.drawEllipse(badge);

@@ -27,10 +27,11 @@ class Rail : public QFrame {
 class RailItem : public QWidget {
   Q_OBJECT
  public:
-  enum class State { open, done, busy, locked };
+  enum class State { open, done, doubtful, busy, locked };
   explicit RailItem(WorkflowPage page);
   void setState(State state, const QString& why);
   void setCurrent(bool current);
+  State state() const { return state_; }
 
  signals:
   void chosen();

@@ -104,7 +104,7 @@ void TopBar::runCommand(const QString& name) {
 void TopBar::refresh() {
   name_->setText(document_.isOpen() ? document_.name() : QString());
   saved_->setText(!document_.isOpen()        ? QString()
-                  : document_.file().empty() ? tr("from results")
+                  : document_.file().empty() ? (document_.isSaved() ? tr("has no file") : tr("not saved"))
                   : document_.isSaved()      ? tr("saved")
                                              : tr("edited"));
   theme_->setIcon(theme::icon(display_.isDark() ? QStringLiteral("sun") : QStringLiteral("moon")));

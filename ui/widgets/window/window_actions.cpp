@@ -22,6 +22,7 @@ WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&windo
   connect(&session_.playback, &Playback::framesChanged, this, &WindowActions::refresh);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, &WindowActions::refresh);
   connect(&session_.project.document(), &Document::savedChanged, this, &WindowActions::refresh);
+  connect(&session_.project.document(), &Document::projectChanged, this, &WindowActions::refresh);
   connect(&session_.project.selection(), &Selection::changed, this, &WindowActions::refresh);
   refresh();
 }
@@ -37,6 +38,7 @@ QAction* WindowActions::add(const QString& text, const QString& icon, const QKey
 }
 
 void WindowActions::makeFileActions() {
+  newProject = add(tr("New…"), QStringLiteral("plus"), QKeySequence::New);
   open = add(tr("Open…"), QStringLiteral("folder"), QKeySequence::Open);
   openResults = add(tr("Open results…"), QStringLiteral("results"), QKeySequence(tr("Ctrl+Shift+O")));
   save = add(tr("Save"), QStringLiteral("file"), QKeySequence::Save);
@@ -89,6 +91,8 @@ void WindowActions::makeRunActions() {
     connect(action, &QAction::triggered, this, [this, page] { session_.display.goTo(page); });
     pages[page] = action;
   }
+  stereonet = add(tr("Stereonet…"), QStringLiteral("stereonet"), QKeySequence(tr("Ctrl+Shift+N")));
+  pasteJoints = add(tr("Paste joints…"), QStringLiteral("paste"), QKeySequence(tr("Ctrl+Shift+V")));
   mesh = add(tr("Cut and mesh"), QStringLiteral("cut"), QKeySequence(Qt::Key_F4));
   solve = add(tr("Solve"), QStringLiteral("play"), QKeySequence(Qt::Key_F5));
   pause = add(tr("Pause"), QStringLiteral("pause"), QKeySequence(Qt::Key_F6));
@@ -96,7 +100,6 @@ void WindowActions::makeRunActions() {
   stop = add(tr("Stop"), QStringLiteral("stop"), QKeySequence(tr("Shift+F5")));
   SolverJob& job = session_.run.job();
   connect(mesh, &QAction::triggered, &session_.run, &CurrentRun::mesh);
-  connect(solve, &QAction::triggered, this, [this] { session_.solve(); });
   connect(pause, &QAction::triggered, this, [&job] { job.state() == JobState::paused ? job.resume() : job.pause(); });
   connect(oneStep, &QAction::triggered, this, [&job] {
     job.pause();
@@ -143,14 +146,16 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
     }
     return made;
   };
-  auto* file =
-      menu(tr("File"), {open, openResults, save, saveAs, nullptr, savePicture, saveFilm, nullptr, startPage, quit});
+  auto* file = menu(tr("File"), {newProject, open, openResults, save, saveAs, nullptr, savePicture, saveFilm, nullptr,
+                                 startPage, quit});
   file->insertMenu(save, recent);
   menu(tr("Edit"), {undo, redo, nullptr, clearSelection});
   menu(tr("View"), {fit, iso, front, side, top, projection, nullptr, hide, isolate, showAll, nullptr, dark, viewAlone});
   auto* model = menu(tr("Model"), {});
   for (const auto& [page, action] : pages)
     if (isSetUp(page)) model->addAction(action);
+  model->addSeparator();
+  model->addActions({stereonet, pasteJoints});
   model->addSeparator();
   model->addAction(mesh);
   menu(tr("Solve"), {pages.at(WorkflowPage::solve), nullptr, solve, pause, oneStep, stop});
@@ -176,13 +181,14 @@ void WindowActions::refresh() {
   const QString notRunning = running || paused ? QString() : tr("Nothing runs");
   const QString nothingSelected =
       session_.project.selection().blocks().empty() ? tr("Select a block first") : QString();
-  for (auto* action : {open, openResults, startPage})
+  allow(startPage, {});
+  for (auto* action : {newProject, open, openResults})
     allow(action, session_.run.job().isBusy() ? tr("A run goes on: stop it first") : QString());
   allow(save, !isOpen ? noProject
               : session_.project.document().isSaved() && !session_.project.document().file().empty()
                   ? tr("Nothing has changed since it was saved")
                   : QString());
-  allow(saveAs, noProject);
+  for (auto* action : {saveAs, stereonet, pasteJoints}) allow(action, noProject);
   allow(savePicture, noBlocks);
   allow(saveFilm, noFrames);
   for (auto* action : {fit, iso, front, side, top, projection, showAll}) allow(action, noBlocks);

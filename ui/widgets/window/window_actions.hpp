@@ -25,12 +25,13 @@ class WindowActions : public QObject {
   WindowActions(Session& session, QWidget& window);
 
   // File
-  QAction *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *startPage, *quit;
+  QAction *newProject, *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *startPage, *quit;
   // Edit
   QAction *undo, *redo, *clearSelection;
   // View
   QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *dark, *viewAlone;
   // Model and solve
+  QAction *stereonet, *pasteJoints;
   QAction *mesh, *solve, *pause, *oneStep, *stop;
   // Results
   QAction *play, *previousFrame, *nextFrame, *firstFrame, *lastFrame, *accuracy;

@@ -56,6 +56,7 @@ WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(se
   connect(&session_.display, &Display::pageChanged, this, &WorkflowBar::refresh);
   connect(&session_.project, &CurrentProject::opened, this, &WorkflowBar::refresh);
   connect(&session_.project, &CurrentProject::systemChanged, this, &WorkflowBar::refresh);
+  connect(&session_.project.document(), &Document::projectChanged, this, &WorkflowBar::refresh);
   connect(&session_.playback, &Playback::framesChanged, this, &WorkflowBar::refresh);
   connect(&session_.run, &CurrentRun::reportChanged, this, &WorkflowBar::refresh);
   connect(&session_.run, &CurrentRun::progressed, this, &WorkflowBar::refreshOutcome);
@@ -121,8 +122,10 @@ QString WorkflowBar::runOutcome() const {
   if (!job.isBusy()) {
     const auto& report = session_.run.report();
     if (!report) return session_.run.whyNotSolve();
-    const QString length =
+    const QString shortfall = session_.run.shortfall();
+    QString length =
         tr("%1 in %2").arg(numbers::counted(report->steps, "step"), numbers::duration(report->wall_seconds));
+    if (!shortfall.isEmpty()) length = tr("%1; %2").arg(sentenceCase(shortfall), length);
     return session_.playback.isCurrent() ? length : tr("edited since; %1").arg(length);
   }
   if (job.state() == JobState::meshing) return tr("Cutting and meshing");
@@ -136,6 +139,10 @@ QString WorkflowBar::runOutcome() const {
   if (job.state() == JobState::paused) return words + tr("   paused");
   const auto left = job.timeLeft().seconds();
   return left ? words + tr("   %1 left").arg(numbers::duration(*left)) : words;
+}
+
+QString WorkflowBar::ofBlocks(const QString& words) const {
+  return session_.project.systemIsCurrent() ? words : tr("%1, before the last change").arg(words);
 }
 
 QString WorkflowBar::outcome() const {
@@ -152,7 +159,8 @@ QString WorkflowBar::outcome() const {
       if (!system) return tr("not cut yet");
       double volume = 0;
       for (const auto& block : system->blocks) volume += block.volume;
-      return tr("%1, %2 m³").arg(numbers::counted(system->blocks.size(), "block"), numbers::significant(volume, 4));
+      return ofBlocks(
+          tr("%1, %2 m³").arg(numbers::counted(system->blocks.size(), "block"), numbers::significant(volume, 4)));
     }
     case WorkflowPage::mesh: {
       if (!system) return tr("not meshed yet");
@@ -161,7 +169,7 @@ QString WorkflowBar::outcome() const {
         nodes += block.mesh.nodes.size();
         tetrahedra += block.mesh.tetrahedra.size();
       }
-      return tr("%1 tetrahedra, %2 nodes").arg(numbers::whole(tetrahedra), numbers::whole(nodes));
+      return ofBlocks(tr("%1 tetrahedra, %2 nodes").arg(numbers::whole(tetrahedra), numbers::whole(nodes)));
     }
     case WorkflowPage::materials:
       return numbers::counted(project.materials.size(), "material");
@@ -181,7 +189,9 @@ QString WorkflowBar::outcome() const {
   }
   if (session_.playback.times().empty()) return tr("nothing has been solved yet");
   const QString frames = numbers::counted(session_.playback.times().size(), "frame");
-  return session_.playback.isCurrent() ? frames : tr("%1, of the project before it was edited").arg(frames);
+  if (!session_.playback.isCurrent()) return tr("%1, of the project before it was edited").arg(frames);
+  const QString shortfall = session_.run.job().isBusy() ? QString() : session_.run.shortfall();
+  return shortfall.isEmpty() ? frames : tr("%1; %2").arg(sentenceCase(shortfall), frames);
 }
 
 void WorkflowBar::refreshOutcome() {
@@ -199,7 +209,7 @@ QAction* WorkflowBar::primaryAction() const {
     case WorkflowPage::results:
       return actions_.saveFilm;
     default:
-      return session_.project.system() ? actions_.pages.at(WorkflowPage::solve) : actions_.mesh;
+      return session_.project.systemIsCurrent() ? actions_.pages.at(WorkflowPage::solve) : actions_.mesh;
   }
 }
 

@@ -27,6 +27,8 @@ class WorkflowBar : public QFrame {
   void refreshOutcome();
   void refreshPrimary();
   QString outcome() const;
+  /// What is said of blocks, and whether they are those of the project as it is.
+  QString ofBlocks(const QString& words) const;
   QString runOutcome() const;
   QAction* primaryAction() const;
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "model/project.hpp"
+#include "orientation/joint_table.hpp"
+
+/// Joints of a project as measured ones, and back.
+namespace talus {
+
+/// The joints of a project, and the number of the cut that each belongs to.
+struct ProjectJoints {
+  std::vector<MeasuredJoint> joints;
+  std::vector<int> cuts;
+  bool complete = true;  ///< no cut has more planes than were asked for
+};
+
+/// One for every cut, in their order, and one for every plane of a cut that is drawn by chance; the set is the name of
+/// its joint. Of each cut at most the first `most`.
+ProjectJoints joints_of(const Project& project, int most = std::numeric_limits<int>::max());
+
+/// The project with a cut for every joint, at the end of its list. Sets become joints; where the project has none of
+/// that name, one is added with the values of `strength`. Joints without a set take the name of `strength`, those
+/// without a place go through `at`. A joint with a spacing stays a single plane: a table says where each one is.
+Project with_joints(Project project, std::span<const MeasuredJoint> joints, const Joint& strength, const Vec3& at);
+
+}  // namespace talus

@@ -1,0 +1,56 @@
+#include "orientation/project_joints.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace talus {
+namespace {
+
+Joint joint_of(const std::string& name, double friction_angle) {
+  Joint joint;
+  joint.name = name;
+  joint.friction_angle = friction_angle;
+  return joint;
+}
+
+TEST(ProjectJoints, AreTheCutsWithTheirSets) {
+  Project project;
+  project.cuts.push_back({"J1", 45, 120, Vec3(1, 2, 3), 2, 5, {}});
+  const std::vector<MeasuredJoint> joints = joints_of(project).joints;
+  ASSERT_EQ(joints.size(), 1u);
+  EXPECT_EQ(joints[0], (MeasuredJoint{{45, 120}, "J1", Vec3(1, 2, 3), 2}));
+}
+
+TEST(ProjectJoints, OfACutThatIsDrawnAreAllItsPlanes) {
+  Project project;
+  project.cuts.push_back({"J1", 45, 120, Vec3(1, 2, 3), 2, 5, {}});
+  project.cuts.push_back(project.cuts[0]);
+  project.cuts[1].fisher_kappa = 100;
+  const ProjectJoints found = joints_of(project);
+  EXPECT_THAT(found.cuts, testing::ElementsAre(0, 1, 1, 1, 1, 1));
+  EXPECT_NE(found.joints[1].plane, found.joints[2].plane);
+  EXPECT_TRUE(found.complete);
+  const ProjectJoints fewer = joints_of(project, 2);
+  EXPECT_FALSE(fewer.complete);
+  EXPECT_THAT(fewer.cuts, testing::ElementsAre(0, 1, 1));
+  EXPECT_EQ(fewer.joints[2], found.joints[2]) << "the first ones are the same";
+}
+
+TEST(ProjectJoints, AreAddedWithTheJointsThatTheyName) {
+  Project project;
+  project.joints.push_back(joint_of("J1", 25));
+  const std::vector<MeasuredJoint> measured{{{45, 120}, "J1", Vec3(1, 2, 3)}, {{60, 30}, "K"}, {{5, 0}, ""}};
+  const Project changed = with_joints(project, measured, joint_of("joint", 33), Vec3(7, 8, 9));
+  ASSERT_EQ(changed.joints.size(), 3u);
+  EXPECT_EQ(changed.joints[0].friction_angle, 25);
+  EXPECT_EQ(changed.joints[1], joint_of("K", 33));
+  EXPECT_EQ(changed.joints[2].name, "joint");
+  ASSERT_EQ(changed.cuts.size(), 3u);
+  EXPECT_EQ(changed.cuts[0].through, Vec3(1, 2, 3));
+  EXPECT_EQ(changed.cuts[1].through, Vec3(7, 8, 9));
+  EXPECT_EQ(changed.cuts[1].joint, "K");
+  EXPECT_EQ(changed.cuts[1].dip, 60);
+}
+
+}  // namespace
+}  // namespace talus

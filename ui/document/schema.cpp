@@ -1,0 +1,89 @@
+#include "document/schema.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "io/project_file.hpp"
+
+namespace talus::schema {
+
+const Json& root() {
+  static const Json json = Json::parse(project_schema_text());
+  return json;
+}
+
+Json resolved(const Json& rule) {
+  if (!rule.contains("$ref")) return rule;
+  Json whole = root().at(Place(rule.at("$ref").get<std::string>().substr(1)));
+  whole = resolved(whole);
+  for (const auto& [key, value] : rule.items())
+    if (key != "$ref") whole[key] = value;
+  return whole;
+}
+
+Json memberRule(const Json& rule, const std::string& key) {
+  if (rule.contains("properties") && rule.at("properties").contains(key))
+    return resolved(rule.at("properties").at(key));
+  if (rule.contains("additionalProperties") && rule.at("additionalProperties").is_object())
+    return resolved(rule.at("additionalProperties"));
+  if (rule.contains("items")) {
+    Json item = resolved(rule.at("items"));
+    for (const char* word : {"unit", "shown"})  // of a vector: of each of its numbers
+      if (rule.contains(word) && item.value("type", Json()) != "array") item[word] = rule.at(word);
+    return item;
+  }
+  return {};
+}
+
+Json ruleOf(const Place& place) {
+  if (place.empty()) return root();
+  Json rule = memberRule(ruleOf(place.parent_pointer()), place.back());
+  if (rule.is_null()) throw std::out_of_range("a project says nothing at " + place.to_string());
+  return rule;
+}
+
+Kind kindOf(const Json& rule) {
+  if (rule.contains("notComputedYet")) return Kind::refused;
+  if (rule.contains("const")) return Kind::constant;
+  if (rule.contains("enum")) return Kind::choice;
+  const std::string type = rule.at("type").is_string() ? rule.at("type").get<std::string>() : "number";  // or null
+  if (type == "boolean") return Kind::boolean;
+  if (type == "number" || type == "integer") return Kind::number;
+  if (type == "string") return Kind::text;
+  if (type == "object") return rule.contains("properties") ? Kind::object : Kind::named;
+  const Json item = resolved(rule.at("items"));
+  const Kind each = kindOf(item);
+  const bool ofOneLength = rule.contains("maxItems") && rule.value("minItems", Json()) == rule.at("maxItems");
+  if (ofOneLength) return each == Kind::number ? Kind::numbers : Kind::texts;
+  const bool numbersInRows =
+      item.value("type", Json()) == "array" && kindOf(resolved(item.at("items"))) == Kind::number;
+  return numbersInRows ? Kind::table : Kind::list;
+}
+
+std::vector<std::string> variants(const Json& rule) {
+  std::vector<std::string> keys;
+  for (const auto& choice : rule.value("oneOf", Json::array())) keys.push_back(choice.at("required").at(0));
+  return keys;
+}
+
+bool isOptional(const Json& objectRule, const std::string& key) {
+  const auto choices = variants(objectRule);
+  const Json required = objectRule.value("required", Json::array());
+  return std::find(required.begin(), required.end(), key) == required.end() &&
+         std::find(choices.begin(), choices.end(), key) == choices.end();
+}
+
+std::vector<std::string> neededBy(const Json& objectRule, const std::string& key) {
+  const Json partners = objectRule.value("dependencies", Json::object());
+  return partners.contains(key) ? partners.at(key).get<std::vector<std::string>>() : std::vector<std::string>{};
+}
+
+std::vector<std::string> thatNeed(const Json& objectRule, const std::string& key) {
+  std::vector<std::string> keys;
+  const Json dependencies = objectRule.value("dependencies", Json::object());
+  for (const auto& [other, partners] : dependencies.items())
+    if (std::find(partners.begin(), partners.end(), key) != partners.end()) keys.push_back(other);
+  return keys;
+}
+
+}  // namespace talus::schema

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "render/paint/image.hpp"
+#include "render/stereonet/stereonet.hpp"
+
+namespace talus {
+
+/// The net with a title and a key beside it: sets with their means, densities, what belongs to the slope, and how many
+/// poles and intersections are critical. Throws InputError for sizes outside 320…8192.
+Image draw_stereonet(const Stereonet& net, const std::string& title, int width = 1600, int height = 1000);
+
+}  // namespace talus

@@ -1,0 +1,188 @@
+#include "widgets/forms/scalar_fields.hpp"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <algorithm>
+#include <cmath>
+
+#include "document/document.hpp"
+#include "document/edits.hpp"
+#include "document/names.hpp"
+#include "widgets/kit/display_units.hpp"
+#include "widgets/kit/number_field.hpp"
+#include "widgets/kit/parts.hpp"
+#include "widgets/kit/text.hpp"
+
+namespace talus {
+
+using schema::Json;
+
+NumberField* makeNumber(const Json& rule, const Json* value, const QString& none, const QString& unit,
+                        bool unitBehind) {
+  const QString kept = unit.isEmpty() ? text(rule.value("unit", std::string())) : unit;
+  const QString shown = units::shown(kept, text(rule.value("shown", std::string())));
+  const bool isNumber = value && value->is_number();
+  auto* field =
+      new NumberField(isNumber ? std::optional(value->get<double>()) : std::nullopt, {kept, shown, unitBehind});
+  if (!none.isEmpty()) field->allowNone(none);
+  return field;
+}
+
+Json jsonOf(double number) {
+  constexpr double exact = 9e15;  // whole numbers that a double holds
+  if (number == std::floor(number) && std::abs(number) < exact) return static_cast<std::int64_t>(number);
+  return number;
+}
+
+namespace {
+
+/// What an entry says that leaves the field out: "as its solid", "newmark (usual)".
+QString usualWords(const FieldSite& site) {
+  return site.rule.contains("default") ? QObject::tr("%1 (usual)").arg(site.absent()) : site.absent();
+}
+
+}  // namespace
+
+NumberEntry::NumberEntry(const FieldSite& place) : FormField(place) {
+  const bool mayBeNull = site().rule.at("type").is_array();
+  auto* entry = makeNumber(site().rule, site().value(), mayBeNull ? site().word("absent") : site().absent());
+  entry->setObjectName(text(site().place.to_string()));
+  entry->setAccessibleName(site().title());
+  connect(entry, &NumberField::problemChanged, this, &FormField::say);
+  connect(entry, &NumberField::committed, this, [this, entry](double number) { put(jsonOf(number)); });
+  connect(entry, &NumberField::cleared, this, [this, mayBeNull] { mayBeNull ? put(nullptr) : leaveOut(); });
+  add(entry);
+}
+
+ChoiceField::ChoiceField(const FieldSite& place) : FormField(place) {
+  const bool boolean = schema::kindOf(site().rule) == schema::Kind::boolean;
+  const Json values = boolean ? Json{true, false} : site().rule.at("enum");
+  auto* box = makeCombo({}, site().title());
+  box->setObjectName(text(site().place.to_string()));
+  if (site().optional) box->addItem(usualWords(site()));
+  const int first = box->count();
+  for (const auto& value : values)
+    box->addItem(boolean ? (value.get<bool>() ? tr("yes") : tr("no")) : text(value.get<std::string>()));
+  const Json* present = site().value();
+  const auto at = present ? std::find(values.begin(), values.end(), *present) : values.end();
+  box->setCurrentIndex(at == values.end() ? 0 : first + static_cast<int>(at - values.begin()));
+  box->setProperty("unset", box->currentIndex() < first);
+  connect(box, &QComboBox::activated, this, [this, box, first, values, before = box->currentIndex()](int chosen) {
+    if (chosen == before) return;
+    const bool done = chosen < first ? leaveOut() : put(values.at(static_cast<std::size_t>(chosen - first)));
+    if (!done) box->setCurrentIndex(before);
+  });
+  add(box);
+}
+
+TextField::TextField(const FieldSite& place) : FormField(place) {
+  const Json* present = site().value();
+  auto* entry = new QLineEdit(present ? text(present->get<std::string>()) : QString());
+  entry->setObjectName(text(site().place.to_string()));
+  entry->setAccessibleName(site().title());
+  entry->setPlaceholderText(site().absent());
+  entry->setMinimumWidth(60);
+  connect(entry, &QLineEdit::editingFinished, this, [this, entry] {
+    if (!entry->isModified()) return;
+    entry->setModified(false);
+    commit(entry->text());
+  });
+  if (!site().rule.contains("file")) {
+    add(entry);
+    return;
+  }
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  setMargins(layout, 0, 4);
+  auto* browse = makeTool(QStringLiteral("folder"), tr("Choose a file"));
+  layout->addWidget(entry, 1);
+  layout->addWidget(browse);
+  connect(browse, &QToolButton::clicked, this, [this] {
+    const QString folder = text(site().context.document.folder().string());
+    const QString file = QFileDialog::getOpenFileName(this, site().title(), folder, site().word("file"));
+    if (!file.isEmpty()) commit(QDir(folder).relativeFilePath(file));
+  });
+  add(row);
+}
+
+void TextField::commit(const QString& typed) {
+  if (typed.isEmpty() && site().optional) {
+    leaveOut();
+  } else if (site().rule.value("identifies", false)) {
+    change(tr("rename %1").arg(names::described(site().place.parent_pointer(), site().context.document.json())),
+           [&](Json& project) { names::rename(project, site().place.parent_pointer(), typed.toStdString()); });
+  } else {
+    put(typed.toStdString());
+  }
+}
+
+KeyField::KeyField(const FieldSite& place) : FormField(place) {
+  auto* entry = new QLineEdit(text(site().place.back()));
+  entry->setObjectName(text(site().place.to_string()) + QStringLiteral("#name"));
+  entry->setAccessibleName(tr("Name"));
+  connect(entry, &QLineEdit::editingFinished, this, [this, entry] {
+    if (!entry->isModified()) return;
+    entry->setModified(false);
+    change(tr("rename %1").arg(names::described(site().place, site().context.document.json())),
+           [&](Json& project) { names::rename(project, site().place, entry->text().toStdString()); });
+  });
+  add(entry);
+}
+
+NameField::NameField(const FieldSite& place) : FormField(place) {
+  auto* box = makeNameBox(site(), [this](const QString& name) { commit(name); });
+  add(box);
+}
+
+void NameField::commit(const QString& name) {
+  if (name.isEmpty() && site().optional)
+    leaveOut();
+  else
+    put(name.toStdString());
+}
+
+QComboBox* makeNameBox(const FieldSite& site, const std::function<void(const QString&)>& commit) {
+  QStringList choices;
+  const bool pieces = site.rule.value("pieces", false), quantity = site.rule.value("quantity", false);
+  for (const auto& name : names::thatMayStand(site.rule, site.context.document.json())) choices << text(name);
+  if (pieces)
+    for (const auto& block : site.context.blocks)
+      if (!choices.contains(text(block))) choices << text(block);
+  if (quantity) {
+    QStringList quantities;
+    for (const QString& name : choices)
+      for (const char* what : {".displacement.magnitude", ".displacement.z", ".velocity.magnitude", ".stress.zz"})
+        quantities << name + QLatin1String(what);
+    choices = quantities;
+  }
+  if (site.optional) choices.prepend(QString());
+  auto* box = makeCombo(choices, site.title());
+  box->setObjectName(text(site.place.to_string()));
+  const schema::Json* present = site.value();
+  const QString name = present ? text(present->get<std::string>()) : QString();
+  if (!pieces && !quantity) {
+    if (site.optional) box->setItemText(0, usualWords(site));
+    box->setProperty("unset", name.isEmpty());
+    if (box->findText(name) < 0 && !name.isEmpty()) box->addItem(name);
+    box->setCurrentIndex(name.isEmpty() && site.optional ? 0 : box->findText(name));
+    QObject::connect(box, &QComboBox::activated, box, [box, site, commit, name](int index) {
+      const QString chosen = site.optional && index == 0 ? QString() : box->itemText(index);
+      if (chosen != name) commit(chosen);
+    });
+    return box;
+  }
+  box->setEditable(true);
+  box->setInsertPolicy(QComboBox::NoInsert);
+  box->setEditText(name);
+  box->lineEdit()->setPlaceholderText(site.absent());
+  box->lineEdit()->setCursorPosition(0);
+  const auto changed = [box, commit, name] {
+    if (box->currentText() != name) commit(box->currentText());
+  };
+  QObject::connect(box, &QComboBox::activated, box, changed);
+  QObject::connect(box->lineEdit(), &QLineEdit::editingFinished, box, changed);
+  return box;
+}
+
+}  // namespace talus

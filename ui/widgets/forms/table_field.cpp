@@ -1,0 +1,209 @@
+#include "widgets/forms/table_field.hpp"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QRegularExpression>
+#include <QShortcut>
+#include <QTableWidget>
+
+#include "base/error.hpp"
+#include "base/quantity_text.hpp"
+#include "document/document.hpp"
+#include "document/edits.hpp"
+#include "widgets/forms/scalar_fields.hpp"
+#include "widgets/kit/display_units.hpp"
+#include "widgets/kit/numbers.hpp"
+#include "widgets/kit/parts.hpp"
+#include "widgets/kit/plot.hpp"
+#include "widgets/kit/text.hpp"
+
+namespace talus {
+
+using schema::Json;
+
+namespace {
+
+constexpr int most_visible = 8, plot_height = 150;
+constexpr std::size_t most_rows = 2000;  // longer ones, a surface of triangles, are for files, not for cells
+
+}  // namespace
+
+TableField::TableField(const FieldSite& place)
+    : FormField(place), rows_(site().isSet() ? *site().value() : Json::array()) {
+  makeColumns();
+  if (rows_.size() > most_rows) {
+    add(makeLabel(tr("%1 rows: too many for a table").arg(rows_.size()), "muted"));
+    return;
+  }
+  makeTable();
+  add(table_);
+  add(makeTools());
+  if (site().element(0).rule.contains("units") && !rows_.empty()) add(makePlot());
+}
+
+void TableField::makeColumns() {
+  const Json row = site().element(0).rule;
+  oneCell_ = !row.contains("columns");
+  if (oneCell_) {
+    columns_.push_back({site().title(), {}, {}});
+    return;
+  }
+  const Json units = row.value("units", Json::array()), shown = row.value("shownUnits", Json::array());
+  for (std::size_t i = 0; i < row.at("columns").size(); ++i) {
+    const QString kept = text(i < units.size() ? units.at(i).get<std::string>() : row.value("unit", std::string()));
+    const QString usual = i < shown.size() ? text(shown.at(i).get<std::string>()) : QString();
+    columns_.push_back({text(row.at("columns").at(i).get<std::string>()), kept, units::shown(kept, usual)});
+  }
+}
+
+QString TableField::cellText(const Json& number, const Column& column) const {
+  if (!number.is_number()) return site().element(0).element(0).word("absent");
+  const double shown = converted(number.get<double>(), column.kept.toStdString(), column.shown.toStdString());
+  return numbers::inField(shown);
+}
+
+void TableField::makeTable() {
+  table_ = new QTableWidget(static_cast<int>(rows_.size()), static_cast<int>(columns_.size()));
+  table_->setObjectName(text(site().place.to_string()));
+  table_->setAccessibleName(site().title());
+  table_->setShowGrid(true);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(theme::now().metrics.row);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QStringList heads;
+  for (const auto& column : columns_)
+    heads << (column.shown.isEmpty() ? column.title : column.title + u' ' + column.shown);
+  table_->setHorizontalHeaderLabels(heads);
+  for (int i = 0; i < table_->rowCount(); ++i) {
+    const Json& row = rows_.at(static_cast<std::size_t>(i));
+    QStringList cells;
+    for (std::size_t j = 0; j < row.size(); ++j) cells << cellText(row.at(j), columns_[oneCell_ ? 0 : j]);
+    if (oneCell_) cells = {cells.join(u' ')};
+    for (int j = 0; j < table_->columnCount(); ++j) {
+      auto* cell = new QTableWidgetItem(cells.value(j));
+      cell->setTextAlignment((oneCell_ ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+      table_->setItem(i, j, cell);
+    }
+  }
+  const int lines = std::clamp(table_->rowCount(), 1, most_visible) + 1;
+  table_->setFixedHeight(lines * theme::now().metrics.row + 4);
+  auto* paste = new QShortcut(QKeySequence::Paste, table_, nullptr, nullptr, Qt::WidgetShortcut);
+  connect(paste, &QShortcut::activated, this, &TableField::paste);
+  connect(table_, &QTableWidget::cellChanged, this, &TableField::commitCell);
+}
+
+QWidget* TableField::makeTools() {
+  auto* tools = new QWidget;
+  auto* layout = new QHBoxLayout(tools);
+  setMargins(layout, 0, 4);
+  const auto tool = [&](const char* icon, const QString& words, const QString& tip, const char* name, auto method) {
+    auto* button = makeAction(QLatin1String(icon), words, tip);
+    button->setObjectName(text(site().place.to_string()) + QLatin1String(name));
+    connect(button, &QToolButton::clicked, this, method);
+    layout->addWidget(button);
+  };
+  tool("plus", tr("Row"), tr("Add a row behind the one with the cursor"), "#add", &TableField::addRow);
+  tool("dash", tr("Row"), tr("Take the row with the cursor away"), "#remove", &TableField::removeRow);
+  tool("paste", tr("Paste"), tr("Replace all rows by those of the clipboard, copied from a spreadsheet or text"),
+       "#paste", &TableField::paste);
+  layout->addStretch();
+  return tools;
+}
+
+QWidget* TableField::makePlot() const {
+  auto* plot = new Plot(site().title());
+  plot->setFixedHeight(plot_height);
+  std::vector<Curve> curves;
+  for (std::size_t j = 1; j < columns_.size(); ++j) {
+    Curve curve{columns_[j].title, static_cast<int>(j) - 1, {}, {}};
+    for (const auto& row : rows_) {
+      if (!row.at(0).is_number() || !row.at(j).is_number()) continue;
+      curve.x.push_back(row.at(0).get<double>());
+      curve.y.push_back(
+          converted(row.at(j).get<double>(), columns_[j].kept.toStdString(), columns_[j].shown.toStdString()));
+    }
+    if (!curve.x.empty()) curves.push_back(std::move(curve));
+  }
+  plot->setCurves(std::move(curves), columns_.back().shown);
+  return plot;
+}
+
+schema::Json TableField::cellValue(const QString& typed, const Column& column) const {
+  const FieldSite cell = site().element(0).element(0);
+  const bool mayBeNull = cell.rule.at("type").is_array();
+  if (mayBeNull && (typed.trimmed().isEmpty() || typed == cell.word("absent"))) return nullptr;
+  return jsonOf(read_quantity(typed.toStdString(), column.kept.toStdString(), column.shown.toStdString()));
+}
+
+schema::Json TableField::rowValue(const QStringList& cells) const {
+  Json row = Json::array();
+  static const QRegularExpression gaps(QStringLiteral("[\\s,;]+"));
+  const QStringList parts = oneCell_ ? cells.value(0).split(gaps, Qt::SkipEmptyParts) : cells;
+  for (int j = 0; j < parts.size(); ++j)
+    row.push_back(cellValue(
+        parts[j], columns_[oneCell_ ? 0 : std::min<std::size_t>(static_cast<std::size_t>(j), columns_.size() - 1)]));
+  return row;
+}
+
+void TableField::commitCell(int row, int) {
+  QStringList cells;
+  for (int j = 0; j < table_->columnCount(); ++j) cells << table_->item(row, j)->text();
+  try {
+    Json changed = rows_;
+    changed[static_cast<std::size_t>(row)] = rowValue(cells);
+    put(changed);
+  } catch (const InputError& error) {
+    say(tr("row %1: %2; %3").arg(row + 1).arg(text(error.problem()), text(error.remedy())));
+  }
+}
+
+void TableField::paste() {
+  static const QRegularExpression lines(QStringLiteral("[\\r\\n]+")), gaps(QStringLiteral("[\\t;]+|\\s+"));
+  Json pasted = Json::array();
+  int number = 0;
+  try {
+    for (const QString& line : QApplication::clipboard()->text().split(lines, Qt::SkipEmptyParts)) {
+      ++number;
+      const QStringList cells = line.trimmed().split(gaps, Qt::SkipEmptyParts);
+      const bool head = number == 1 && !cells.isEmpty() && cells[0][0].isLetter();
+      if (head || cells.isEmpty()) continue;
+      if (!oneCell_ && cells.size() != static_cast<int>(columns_.size()))
+        return say(tr("line %1 of what was copied has %2 numbers; %3 are wanted")
+                       .arg(number)
+                       .arg(cells.size())
+                       .arg(columns_.size()));
+      pasted.push_back(rowValue(oneCell_ ? QStringList{cells.join(u' ')} : cells));
+    }
+  } catch (const InputError& error) {
+    return say(tr("line %1 of what was copied: %2").arg(number).arg(text(error.problem())));
+  }
+  if (pasted.empty()) return say(tr("nothing was copied that is a table of numbers"));
+  put(pasted);
+}
+
+void TableField::addRow() {
+  const int present = table_->currentRow() < 0 ? table_->rowCount() - 1 : table_->currentRow();
+  Json changed = rows_;
+  Json row = rows_.empty() ? edits::startOf(site().element(0).rule, site().context.document.json())
+                           : rows_.at(static_cast<std::size_t>(present));
+  // A time table goes on with the next moment: rows must ascend.
+  if (site().element(0).rule.contains("units") && !rows_.empty()) {
+    const bool last = present + 1 == static_cast<int>(rows_.size());
+    const double here = row.at(0).get<double>();
+    row[0] = jsonOf(last ? here + 1 : (here + rows_.at(static_cast<std::size_t>(present) + 1).at(0).get<double>()) / 2);
+  }
+  changed.insert(changed.begin() + present + 1, row);
+  put(changed);
+}
+
+void TableField::removeRow() {
+  const int present = table_->currentRow() < 0 ? table_->rowCount() - 1 : table_->currentRow();
+  if (present < 0) return;
+  Json changed = rows_;
+  changed.erase(static_cast<std::size_t>(present));
+  put(changed);
+}
+
+}  // namespace talus

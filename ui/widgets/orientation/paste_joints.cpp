@@ -1,0 +1,287 @@
+#include "widgets/orientation/paste_joints.hpp"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QPlainTextEdit>
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "io/whole_file.hpp"
+#include "orientation/project_joints.hpp"
+#include "session/current_project.hpp"
+#include "widgets/kit/number_field.hpp"
+#include "widgets/kit/numbers.hpp"
+#include "widgets/kit/parts.hpp"
+#include "widgets/kit/plain_table.hpp"
+#include "widgets/kit/text.hpp"
+
+namespace talus {
+
+namespace {
+
+const QSize usual_dialog_size(1060, 620);
+constexpr int text_width = 330;
+constexpr double usual_friction = 30;  // degrees, of sets in a project without any joint
+
+QString optional(const std::optional<double>& value) { return value ? numbers::figure(*value, 6) : QString(); }
+
+/// Middle of all corners that the project itself names; solids from files have none.
+Vec3 middleOf(const Project& project) {
+  std::vector<Vec3> corners;
+  for (const Solid& solid : project.solids) {
+    if (const auto* box = std::get_if<BoxShape>(&solid.shape)) corners.insert(corners.end(), {box->min, box->max});
+    if (const auto* shape = std::get_if<PolyhedronShape>(&solid.shape))
+      corners.insert(corners.end(), shape->vertices.begin(), shape->vertices.end());
+  }
+  if (corners.empty()) return Vec3::Zero();
+  Vec3 low = corners.front(), high = corners.front();
+  for (const Vec3& corner : corners) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  return (low + high) / 2;
+}
+
+QStringList cellsOf(const MeasuredJoint& joint) {
+  QStringList cells{numbers::figure(joint.plane.dip, 5), numbers::figure(joint.plane.dip_direction, 5),
+                    text(joint.set)};
+  for (int i = 0; i < 3; ++i) cells << (joint.at ? numbers::figure((*joint.at)[i], 9) : QString());
+  return cells << optional(joint.spacing) << optional(joint.persistence);
+}
+
+QString wordsOf(const CellProblem& problem) {
+  const QString where = problem.column.empty() ? QString() : text(problem.column) + QStringLiteral(": ");
+  return where + text(problem.problem) + QStringLiteral("; ") + text(problem.remedy);
+}
+
+constexpr int set_column = 4;  // of the preview
+
+/// Where the reader put each column of the preview, as it names them.
+const std::array<const char*, 8> columns{"dip", "dip direction", "set", "x", "y", "z", "spacing", "persistence"};
+
+}  // namespace
+
+PasteJoints::PasteJoints(CurrentProject& project, QWidget* parent) : QDialog(parent), project_(project) {
+  setWindowTitle(tr("Paste joints"));
+  resize(parent ? usual_dialog_size.boundedTo(parent->size() - QSize(60, 40)) : usual_dialog_size);
+  auto* column = new QVBoxLayout(this);
+  setMargins(column, 0, 0);
+  auto* row = new QHBoxLayout;
+  setMargins(row, 0, 0);
+  row->addWidget(makeText());
+  row->addWidget(makeLine(Qt::Vertical));
+  row->addWidget(makePreview(), 1);
+  column->addLayout(row, 1);
+  column->addWidget(makeFoot());
+  read();
+}
+
+QWidget* PasteJoints::makeText() {
+  auto* plane = makePlane("surface");
+  auto* column = new QVBoxLayout(plane);
+  column->setContentsMargins(12, 10, 12, 10);
+  column->setSpacing(6);
+  column->addWidget(makeLabel(tr("Text"), "section"));
+  column->addWidget(makeWrappedLabel(tr("A joint a line: dip, dip direction (or strike), set, x, y, z. With a header "
+                                        "or without; tabs, semicolons, commas or blanks."),
+                                     "small"));
+  text_ = new QPlainTextEdit;
+  text_->setObjectName(QStringLiteral("text"));
+  text_->setAccessibleName(tr("Text of the table"));
+  text_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  text_->setPlaceholderText(QStringLiteral("dip\tdip direction\tset\n45\t120\tJ1\n80\t300\tJ2"));
+  column->addWidget(text_, 1);
+  auto* open = makeButton(tr("Open table…"));
+  open->setAutoDefault(false);
+  column->addWidget(open, 0, Qt::AlignLeft);
+  plane->setFixedWidth(text_width);
+  connect(text_, &QPlainTextEdit::textChanged, this, &PasteJoints::read);
+  connect(open, &QPushButton::clicked, this, &PasteJoints::openFile);
+  return plane;
+}
+
+QWidget* PasteJoints::makePreview() {
+  auto* plane = makePlane("surface");
+  auto* column = new QVBoxLayout(plane);
+  column->setContentsMargins(12, 10, 12, 10);
+  column->setSpacing(6);
+  column->addWidget(makeLabel(tr("What is read"), "section"));
+  notes_ = makeWrappedLabel({}, "small");
+  notes_->setObjectName(QStringLiteral("notes"));
+  column->addWidget(notes_);
+  preview_ = new PlainTable;
+  preview_->setObjectName(QStringLiteral("preview"));
+  preview_->setAccessibleName(tr("Joints that were read"));
+  column->addWidget(preview_, 1);
+  return plane;
+}
+
+void PasteJoints::showPlace() {
+  clearLayout(*placeRow_->layout());
+  placeRow_->layout()->addWidget(makeLabel(tr("Joints without a place go through"), "muted"));
+  const char* const names[] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) {
+    auto* field = new NumberField(through_[i], {QStringLiteral("m"), QStringLiteral("m")});
+    field->setAccessibleName(tr("Place %1").arg(QLatin1String(names[i])));
+    field->setFixedWidth(96);
+    connect(field, &NumberField::committed, this, [this, i](double value) { through_[i] = value; });
+    placeRow_->layout()->addWidget(field);
+  }
+}
+
+QWidget* PasteJoints::makeFoot() {
+  auto* foot = makePlane("header");
+  auto* column = new QVBoxLayout(foot);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(6);
+  auto* choices = new QHBoxLayout;
+  choices->addWidget(makeLabel(tr("New sets have the strength of"), "muted"));
+  strength_ = makeCombo({}, tr("Strength of new sets"));
+  strength_->setMinimumWidth(150);
+  choices->addWidget(strength_);
+  choices->addSpacing(16);
+  placeRow_ = new QWidget;
+  setMargins(new QHBoxLayout(placeRow_), 0, 6);
+  choices->addWidget(placeRow_);
+  choices->addStretch();
+  column->addLayout(choices);
+  auto* buttons = new QHBoxLayout;
+  refusal_ = makeWrappedLabel({}, "error");
+  buttons->addWidget(refusal_, 1);
+  auto* cancel = makeButton(tr("Cancel"));
+  add_ = makeButton({}, "primary");
+  add_->setObjectName(QStringLiteral("add"));
+  for (auto* button : {cancel, add_}) {
+    button->setAutoDefault(false);
+    buttons->addWidget(button);
+  }
+  column->addLayout(buttons);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(add_, &QPushButton::clicked, this, &PasteJoints::add);
+  return foot;
+}
+
+void PasteJoints::present() {
+  listStrengths();
+  through_ = middleOf(project_.document().project());
+  showPlace();
+  setText(QApplication::clipboard()->text());
+  show();
+  raise();
+  activateWindow();
+}
+
+void PasteJoints::setText(const QString& text) { text_->setPlainText(text); }
+
+void PasteJoints::listStrengths() {
+  strength_->clear();
+  for (const Joint& joint : project_.document().project().joints) strength_->addItem(text(joint.name));
+  strength_->addItem(tr("φ %1°, no cohesion").arg(usual_friction));
+}
+
+void PasteJoints::openFile() {
+  const QString name = QFileDialog::getOpenFileName(this, tr("Open a table of joints"), {},
+                                                    tr("Tables (*.csv *.tsv *.txt);;All files (*)"));
+  if (name.isEmpty()) return;
+  try {
+    setText(text(read_whole_file(name.toStdString())));
+  } catch (const InputError& error) {
+    refusal_->setText(QString::fromUtf8(error.what()));
+  }
+}
+
+void PasteJoints::read() {
+  table_ = read_joint_table(text_->toPlainText().toStdString());
+  refusal_->clear();
+  showTable();
+  showNotes();
+  const std::vector<MeasuredJoint> joints = table_.joints();
+  const auto left = table_.lines.size() - joints.size();
+  add_->setText(
+      left == 0 || joints.empty()
+          ? tr("Add %1").arg(numbers::counted(joints.size(), "joint"))
+          : tr("Add %1, leave %2 out").arg(numbers::counted(joints.size(), "joint"), numbers::counted(left, "line")));
+  add_->setEnabled(!joints.empty());
+  placeRow_->setVisible(std::ranges::any_of(joints, [](const MeasuredJoint& joint) { return !joint.at; }));
+}
+
+void PasteJoints::showTable() {
+  std::vector<bool> shown{true, true};
+  for (const char* name : columns) shown.push_back(std::ranges::count(table_.columns, name) > 0);
+  shown[2] = shown[3] = true;
+  QStringList heads{tr("Line"), QString(),  tr("Dip, °"), tr("Direction, °"), tr("Set"),
+                    tr("x, m"), tr("y, m"), tr("z, m"),   tr("Spacing, m"),   tr("Persistence, m")};
+  std::vector<QStringList> rows;
+  for (const JointLine& line : table_.lines) {
+    QStringList cells{numbers::whole(line.number)};
+    if (line.joint) {
+      cells << QString() << cellsOf(*line.joint);
+    } else {
+      QStringList words;
+      for (const CellProblem& problem : line.problems) words << wordsOf(problem);
+      cells << (words.isEmpty() ? tr("not read") : words.join(QStringLiteral(" · ")));
+    }
+    rows.push_back(cells);
+  }
+  preview_->clearSpans();
+  preview_->setContent(heads, rows, {false, true, false, false, true, false, false, false, false, false});
+  for (int column = 0; column < preview_->columnCount(); ++column)
+    preview_->setColumnHidden(column, column > 3 && !shown[static_cast<std::size_t>(column)]);
+  preview_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  preview_->horizontalHeader()->setSectionResizeMode(set_column, QHeaderView::Stretch);
+  preview_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Fixed);
+  preview_->setColumnWidth(1, 30);
+  for (std::size_t row = 0; row < table_.lines.size(); ++row) {
+    auto* mark = preview_->item(static_cast<int>(row), 1);
+    const bool sound = table_.lines[row].joint.has_value();
+    mark->setIcon(theme::icon(sound ? QStringLiteral("check") : QStringLiteral("warning"),
+                              sound ? theme::Tone::ok : theme::Tone::error));
+    if (sound) continue;
+    mark->setForeground(theme::colours().error);
+    mark->setToolTip(mark->text());
+    preview_->setSpan(static_cast<int>(row), 1, 1, preview_->columnCount() - 1);  // the words need the whole line
+  }
+}
+
+void PasteJoints::showNotes() {
+  QStringList words;
+  for (const CellProblem& problem : table_.problems) words << wordsOf(problem);
+  const bool faulty = !words.isEmpty();
+  for (const std::string& note : table_.notes) words << text(note);
+  const std::vector<MeasuredJoint> joints = table_.joints();
+  if (std::ranges::any_of(joints, [](const MeasuredJoint& one) { return one.spacing || one.persistence; }))
+    words << tr("spacing and persistence are shown but not used: every line becomes one plane without end");
+  if (text_->toPlainText().trimmed().isEmpty()) {
+    setRole(notes_, "small");
+    notes_->setText(tr("Copy a table in a spreadsheet and paste it on the left."));
+    return;
+  }
+  setRole(notes_, faulty ? "error" : "small");
+  notes_->setText(words.join(QStringLiteral("\n")));
+  notes_->setVisible(!words.isEmpty());
+}
+
+void PasteJoints::add() {
+  const Project& project = project_.document().project();
+  const std::vector<MeasuredJoint> joints = table_.joints();
+  Joint strength;
+  const auto chosen = static_cast<std::size_t>(std::max(0, strength_->currentIndex()));
+  if (chosen < project.joints.size()) {
+    strength = project.joints[chosen];
+  } else {
+    strength.name = "joint";
+    strength.friction_angle = usual_friction;
+  }
+  try {
+    project_.document().change(with_joints(project, joints, strength, through_),
+                               tr("paste %1").arg(numbers::counted(joints.size(), "joint")));
+    accept();
+  } catch (const InputError& error) {
+    refusal_->setText(QString::fromUtf8(error.what()));
+  }
+}
+
+}  // namespace talus

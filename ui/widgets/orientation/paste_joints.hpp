@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QDialog>
+
+#include "orientation/joint_table.hpp"
+
+class QComboBox;
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace talus {
+
+class CurrentProject;
+class PlainTable;
+
+/// Joints from the clipboard or a file into the project: the text, what was read from it line by line with what is
+/// wrong, and one undoable step that adds the sound lines as cuts with their joint sets.
+class PasteJoints : public QDialog {
+  Q_OBJECT
+ public:
+  explicit PasteJoints(CurrentProject& project, QWidget* parent = nullptr);
+  /// Begins with what is in the clipboard.
+  void present();
+  void setText(const QString& text);
+  const JointTable& table() const { return table_; }
+
+ private:
+  QWidget* makeText();
+  QWidget* makePreview();
+  QWidget* makeFoot();
+  void openFile();
+  void read();
+  void showTable();
+  void showNotes();
+  void listStrengths();
+  void showPlace();
+  void add();
+
+  CurrentProject& project_;
+  JointTable table_;
+  Vec3 through_ = Vec3::Zero();  ///< m, for joints without a place
+  QPlainTextEdit* text_;
+  PlainTable* preview_;
+  QLabel *notes_, *refusal_;
+  QComboBox* strength_;
+  QWidget* placeRow_;
+  QPushButton* add_;
+};
+
+}  // namespace talus
