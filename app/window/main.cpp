@@ -83,8 +83,7 @@ int main(int argc, char** argv) {
   talus::MainWindow window;
   window.resize(request.size);
   if (parser.isSet(screenshotOption)) return talus::takeScreenshot(window, request);
-  window.restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
-  window.show();
+  window.present(parser.isSet(sizeOption) ? std::optional(request.size) : std::nullopt);
   if (!request.file.isEmpty()) window.open(request.file.toStdString());
   if (!request.begin.isEmpty()) window.newProject(request.begin.toStdString());
   window.offerRecovery();

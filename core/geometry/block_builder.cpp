@@ -149,7 +149,43 @@ InputError crashed(const std::string& last_words) {
                     "try a larger mesh_size, or move the cuts there");
 }
 
+constexpr int patience = 50;  // ms, how long a cancelled wait may last
+
+/// Throws InputError for a solid that cannot be read.
+void import_alone(const Solid& solid, const std::filesystem::path& folder, const Progress& progress) {
+  MesherJob job;
+  job.solids = {job_solid(solid, folder)};
+  job.import_only = true;
+  MesherProcess mesher;
+  mesher.send(MessageKind::job, to_bytes(job));
+  for (;;) {
+    const bool come = mesher.wait(patience);
+    if (progress.cancelled()) throw Cancelled{};
+    if (!come) continue;
+    const auto message = mesher.receive();
+    if (!message || message->kind == MessageKind::fault) throw crashed("reading " + solid.name);
+    if (message->kind == MessageKind::end) return;
+    if (message->kind != MessageKind::error) continue;
+    const auto error = from_bytes<MesherError>(message->bytes);
+    throw InputError(error.place, error.problem, error.remedy);
+  }
+}
+
 }  // namespace
+
+std::vector<InputError> broken_files(const Project& project, const std::filesystem::path& folder, Progress& progress) {
+  std::vector<InputError> broken;
+  for (std::size_t i = 0; i < project.solids.size(); ++i) {
+    if (!std::holds_alternative<FileShape>(project.solids[i].shape)) continue;
+    try {
+      import_alone(project.solids[i], folder, progress);
+    } catch (const InputError& error) {
+      broken.emplace_back("/solids/" + std::to_string(i) + "/file", error.place() + ": " + error.problem(),
+                          error.remedy());
+    }
+  }
+  return broken;
+}
 
 BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress) {
   validate_for_cutting(project);
@@ -162,7 +198,6 @@ BlockSystem build_blocks(const Project& project, const std::filesystem::path& fo
   std::string last_words = "starting";
   std::size_t meshed = 0;  // blocks
   for (;;) {
-    constexpr int patience = 50;  // ms, how long a cancelled wait may last
     const bool come = mesher.wait(patience);
     if (progress.cancelled()) throw Cancelled{};
     if (!come) continue;

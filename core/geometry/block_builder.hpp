@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
+#include "base/error.hpp"
 #include "base/progress.hpp"
 #include "mesh/block.hpp"
 
@@ -18,6 +20,10 @@ namespace talus {
 /// Throws InputError for what the user can mend (what `validate_for_cutting` refuses, overlapping solids, a cut that misses,
 /// a file that is not STEP, an override in no block), Cancelled when `progress` says so.
 BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress);
+
+/// What is wrong with the files that solids are read from, each looked at by itself; nothing is cut. Throws Cancelled.
+/// The place of each is "/solids/N/file".
+std::vector<InputError> broken_files(const Project& project, const std::filesystem::path& folder, Progress& progress);
 
 /// Whether blocks built of one project serve the other: they are cut, named, meshed and, where a body is 'auto', chosen
 /// alike. Both have been validated.

@@ -70,10 +70,11 @@ struct MesherJob {
   std::vector<MesherSolid> solids;
   std::vector<MesherCut> cuts;
   std::vector<MesherOverride> overrides;
+  bool import_only = false;  ///< the solids are looked at, and nothing is cut
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(solids, cuts, overrides);
+    stream(solids, cuts, overrides, import_only);
   }
 };
 

@@ -49,16 +49,16 @@ void check_material(const Project& project, const std::string& material, const P
   const auto names = names_of(project.materials);
   if (contains(names, material)) return;
   const std::string suggestion = suggest_name(material, names);
-  throw InputError(place.text(), "material '" + material + "' is not defined",
-                   "define it under materials" + (suggestion.empty() ? "" : ", or " + suggestion));
+  require(false, place, "material '" + material + "' is not defined",
+          "define it under materials" + (suggestion.empty() ? "" : ", or " + suggestion));
 }
 
 void check_joint(const Project& project, const std::string& joint, const Place& place) {
   const auto names = names_of(project.joints);
   if (contains(names, joint)) return;
   const std::string suggestion = suggest_name(joint, names);
-  throw InputError(place.text(), "joint '" + joint + "' is used here but not defined",
-                   "define it under joints" + (suggestion.empty() ? "" : ", or " + suggestion));
+  require(false, place, "joint '" + joint + "' is used here but not defined",
+          "define it under joints" + (suggestion.empty() ? "" : ", or " + suggestion));
 }
 
 void check_joints(const Project& project) {
@@ -92,7 +92,7 @@ void check_expected_quantity(const Project& project, const std::string& text, co
   require(quantity.has_value(), place, "cannot read the quantity '" + text + "'",
           "write NAME.displacement.z or NAME.velocity.magnitude: a monitor or block, displacement or velocity, "
           "and x, y, z or magnitude; or NAME.stress.zz: a monitor, and xx, yy, zz, xy, yz or zx");
-  if (quantity->field != Quantity::Field::stress) return;
+  if (!quantity || quantity->field != Quantity::Field::stress) return;
   const bool recorded = std::any_of(project.monitors.begin(), project.monitors.end(), [&](const Monitor& monitor) {
     return monitor.name == quantity->of && monitor.stress;
   });
@@ -159,7 +159,7 @@ void validate_references(const Project& project) {
       const auto monitors = names_of(project.monitors);
       names.insert(names.begin(), monitors.begin(), monitors.end());
     }
-    throw InputError(place.text(), "nothing is called '" + name + "'", suggest_name(name, names));
+    require(false, place, "nothing is called '" + name + "'", suggest_name(name, names));
   });
 }
 

@@ -56,7 +56,9 @@ void check_shape(const BoxShape& box, const Place& solid) {
   }
 }
 
-void check_shape(const PolyhedronShape& shape, const Place& solid) { validate_polyhedron(shape, solid / "polyhedron"); }
+void check_shape(const PolyhedronShape& shape, const Place& solid) {
+  stop_at_first_broken([&] { validate_polyhedron(shape, solid / "polyhedron"); });
+}
 
 void check_shape(const FileShape& shape, const Place& solid) {
   const Place place = solid / "file";

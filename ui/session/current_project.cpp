@@ -4,30 +4,15 @@
 #include "document/brought_files.hpp"
 #include "geometry/block_builder.hpp"
 #include "io/project_file.hpp"
-#include "model/validate.hpp"
+#include "session/messages.hpp"
 #include "session/solid_file.hpp"
 #include "study/accuracy/study_record.hpp"
 
 namespace talus {
 
-CurrentProject::CurrentProject(Messages& messages) : messages_(messages) {
-  connect(&document_, &Document::opened, this, &CurrentProject::lookForLack);
-  connect(&document_, &Document::projectChanged, this, [this] {
-    lookForLack();
-    tellLack();
-  });
-}
+CurrentProject::CurrentProject(Messages& messages) : messages_(messages) {}
 
 CurrentProject::~CurrentProject() = default;
-
-void CurrentProject::lookForLack() {
-  lack_.reset();
-  try {
-    validate(document_.project());
-  } catch (const InputError& error) {
-    lack_ = problemOf(error, Problem::Severity::info);
-  }
-}
 
 void CurrentProject::save() { saveAs(document_.file()); }
 
@@ -75,6 +60,19 @@ void CurrentProject::setSystem(std::shared_ptr<const BlockSystem> system) {
   selection().hoverBlock(std::nullopt);
   system_ = std::move(system);
   emit systemChanged();
+}
+
+void CurrentProject::beginBuilding(bool anew) {
+  earlier_ = system_;
+  earlierFrom_ = builtFrom_;
+  builtFrom_ = document_.project();
+  if (anew) setSystem(nullptr);
+}
+
+void CurrentProject::abandonBuilding() {
+  if (system_ || !earlier_) return;
+  builtFrom_ = earlierFrom_;
+  setSystem(std::move(earlier_));
 }
 
 void CurrentProject::lookForStudy() {

@@ -7,10 +7,11 @@
 
 #include "document/document.hpp"
 #include "mesh/block.hpp"
-#include "session/messages.hpp"
+#include "session/project_problems.hpp"
 
 namespace talus {
 
+class Messages;
 struct StudyRecord;
 
 /// The project that is open: its document, the blocks that were cut out of it, and its accuracy study.
@@ -23,17 +24,14 @@ class CurrentProject : public QObject {
   Document& document() { return document_; }
   const Document& document() const { return document_; }
   Selection& selection() { return document_.selection(); }
+  /// What is wrong with the project as it is.
+  const ProjectProblems& problems() const { return problems_; }
   /// Both say a problem where the file cannot be written.
   void save();
   bool saveAs(const std::filesystem::path& file);
   /// Adds a solid from a file of geometry, which is copied beside the project where it lies elsewhere. Throws
   /// InputError.
   void addSolid(const std::filesystem::path& file);
-
-  /// The first thing that the project as it is now lacks before it can be run, or has wrong; empty: nothing.
-  const std::optional<Problem>& lack() const { return lack_; }
-  /// Tells it, as a problem.
-  void tellLack() { messages_.setLack(lack_); }
 
   /// Blocks of the project or of the results; empty before meshing.
   std::shared_ptr<const BlockSystem> system() const { return system_; }
@@ -44,8 +42,10 @@ class CurrentProject : public QObject {
   /// Name of a block, empty when there is none.
   QString blockName(int block) const;
   void setSystem(std::shared_ptr<const BlockSystem> system);
-  /// Blocks that are set from now on are those of the project as it is now.
-  void beginBuilding() { builtFrom_ = document_.project(); }
+  /// Blocks that are set from now on are those of the project as it is now; `anew`: those that are there go.
+  void beginBuilding(bool anew = false);
+  /// Nothing came of it: the blocks that were there before are there again.
+  void abandonBuilding();
 
   /// The accuracy study of the project's file, as it was when it was last looked for; null where there is none.
   const StudyRecord* study() const { return study_.get(); }
@@ -61,13 +61,13 @@ class CurrentProject : public QObject {
   void studyChanged();
 
  private:
-  void lookForLack();
-
   Messages& messages_;
   Document document_;
-  std::optional<Problem> lack_;
+  ProjectProblems problems_{document_};
   std::shared_ptr<const BlockSystem> system_;
-  Project builtFrom_;  ///< the project that `system_` was, or is being, built from
+  Project builtFrom_;                           ///< the project that `system_` was, or is being, built from
+  std::shared_ptr<const BlockSystem> earlier_;  ///< the blocks before those that are being built …
+  Project earlierFrom_;                         ///< … and what they were built from
   std::unique_ptr<StudyRecord> study_;
   std::filesystem::path studyFolder_;  ///< where it was looked for, …
   std::filesystem::file_time_type studyWritten_ = std::filesystem::file_time_type::min();  ///< … and of when it is

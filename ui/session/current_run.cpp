@@ -41,7 +41,8 @@ Problem problemOf(const ExpectationOutcome& outcome) {
 /// In what a run that has ended falls short; empty: in nothing.
 QString shortfallOf(const RunReport& report) {
   if (report.status == RunStatus::stopped) return QObject::tr("stopped at %1 s").arg(number(report.time));
-  if (report.status == RunStatus::not_converged) return QObject::tr("did not converge at %1 s").arg(number(report.time));
+  if (report.status == RunStatus::not_converged)
+    return QObject::tr("did not converge at %1 s").arg(number(report.time));
   const long missed = missed_expectations(report);
   if (missed == 0) return {};
   return QObject::tr("%1 of %2 expected values missed").arg(missed).arg(report.expect.size());
@@ -85,15 +86,11 @@ QString CurrentRun::whyNotMesh() const {
 QString CurrentRun::whyNotSolve() const {
   const QString mesh = whyNotMesh();
   if (!mesh.isEmpty()) return mesh;
-  if (project_.document().project().stages.empty()) return tr("The project has no stage");
-  if (const auto& lack = project_.lack()) return tr("%1: %2").arg(lack->place, lack->problem);
-  return {};
+  return project_.problems().whyNotSolve();
 }
 
 void CurrentRun::mesh() {
-  if (!whyNotMesh().isEmpty()) return;
-  project_.setSystem(nullptr);
-  start(false);
+  if (whyNotMesh().isEmpty()) start(false);
 }
 
 void CurrentRun::solve() {
@@ -124,8 +121,7 @@ void CurrentRun::start(bool solve) {
   clear();
   messages_.settle(Problem::Of::run);
   messages_.settle(Problem::Of::results);
-  if (!project_.systemIsCurrent()) project_.setSystem(nullptr);
-  project_.beginBuilding();
+  project_.beginBuilding(!solve || !project_.systemIsCurrent());
   const Document& document = project_.document();
   JobTask task;
   task.project = document.project();
@@ -173,6 +169,7 @@ void CurrentRun::takeEnd(const JobEnd& end) {
     case JobEnd::Kind::cancelled:
       messages_.log(tr("cancelled"));
       playback_.abandonRun();
+      project_.abandonBuilding();
       break;
     case JobEnd::Kind::notConverged:
       messages_.add(problemOf(*end.report));
@@ -180,6 +177,7 @@ void CurrentRun::takeEnd(const JobEnd& end) {
     case JobEnd::Kind::failed:
       messages_.add(problemOf(*end.failure, Problem::Of::run));
       playback_.abandonRun();
+      project_.abandonBuilding();
       break;
   }
   if (end.report) takeReport(*end.report);

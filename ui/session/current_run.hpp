@@ -49,7 +49,8 @@ class CurrentRun : public QObject {
   const std::vector<std::string>& stageNames() const { return stageNames_; }
   const std::vector<std::string>& monitorNames() const { return monitorNames_; }
   const std::optional<RunReport>& report() const { return report_; }
-  /// In what the run that has ended falls short: "stopped at 0.3 s", "1 of 2 expected values missed"; empty: in nothing.
+  /// In what the run that has ended falls short: "stopped at 0.3 s", "1 of 2 expected values missed"; empty: in
+  /// nothing.
   QString shortfall() const;
   /// What the effects of the project as it is now will be paid for; empty until its blocks are cut.
   std::vector<EffectCost> effectCosts() const;

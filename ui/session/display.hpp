@@ -29,6 +29,8 @@ class Display : public QObject {
   bool isDark() const { return settings_.theme == Theme::dark; }
   void setDark(bool dark);
 
+  /// Selects the thing that a place of the project belongs to, on its page, and lets its field take the keyboard.
+  void showField(const QString& place);
   /// Selects the blocks of a trouble and lets the view go there.
   void showTrouble(const ConvergenceTrouble& trouble);
 
@@ -37,6 +39,7 @@ class Display : public QObject {
   void changed();  ///< the settings
   void themeChanged();
   void unitsChanged();                                           ///< in which numbers are shown
+  void fieldWanted(const QString& place);
   void troubleWanted(const talus::ConvergenceTrouble& trouble);  ///< the view should go there
 
  private:

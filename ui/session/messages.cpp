@@ -42,15 +42,6 @@ void Messages::add(const Problem& problem) {
   emit problemsChanged();
 }
 
-void Messages::setLack(const std::optional<Problem>& lack) {
-  std::erase_if(problems_, [](const Problem& problem) { return problem.isLack; });
-  if (lack) {
-    problems_.push_back(*lack);
-    problems_.back().isLack = true;
-  }
-  emit problemsChanged();
-}
-
 void Messages::clear() {
   problems_.clear();
   emit problemsChanged();

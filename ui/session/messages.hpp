@@ -20,8 +20,8 @@ struct Problem {
   std::optional<ConvergenceTrouble> where{};  ///< to be shown in the view
   /// What was tried when it came; it goes when that is tried again.
   enum class Of { project, run, results, file, picture } of = Of::project;
-  int number = 0;  ///< given by Messages
-  bool isLack = false;                        ///< of a project that is still being set up
+  QString field{};  ///< JSON pointer of what is to be changed; empty where no field of the project mends it
+  int number = 0;   ///< given by Messages
 };
 
 /// What an error says that the user can mend.
@@ -39,8 +39,6 @@ class Messages : public QObject {
   const std::vector<Problem>& problems() const { return problems_; }
   void add(const Problem& problem);
   void log(const QString& line) { emit logged(line); }
-  /// What the project lacks before it can be run, in place of what was said of that before: in the list alone.
-  void setLack(const std::optional<Problem>& lack);
   /// Another file has been opened.
   void clear();
   /// Takes away the problems that came of the same thing when it was tried before.

@@ -117,7 +117,6 @@ void Session::beginProject(const std::filesystem::path& path, const QString& sen
   project.setSystem(nullptr);
   project.beginBuilding();
   messages.clear();
-  project.tellLack();
   emit project.opened();
   messages.log(sentence.arg(text(path)));
   project.lookForStudy();

@@ -108,6 +108,7 @@ void work(const MesherJob& job) {
   report(0, "importing solids");
   gmsh::model::add("rock");
   const ImportedModel model = import_solids(job.solids);
+  if (job.import_only) return send_message(MessageKind::end, MesherEnd{});
   check_no_overlap(model, job.solids);
   const CutModel cut = cut_solids(job, model, [](double fraction, std::string_view what) {
     report(imported + (cut_done - imported) * fraction, what);

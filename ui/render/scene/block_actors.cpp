@@ -14,6 +14,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <limits>
+#include <map>
 
 namespace talus {
 namespace {
@@ -51,6 +52,22 @@ void set_points(vtkPoints& points, std::span<const Vec3> positions, const Vec3& 
   points.Modified();
 }
 
+/// For each vertex, from the origin to the mean of its block's vertices, m.
+std::vector<Vec3> ways_to_blocks(const BlockSurface& surface, const Vec3& origin) {
+  std::vector<int> block_of(surface.rest.size(), 0);
+  for (const BlockSurface::Triangle& triangle : surface.triangles)
+    for (const int vertex : triangle.vertices) block_of[static_cast<std::size_t>(vertex)] = triangle.block;
+  std::map<int, std::pair<Vec3, int>> sums;  // by block: of its vertices, and how many they are
+  for (std::size_t i = 0; i < surface.rest.size(); ++i) {
+    auto& [sum, count] = sums.try_emplace(block_of[i], Vec3::Zero(), 0).first->second;
+    sum += surface.rest[i] - origin;
+    ++count;
+  }
+  std::vector<Vec3> ways;
+  for (const int block : block_of) ways.push_back(sums[block].first / sums[block].second);
+  return ways;
+}
+
 constexpr double thinnest_line = 1.05;  // pixels; a thinner one passes between their centres and looks dashed
 
 /// Lines lie on faces: they are drawn as if a little nearer, `lift` depth steps, or half of each would vanish.
@@ -67,7 +84,10 @@ void add_lines(vtkRenderer& renderer, vtkPolyData& lines, vtkActor& actor, int l
 }  // namespace
 
 BlockActors::BlockActors(BlockSurface surface, const Vec3& origin)
-    : surface_(std::move(surface)), origin_(origin), positions_(surface_.rest) {
+    : surface_(std::move(surface)),
+      origin_(origin),
+      from_origin_(ways_to_blocks(surface_, origin)),
+      positions_(surface_.rest) {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   points_->SetDataTypeToDouble();
   for (vtkPolyData* data : {faces_.Get(), sharp_edges_.Get(), mesh_lines_.Get()}) data->SetPoints(points_);
@@ -85,10 +105,11 @@ void BlockActors::add_to(vtkRenderer& renderer) {
   add_lines(renderer, *mesh_lines_, *mesh_actor_, 2);
 }
 
-void BlockActors::move(std::span<const Vec3> displacement, double scale) {
+void BlockActors::move(std::span<const Vec3> displacement, double scale, double explosion) {
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     positions_[i] = surface_.rest[i];
     if (!displacement.empty()) positions_[i] += scale * displacement[surface_.nodes[i]];
+    positions_[i] += explosion * from_origin_[i];
   }
   set_points(*points_, positions_, origin_);
 }

@@ -30,8 +30,9 @@ class BlockActors {
   const std::vector<int>& drawn() const { return drawn_; }           ///< triangles that are shown
 
   void add_to(vtkRenderer& renderer);
-  /// `displacement` of all blocks' nodes; empty: none.
-  void move(std::span<const Vec3> displacement, double scale);
+  /// `displacement` of all blocks' nodes; empty: none. `explosion`: how far blocks are drawn from where they are, over
+  /// the way from the origin to their middle.
+  void move(std::span<const Vec3> displacement, double scale, double explosion = 0);
   /// Draws only the blocks for which `shown[block]`.
   void show(const std::vector<bool>& shown);
   void colour_by_block(const std::function<Rgb(int block)>& colour);
@@ -44,6 +45,7 @@ class BlockActors {
  private:
   BlockSurface surface_;
   Vec3 origin_;
+  std::vector<Vec3> from_origin_;  ///< a vertex: from the origin to the middle of its block
   std::vector<Vec3> positions_;
   std::vector<int> drawn_;  ///< triangles that are shown, in the order of the cells
   vtkNew<vtkPoints> points_;

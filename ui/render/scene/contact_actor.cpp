@@ -13,7 +13,6 @@
 #include "render/paint/colour.hpp"
 
 namespace talus {
-namespace {
 
 Rgb state_colour(ContactState state) {
   switch (state) {
@@ -27,8 +26,6 @@ Rgb state_colour(ContactState state) {
   return rgb(0x868e89);
 }
 
-}  // namespace
-
 ContactActor::ContactActor() {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(points_);
@@ -40,20 +37,21 @@ ContactActor::ContactActor() {
 
 void ContactActor::add_to(vtkRenderer& renderer) { renderer.AddActor(actor_); }
 
-void ContactActor::show(std::span<const ContactSample> contacts, const Vec3& origin, double size_in_pixels) {
-  vtkNew<vtkPoints> places;
+void ContactActor::show(std::span<const ContactSample> contacts, std::span<const Vec3> places, const Vec3& origin,
+                        double size_in_pixels) {
+  vtkNew<vtkPoints> dots_at;
   vtkNew<vtkCellArray> dots;
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
-  for (const ContactSample& contact : contacts) {
-    const Vec3 p = contact.position - origin;
-    const vtkIdType id = places->InsertNextPoint(p.data());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Vec3 p = places[i] - origin;
+    const vtkIdType id = dots_at->InsertNextPoint(p.data());
     dots->InsertNextCell(1, &id);
-    const Rgb c = state_colour(contact.state);
+    const Rgb c = state_colour(contacts[i].state);
     const unsigned char tuple[] = {c.red, c.green, c.blue};
     colours->InsertNextTypedTuple(tuple);
   }
-  points_->SetPoints(places);
+  points_->SetPoints(dots_at);
   points_->SetVerts(dots);
   points_->GetPointData()->SetScalars(colours);
   actor_->GetProperty()->SetPointSize(static_cast<float>(size_in_pixels));

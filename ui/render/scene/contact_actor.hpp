@@ -6,18 +6,24 @@
 
 #include <span>
 
+#include "render/paint/colour.hpp"
 #include "results/frame.hpp"
 
 class vtkRenderer;
 
 namespace talus {
 
+/// The colour of a contact's state, the same in both themes.
+Rgb state_colour(ContactState state);
+
 /// Contact points as dots in front of everything (they lie between blocks): open grey, stick blue, slip orange.
 class ContactActor {
  public:
   ContactActor();
   void add_to(vtkRenderer& renderer);
-  void show(std::span<const ContactSample> contacts, const Vec3& origin, double size_in_pixels);
+  /// `places`: one for each, m.
+  void show(std::span<const ContactSample> contacts, std::span<const Vec3> places, const Vec3& origin,
+            double size_in_pixels);
 
  private:
   vtkNew<vtkPolyData> points_;

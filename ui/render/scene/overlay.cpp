@@ -147,6 +147,24 @@ void paint_scale_bar(Painter& painter, const Overlay& overlay, const OverlayView
   painter.text({left + length, y + 1.3 * tick}, label, style);
 }
 
+/// Right of the scale bar's place: "contacts ● open ● stick ● slip".
+void paint_key(Painter& painter, const Overlay& overlay, const OverlayView& view) {
+  const double em = overlay.text_height, y = margin * em - 0.2 * em;
+  const ThemeColours& colour = colours(overlay.theme);
+  const TextStyle words{.height = 0.9 * em, .colour = colour.muted};
+  double x = (2 * margin + 1.5) * em + std::min(0.2 * view.width, 11 * em);
+  const auto write = [&](const std::string& text) {
+    painter.text({x, y}, text, words);
+    x += text_width(text, 0.9 * em) + 0.8 * em;
+  };
+  write("contacts");
+  for (const KeyEntry& entry : overlay.key) {
+    painter.disc({x + 0.3 * em, y + 0.35 * em}, 0.28 * em, entry.colour);
+    x += 0.85 * em;
+    write(entry.meaning);
+  }
+}
+
 void paint_time(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   const double em = overlay.text_height, y = margin * em - 0.2 * em;
   const ThemeColours& colour = colours(overlay.theme);
@@ -170,7 +188,8 @@ PixelRect free_area(const Overlay& overlay, double width, double height) {
   double left = margin * em;
   if (overlay.triad) left = std::max(left, (margin + triad_size) * em);
   if (overlay.legend) left = std::max(left, 2 * margin * em + layout(*overlay.legend, em, height).width);
-  const bool has_bottom = overlay.scale_bar || !overlay.time.empty() || !overlay.remarks.empty();
+  const bool has_bottom =
+      overlay.scale_bar || !overlay.key.empty() || !overlay.time.empty() || !overlay.remarks.empty();
   const double bottom = (margin + (has_bottom ? bottom_row : 0)) * em;
   PixelRect area{left, bottom, width - margin * em, height - margin * em - title_row(overlay)};
   // A picture too small for its writing: the rock matters more.
@@ -188,6 +207,7 @@ void paint(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   if (overlay.legend) paint_legend(painter, overlay, view);
   if (overlay.triad) paint_triad(painter, overlay, view);
   if (overlay.scale_bar) paint_scale_bar(painter, overlay, view);
+  if (!overlay.key.empty()) paint_key(painter, overlay, view);
   paint_time(painter, overlay, view);
 }
 

@@ -18,6 +18,12 @@ struct Legend {
   double low = 0, high = 1;
 };
 
+/// A dot of the picture and what it means.
+struct KeyEntry {
+  Rgb colour;
+  std::string meaning;
+};
+
 /// What is written over a picture: title, legend and axes on the left, scale bar and time along the bottom.
 struct Overlay {
   Theme theme = Theme::light;
@@ -26,6 +32,7 @@ struct Overlay {
   std::string time;     ///< "t = 45.00 s"
   std::string remarks;  ///< beside the time: stage, exaggeration
   std::optional<Legend> legend;
+  std::vector<KeyEntry> key{};  ///< of contact points; empty: none are drawn
   bool triad = true, scale_bar = true;
 };
 

@@ -136,6 +136,29 @@ std::optional<Pick> Scene::pick(double x, double y) const {
   return pick;
 }
 
+std::vector<int> Scene::blocks_in(double left, double top, double right, double bottom, bool touched) const {
+  vtkRenderer& renderer = *state_->renderer;
+  if (renderer.GetRenderWindow() == nullptr) return {};
+  const double height = state_->size()[1];
+  std::vector<int> inside(state_->system.blocks.size(), 0), all = inside;
+  for (const BlockActors* part : state_->parts())
+    for (const int t : part->drawn())
+      for (const int vertex : part->surface().triangles[t].vertices) {
+        const Vec3 p = part->positions()[vertex] - state_->origin;
+        renderer.SetWorldPoint(p.x(), p.y(), p.z(), 1);
+        renderer.WorldToDisplay();
+        const double* at = renderer.GetDisplayPoint();
+        const double y = height - 1 - at[1];
+        const auto block = static_cast<std::size_t>(part->surface().triangles[t].block);
+        ++all[block];
+        inside[block] += left <= at[0] && at[0] <= right && top <= y && y <= bottom ? 1 : 0;
+      }
+  std::vector<int> blocks;
+  for (std::size_t b = 0; b < all.size(); ++b)
+    if (all[b] > 0 && (touched ? inside[b] > 0 : inside[b] == all[b])) blocks.push_back(static_cast<int>(b));
+  return blocks;
+}
+
 Rgb Scene::block_colour(int block) const {
   const auto index = static_cast<std::size_t>(block);
   const bool fixed = state_->system.blocks.at(index).body == BodyKind::fixed;

@@ -31,6 +31,7 @@ struct SceneSettings {
   std::optional<ValueRange> range;  ///< of the legend, SI; empty: of the frame that is shown
   Edges edges = Edges::blocks;
   double deformation_scale = 1;  ///< displacements are drawn this many times too large
+  double explosion = 0;          ///< blocks are drawn apart, by so much of their way from the middle of all
   bool contacts = false;         ///< contact points, coloured open grey, stick blue, slip orange
   bool troubles = true;          ///< where the run has trouble to converge, as far as it was told
   bool parallel_projection = false;
@@ -110,6 +111,10 @@ class Scene {
   /// The visible surface under a pixel counted from the picture's upper left corner; empty over the background.
   /// Needs a renderer that is in a window of known size, but no GL context.
   std::optional<Pick> pick(double x, double y) const;
+
+  /// Blocks that are shown and lie in a rectangle of the picture, pixels from its upper left corner: wholly, or where
+  /// `touched` is said with a corner of the surface. Ascending. Needs what `pick` needs.
+  std::vector<int> blocks_in(double left, double top, double right, double bottom, bool touched) const;
 
   /// Colour that a block has when coloured by block (for tables and trees).
   Rgb block_colour(int block) const;

@@ -14,6 +14,7 @@
 
 #include "base/units.hpp"
 #include "render/paint/numbers.hpp"
+#include "render/scene/contact_places.hpp"
 
 namespace talus {
 namespace {
@@ -142,9 +143,12 @@ void Scene::State::apply_settings() {
 }
 
 void Scene::State::apply_frame() {
-  movable.move(frame ? std::span<const Vec3>(frame->displacement) : std::span<const Vec3>(),
-               settings.deformation_scale);
+  movable.move(frame ? std::span<const Vec3>(frame->displacement) : std::span<const Vec3>(), settings.deformation_scale,
+               settings.explosion);
+  fixed.move({}, 1, settings.explosion);
   field_values = frame && settings.field ? values(*frame, *settings.field) : std::vector<double>{};
+  const bool with_contacts = settings.contacts && frame && settings.explosion == 0;  // they lie between blocks
+  contact_dots = with_contacts ? contact_places(system, *frame, settings.deformation_scale) : std::vector<Vec3>{};
   apply_colours();
   apply_marks();
   make_overlay();
@@ -182,9 +186,9 @@ void Scene::State::apply_lines() {
   concern.style(c.warn, 1.6 * unit, field_values.empty() ? 0.12 : 0);
   selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0);  // a tint would falsify a field's colours
   hover.style(c.pick, unit, 0);
-  const bool with_contacts = settings.contacts && frame;
+  const bool with_contacts = !contact_dots.empty();
   contacts.show(with_contacts ? std::span<const ContactSample>(frame->contacts) : std::span<const ContactSample>(),
-                origin, 7 * unit);
+                contact_dots, origin, 7 * unit);
 }
 
 ValueRange Scene::State::colour_range() const {
@@ -210,6 +214,10 @@ void Scene::State::make_overlay() {
   if (frame && settings.deformation_scale != 1)
     overlay.remarks += (overlay.remarks.empty() ? "" : ", ") + std::string("displacements \u00d7 ") +
                        format_decimals(settings.deformation_scale, whole ? 0 : 2);
+  if (settings.legend && settings.contacts && frame)
+    overlay.key = {{state_colour(ContactState::open), "open"},
+                   {state_colour(ContactState::stick), "stick"},
+                   {state_colour(ContactState::slip), "slip"}};
   if (settings.legend && !field_values.empty()) {
     const ValueRange range = colour_range();
     const DisplayUnit unit = display_unit(settings.field->unit, std::max(std::abs(range.low), std::abs(range.high)));

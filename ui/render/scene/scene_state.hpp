@@ -60,6 +60,7 @@ struct Scene::State {
   std::vector<ConvergenceTrouble> troubles;
 
   std::shared_ptr<const Frame> frame;
+  std::vector<Vec3> contact_dots;    ///< where the frame's contact points are drawn, m; none where they are not
   std::vector<double> field_values;  ///< of the frame, SI
   std::vector<std::string> stage_names;
   ViewExtent extent;

@@ -1,5 +1,6 @@
 #include "widgets/kit/parts.hpp"
 
+#include <QEvent>
 #include <QPainter>
 #include <QProgressBar>
 #include <QScrollArea>
@@ -167,10 +168,40 @@ void Section::addFact(const QString& name, const QString& value, const QString& 
 
 void Section::addWide(QWidget* widget) { rows_->addRow(widget); }
 
+namespace {
+
+/// Gives its content the height that wrapped words need at the width that there is. Qt itself knows only the least
+/// height of each row, and would press rows together, one over the other.
+class ScrolledColumn : public QScrollArea {
+ public:
+  explicit ScrolledColumn(QWidget* content) {
+    setWidget(content);
+    setWidgetResizable(true);
+    content->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) fitContent();
+    return QScrollArea::eventFilter(watched, event);
+  }
+  void resizeEvent(QResizeEvent* event) override {
+    QScrollArea::resizeEvent(event);
+    fitContent();
+  }
+
+ private:
+  void fitContent() {
+    const QLayout* rows = widget() ? widget()->layout() : nullptr;
+    if (rows)
+      widget()->setMinimumHeight(rows->hasHeightForWidth() ? rows->totalHeightForWidth(viewport()->width()) : 0);
+  }
+};
+
+}  // namespace
+
 QScrollArea* makeScrolled(QWidget* content) {
-  auto* area = new QScrollArea;
-  area->setWidget(content);
-  area->setWidgetResizable(true);
+  auto* area = new ScrolledColumn(content);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   return area;

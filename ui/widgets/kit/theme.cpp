@@ -48,8 +48,7 @@ QPalette palette() {
                                                           {QPalette::Light, c.raised}};
   QPalette made;
   for (const auto& [role, colour] : roles) made.setColor(role, colour);
-  QColor disabled = c.textFaint;
-  disabled.setAlphaF(0.6f);
+  const QColor disabled = disabledText(c);
   for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     made.setColor(QPalette::Disabled, role, disabled);
   return made;

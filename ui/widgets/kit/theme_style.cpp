@@ -115,6 +115,7 @@ QHash<QString, QString> sheetWords() {
                                                         {"overlayBorder", c.overlayBorder},
                                                         {"grid", c.grid}};
   for (const auto& [name, colour] : colourWords) words[QLatin1String(name)] = cssColour(colour);
+  words[QStringLiteral("textDisabled")] = cssColour(disabledText(c));
   const std::pair<const char*, int> sizeWords[] = {
       {"rs", tokens.metrics.radiusSmall}, {"r", tokens.metrics.radius},  {"row", tokens.metrics.row},
       {"status", tokens.metrics.status},  {"fBody", tokens.type.body},   {"fSmall", tokens.type.small},

@@ -109,6 +109,13 @@ const std::array<QColor, 6>& seriesColours(bool dark) {
   return dark ? darkened : light;
 }
 
+QColor disabledText(const Colours& colours) {
+  constexpr double share = 0.5;  // of the faintest text, over the surface
+  const auto mixed = [&](int text, int surface) { return qRound(share * text + (1 - share) * surface); };
+  const QColor &text = colours.textFaint, &surface = colours.raised;
+  return {mixed(text.red(), surface.red()), mixed(text.green(), surface.green()), mixed(text.blue(), surface.blue())};
+}
+
 double contrastRatio(const QColor& a, const QColor& b) {
   double bright = luminance(a), dim = luminance(b);
   if (bright < dim) std::swap(bright, dim);

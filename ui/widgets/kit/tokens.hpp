@@ -45,6 +45,9 @@ const Tokens& darkTokens();
 /// Curves, joints and monitors: P. Tol's "vibrant", its lightness moved per theme so that each keeps 3:1 on a surface.
 const std::array<QColor, 6>& seriesColours(bool dark);
 
+/// What cannot be used now: plainly fainter than any text that is to be read.
+QColor disabledText(const Colours& colours);
+
 /// Contrast ratio of WCAG 2, 1…21. Both colours opaque.
 double contrastRatio(const QColor& a, const QColor& b);
 

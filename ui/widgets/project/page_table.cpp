@@ -234,8 +234,9 @@ void PageTable::refresh() {
   showsMotion_ = mayShowMotion();
   const bool ofBlocks = display_.page() == WorkflowPage::blocks || display_.page() == WorkflowPage::mesh;
   const bool stale = ofBlocks && system && !project_.systemIsCurrent();
-  content_ = showsMotion_ ? motionRows(*system, *playback_.frame())
-                          : rowsOf(display_.page(), stale ? project_.builtFrom() : project_.document().project(), system);
+  content_ = showsMotion_
+                 ? motionRows(*system, *playback_.frame())
+                 : rowsOf(display_.page(), stale ? project_.builtFrom() : project_.document().project(), system);
   if (stale) content_.title = tr("%1, before the last change").arg(content_.title);
   std::vector<QStringList> rows;
   for (const auto& row : content_.rows) rows.push_back(row.cells);

@@ -1,10 +1,13 @@
 #include "widgets/project/problem_list.hpp"
 
-#include "session/display.hpp"
-
+#include <QKeyEvent>
+#include <QPainter>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
+
+#include "session/current_project.hpp"
+#include "session/display.hpp"
 
 namespace talus {
 
@@ -46,7 +49,57 @@ QString sentence(const Problem& problem) {
 
 }  // namespace
 
-ProblemList::ProblemList(Messages& messages, Display& display) : messages_(messages), display_(display) {
+ProblemRow::ProblemRow(const Problem& problem, Display& display)
+    : problem_(problem), display_(display), leads_(problem.where || !problem.field.isEmpty()) {
+  setFocusPolicy(leads_ ? Qt::StrongFocus : Qt::NoFocus);
+  setAccessibleName(sentence(problem));
+  setAccessibleDescription(problem.remedy);
+  auto* line = new QHBoxLayout(this);
+  line->setContentsMargins(12, 4, 12, 4);
+  line->setSpacing(8);
+  line->addWidget(new Glyph(iconOf(problem.severity), toneOf(problem.severity)), 0, Qt::AlignTop);
+  auto* words = new QVBoxLayout;
+  setMargins(words, 0, 1);
+  auto* what = makeWrappedLabel(sentence(problem));
+  what->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  words->addWidget(what);
+  words->addWidget(makeWrappedLabel(problem.remedy, "small"));
+  line->addLayout(words, 1);
+  if (!leads_) return;
+  auto* button = problem.where ? makeShowButton() : makeButton(tr("Go there"));
+  if (!problem.where) button->setToolTip(tr("Selects it and puts the keyboard into its field (Enter)"));
+  button->setFocusPolicy(Qt::NoFocus);  // the row itself has it
+  connect(button, &QPushButton::clicked, this, &ProblemRow::go);
+  line->addWidget(button, 0, Qt::AlignTop);
+}
+
+void ProblemRow::go() {
+  if (problem_.where)
+    display_.showTrouble(*problem_.where);
+  else if (leads_)
+    display_.showField(problem_.field);
+}
+
+void ProblemRow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+    go();
+  else
+    QFrame::keyPressEvent(event);
+}
+
+void ProblemRow::mouseDoubleClickEvent(QMouseEvent*) { go(); }
+
+void ProblemRow::paintEvent(QPaintEvent* event) {
+  QFrame::paintEvent(event);
+  if (!hasFocus()) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(theme::colours().accent, 1));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(3.5, 0.5, -3.5, -0.5), 4, 4);
+}
+
+ProblemList::ProblemList(CurrentProject& project, Messages& messages, Display& display)
+    : project_(project), messages_(messages), display_(display) {
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   auto* content = makePlane("surface");
@@ -54,38 +107,22 @@ ProblemList::ProblemList(Messages& messages, Display& display) : messages_(messa
   rows_->setContentsMargins(0, 4, 0, 4);
   rows_->setSpacing(0);
   column->addWidget(makeScrolled(content));
-  connect(&messages_, &Messages::problemsChanged, this, &ProblemList::refresh);
+  // A row that asked for a change still handles its event: it must not be deleted under itself.
+  connect(&messages_, &Messages::problemsChanged, this, &ProblemList::refresh, Qt::QueuedConnection);
+  connect(&project_.problems(), &ProjectProblems::changed, this, &ProblemList::refresh, Qt::QueuedConnection);
   refresh();
 }
 
 void ProblemList::refresh() {
   clearLayout(*rows_);
-  if (messages_.problems().empty()) {
+  std::vector<Problem> problems = messages_.problems();
+  problems.insert(problems.end(), project_.problems().all().begin(), project_.problems().all().end());
+  if (problems.empty()) {
     auto* none = makeLabel(tr("No problems."), "muted");
     none->setContentsMargins(12, 6, 12, 6);
     rows_->addWidget(none);
   }
-  for (const Problem& problem : messages_.problems()) {
-    auto* row = new QWidget;
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(12, 4, 12, 4);
-    line->setSpacing(8);
-    line->addWidget(new Glyph(iconOf(problem.severity), toneOf(problem.severity)), 0, Qt::AlignTop);
-    auto* words = new QVBoxLayout;
-    setMargins(words, 0, 1);
-    auto* what = makeWrappedLabel(sentence(problem));
-    what->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    words->addWidget(what);
-    auto* remedy = makeWrappedLabel(problem.remedy, "small");
-    words->addWidget(remedy);
-    line->addLayout(words, 1);
-    if (problem.where) {
-      auto* show = makeShowButton();
-      connect(show, &QPushButton::clicked, this, [this, where = *problem.where] { display_.showTrouble(where); });
-      line->addWidget(show, 0, Qt::AlignTop);
-    }
-    rows_->addWidget(row);
-  }
+  for (const Problem& problem : problems) rows_->addWidget(new ProblemRow(problem, display_));
   rows_->addStretch();
 }
 
@@ -115,7 +152,8 @@ ProblemStrip::ProblemStrip(Messages& messages, Display& display)
   connect(&messages, &Messages::problemAdded, this, &ProblemStrip::show);
   connect(&messages, &Messages::problemsChanged, this, [this, &messages] {
     const auto& problems = messages.problems();
-    const bool stays = std::any_of(problems.begin(), problems.end(), [this](const auto& one) { return one.number == number_; });
+    const bool stays =
+        std::any_of(problems.begin(), problems.end(), [this](const auto& one) { return one.number == number_; });
     if (!stays) hide();  // it was of another file, or is settled
   });
   hide();

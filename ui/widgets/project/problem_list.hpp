@@ -7,16 +7,36 @@
 
 namespace talus {
 
+class CurrentProject;
 class Display;
 
-/// Every problem since the project was opened: what, where, remedy.
+/// One problem: what, where, remedy; Enter, a double click or its button go there.
+class ProblemRow : public QFrame {
+  Q_OBJECT
+ public:
+  ProblemRow(const Problem& problem, Display& display);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void go();
+  Problem problem_;
+  Display& display_;
+  bool leads_;  ///< somewhere
+};
+
+/// What went wrong since the project was opened, and all that is wrong or odd with the project as it is.
 class ProblemList : public QWidget {
   Q_OBJECT
  public:
-  ProblemList(Messages& messages, Display& display);
+  ProblemList(CurrentProject& project, Messages& messages, Display& display);
 
  private:
   void refresh();
+  CurrentProject& project_;
   Messages& messages_;
   Display& display_;
   QVBoxLayout* rows_;

@@ -152,13 +152,13 @@ void ProjectTree::rebuild() {
   offerNew(geometry, {Item::Kind::solid});
   addJoints(addGroup(WorkflowPage::joints, numbers::whole(project.joints.size())));
   const bool current = project_.systemIsCurrent();
-  addBlocks(addGroup(WorkflowPage::blocks, !system ? tr("not cut")
+  addBlocks(addGroup(WorkflowPage::blocks, !system   ? tr("not cut")
                                            : current ? numbers::whole(system->blocks.size())
                                                      : tr("to be cut anew")));
   size_t tetrahedra = 0;
   if (system)
     for (const auto& block : system->blocks) tetrahedra += block.mesh.tetrahedra.size();
-  addGroup(WorkflowPage::mesh, !system ? tr("not made")
+  addGroup(WorkflowPage::mesh, !system   ? tr("not made")
                                : current ? tr("%1 tet").arg(numbers::whole(tetrahedra))
                                          : tr("to be made anew"));
   auto* materials = addGroup(WorkflowPage::materials, numbers::whole(project.materials.size()));

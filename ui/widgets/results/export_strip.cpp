@@ -23,9 +23,8 @@ ExportStrip::ExportStrip(ExportJob& job) : what_(makeLabel({}, "small")), bar_(m
     name_ = what;
     bar_->setValue(0);
   });
-  connect(&job, &ExportJob::waitingChanged, this, [this](int count) {
-    what_->setText(count == 0 ? name_ : tr("%1, %2 more to write").arg(name_).arg(count));
-  });
+  connect(&job, &ExportJob::waitingChanged, this,
+          [this](int count) { what_->setText(count == 0 ? name_ : tr("%1, %2 more to write").arg(name_).arg(count)); });
   connect(&job, &ExportJob::busyChanged, this, &QWidget::setVisible);
   hide();
 }

@@ -22,6 +22,7 @@
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/project/motion_rows.hpp"
+#include "widgets/setup/several_blocks.hpp"
 
 namespace talus {
 
@@ -157,6 +158,11 @@ void PropertyPanel::showBody(Section* section, const Block& block) {
 void PropertyPanel::showBlock(int index) {
   if (!project_.system()) return;
   const BlockSystem& system = *project_.system();
+  if (const auto& several = project_.selection().blocks(); several.size() > 1) {
+    header_->setTitle(tr("%1 blocks").arg(several.size()), tr("selected"));
+    content_->layout()->addWidget(new SeveralBlocks(system, project_.builtFrom(), several));
+    return;
+  }
   const Block& block = system.blocks.at(static_cast<size_t>(index));
   header_->setTitle(text(block.name), tr("block"));
   if (block.body != BodyKind::fixed && knowsMotions(project_.system().get(), playback_.frame().get())) {

@@ -3,6 +3,7 @@
 #include <QFrame>
 #include <QLabel>
 #include <QPushButton>
+#include <QRubberBand>
 
 #include <vtkRenderer.h>
 
@@ -22,6 +23,7 @@ constexpr int still_ms = 350;       // after that the view is drawn finely
 constexpr int live_pause_ms = 125;  // between drawings while a run goes on: eight a second at most
 constexpr double live_share = 0.2;  // of the window's time that drawing may take then
 constexpr int hover_ms = 40;
+constexpr double apart = 0.6;   // of their way from the middle: as far as blocks are drawn from each other
 constexpr int flight_ms = 450;  // from where the camera stands to a place that was asked for
 
 /// A tetrahedron that is fixed and one that may move.
@@ -46,6 +48,8 @@ Viewport::Viewport(Session& session, QWidget* parent)
   area->installEventFilter(this);
   area->hide();
 
+  band_ = new QRubberBand(QRubberBand::Rectangle, area);
+
   tools_ = makePlane("overlay");
   tools_->setParent(this);
   setMargins(new QVBoxLayout(tools_), 3, 1);
@@ -69,7 +73,10 @@ Viewport::Viewport(Session& session, QWidget* parent)
   emptyText_->setAlignment(Qt::AlignCenter);
   emptyButton_ = makeButton(tr("Cut and mesh"));
   connect(emptyButton_, &QPushButton::clicked, this, [this] {
-    if (session_.project.document().isOpen()) session_.run.mesh();
+    if (session_.run.job().isBusy())
+      session_.run.job().stop();
+    else if (session_.project.document().isOpen())
+      session_.run.mesh();
   });
   emptyLayout->addWidget(emptyText_);
   emptyLayout->addWidget(emptyButton_, 0, Qt::AlignHCenter);
@@ -297,6 +304,19 @@ void Viewport::isolateSelected() {
   render();
 }
 
+void Viewport::toggleExplosion() {
+  if (!scene_) return;
+  SceneSettings settings = session_.display.settings();
+  const bool explodes = settings.explosion == 0;
+  if (explodes) togetherPose_ = scene_->pose();
+  settings.explosion = explodes ? apart : 0;
+  session_.display.set(settings);
+  if (explodes)
+    fit();
+  else
+    moveCamera(togetherPose_);
+}
+
 void Viewport::showAll() {
   if (!scene_) return;
   hidden_.clear();
@@ -323,10 +343,12 @@ void Viewport::showEmptyState() {
   if (state == JobState::meshing || state == JobState::stopping) {
     const int percent = static_cast<int>(100 * session_.run.fraction());
     emptyText_->setText(tr("Cutting and meshing, %1 %\n%2").arg(percent).arg(session_.run.activity()));
-    emptyButton_->hide();
+    emptyButton_->setText(tr("Cancel"));
+    emptyButton_->setEnabled(state == JobState::meshing);
+    emptyButton_->setToolTip(tr("The blocks stay as they were before; it can be begun again"));
   } else {
+    emptyButton_->setText(tr("Cut and mesh"));
     emptyText_->setText(tr("There are no blocks yet: cut the rock along its joints and mesh it to see them."));
-    emptyButton_->setVisible(true);
     emptyButton_->setEnabled(session_.run.whyNotMesh().isEmpty());
     emptyButton_->setToolTip(session_.run.whyNotMesh());
   }

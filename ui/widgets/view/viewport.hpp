@@ -13,6 +13,7 @@
 
 class QLabel;
 class QPushButton;
+class QRubberBand;
 
 namespace talus {
 
@@ -20,7 +21,8 @@ class RenderSurface;
 struct Session;
 
 /// The 3-D view: draws the session's blocks and frame, moves the camera, picks blocks into the shared selection.
-/// Left drag turns, middle (or Shift and left) pans, the wheel zooms to the pointer.
+/// Left drag turns, middle drag pans, the wheel zooms to the pointer. Shift and left drag select by a box: to the right
+/// the blocks that lie wholly in it, to the left all that it touches; with Ctrl as well they are added.
 class Viewport : public QWidget {
   Q_OBJECT
  public:
@@ -33,6 +35,8 @@ class Viewport : public QWidget {
   void hideSelected();
   void isolateSelected();
   void showAll();
+  /// Blocks are drawn apart, or again where they are.
+  void toggleExplosion();
 
   /// Empty until there are blocks.
   std::optional<CameraPose> pose() const;
@@ -74,6 +78,7 @@ class Viewport : public QWidget {
   bool mouseReleased(const QMouseEvent& event);
   bool wheelTurned(const QWheelEvent& event);
   void pickForHover();
+  void selectIn(const QRectF& box, bool touched, bool added);
   void selectAt(QPointF point, Qt::KeyboardModifiers modifiers);
   void showCard(const Pick& pick, QPointF point);
 
@@ -84,16 +89,18 @@ class Viewport : public QWidget {
   bool fitted_ = false;  ///< the camera has been placed since the blocks came
   std::vector<int> hidden_;
 
-  enum class Drag { none, turn, pan };
+  enum class Drag { none, turn, pan, box };
   Drag drag_ = Drag::none;
   QPointF pressed_, last_;
   bool moved_ = false;
+  QRubberBand* band_;
   QTimer stillTimer_;  ///< fires when the camera has rested
   QTimer drawTimer_;   ///< spaces drawings out while a run goes on
   QTimer hoverTimer_;
   bool still_ = true;
   QVariantAnimation flight_;
   CameraPose flightStart_, flightEnd_;
+  CameraPose togetherPose_;  ///< to go back to when blocks are no longer drawn apart
   QElapsedTimer sinceDrawing_;
 
   QFrame* tools_;

@@ -1,6 +1,7 @@
 // What the mouse does in the 3-D view: turn, pan, zoom, pick.
 #include <QLabel>
 #include <QMouseEvent>
+#include <QRubberBand>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -46,8 +47,8 @@ bool Viewport::mousePressed(const QMouseEvent& event) {
   flight_.stop();
   pressed_ = last_ = event.position();
   moved_ = false;
-  const bool pans = event.button() == Qt::MiddleButton || event.modifiers().testFlag(Qt::ShiftModifier);
-  drag_ = pans ? Drag::pan : event.button() == Qt::LeftButton ? Drag::turn : Drag::none;
+  const bool left = event.button() == Qt::LeftButton, boxes = left && event.modifiers().testFlag(Qt::ShiftModifier);
+  drag_ = boxes ? Drag::box : left ? Drag::turn : event.button() == Qt::MiddleButton ? Drag::pan : Drag::none;
   hoverTimer_.stop();
   surface_->widget()->setFocus(Qt::MouseFocusReason);
   return true;
@@ -63,16 +64,25 @@ bool Viewport::mouseMoved(const QMouseEvent& event) {
   moved_ = moved_ || (event.position() - pressed_).manhattanLength() > click_slack;
   if (!moved_) return true;
   last_ = event.position();
-  if (drag_ == Drag::turn)
+  if (drag_ == Drag::box) {
+    band_->setGeometry(QRectF(pressed_, last_).normalized().toRect());
+    band_->show();
+  } else if (drag_ == Drag::turn) {
     moveCamera(turned(scene_->pose(), -by.x() * turn_per_pixel, by.y() * turn_per_pixel));
-  else
+  } else {
     moveCamera(panned(scene_->pose(), by, size()));
+  }
   return true;
 }
 
 bool Viewport::mouseReleased(const QMouseEvent& event) {
   const bool clicked = drag_ != Drag::none && !moved_ && event.button() == Qt::LeftButton;
+  const bool boxed = drag_ == Drag::box && moved_;
   drag_ = Drag::none;
+  band_->hide();
+  if (boxed)
+    selectIn(QRectF(pressed_, event.position()).normalized(), event.position().x() < pressed_.x(),
+             event.modifiers().testFlag(Qt::ControlModifier));
   if (clicked) selectAt(event.position(), event.modifiers());
   stillTimer_.start();
   return true;
@@ -88,6 +98,17 @@ bool Viewport::wheelTurned(const QWheelEvent& event) {
 void Viewport::pickForHover() {
   const auto pick = pickAt(last_);
   session_.project.selection().hoverBlock(pick ? std::optional<int>(pick->block) : std::nullopt);
+}
+
+void Viewport::selectIn(const QRectF& box, bool touched, bool added) {
+  const double ratio = devicePixelRatioF();
+  std::vector<int> blocks =
+      scene_->blocks_in(box.left() * ratio, box.top() * ratio, box.right() * ratio, box.bottom() * ratio, touched);
+  Selection& selection = session_.project.selection();
+  if (added) blocks.insert(blocks.end(), selection.blocks().begin(), selection.blocks().end());
+  std::sort(blocks.begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  selection.selectBlocks(std::move(blocks));
 }
 
 void Viewport::selectAt(QPointF point, Qt::KeyboardModifiers modifiers) {

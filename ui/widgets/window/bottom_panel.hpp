@@ -14,6 +14,7 @@ class BottomPanel : public QTabWidget {
   Q_OBJECT
  public:
   explicit BottomPanel(Session& session);
+  void showProblems();
 
  private:
   void showPage();

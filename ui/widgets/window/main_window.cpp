@@ -1,8 +1,10 @@
 #include "widgets/window/main_window.hpp"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
+#include <QScreen>
 #include <QSettings>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -12,8 +14,11 @@
 #include "base/error.hpp"
 #include "jobs/solver_job.hpp"
 #include "widgets/begin/start_page.hpp"
+#include "widgets/kit/number_field.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
+#include "widgets/kit/typing_keys.hpp"
+#include "widgets/project/problem_count.hpp"
 #include "widgets/project/problem_list.hpp"
 #include "widgets/project/project_tree.hpp"
 #include "widgets/results/display_panel.hpp"
@@ -57,6 +62,7 @@ MainWindow::MainWindow(SolverParts parts)
   connect(&session_.display, &Display::themeChanged, this, [this] { theme::install(session_.display.isDark()); });
   session_.display.setDark(theme::now().dark);
   setMinimumSize(smallest);
+  qApp->installEventFilter(new TypingKeys(this));
   actions_ = new WindowActions(session_, *this);
   makeBars();
   makeCentre();
@@ -66,6 +72,9 @@ MainWindow::MainWindow(SolverParts parts)
   actions_->drive(*viewport_, *timeline_);
   connectActions();
   connect(&session_.display, &Display::pageChanged, this, &MainWindow::showPage);
+  connect(
+      &session_.display, &Display::fieldWanted, this, [this](const QString& place) { focusField(place); },
+      Qt::QueuedConnection);  // the panel of the thing is made first
   connect(&session_.project, &CurrentProject::opened, this, [this] { showStart(false); });
   connect(&session_.project, &CurrentProject::opened, this, &MainWindow::updateTitle);
   connect(&session_.project.document(), &Document::savedChanged, this, &MainWindow::updateTitle);
@@ -158,6 +167,9 @@ void MainWindow::makeStatusBar() {
   message_ = new ElidedLabel({}, "small");
   bar->addWidget(message_, 1);
   bar->addPermanentWidget(new ExportStrip(exporter_));
+  auto* count = new ProblemCount(session_.project, session_.messages);
+  connect(count, &QToolButton::clicked, this, [this] { static_cast<BottomPanel*>(bottom_->widget())->showProblems(); });
+  bar->addPermanentWidget(count);
   place_ = makeLabel({}, "small");
   bar->addPermanentWidget(place_);
   bar->addPermanentWidget(new UnitsButton(session_.display));
@@ -206,6 +218,19 @@ void MainWindow::showPage() {
   if (settings.edges != session_.display.settings().edges) session_.display.set(settings);
 }
 
+/// Fields are named after their place in the project file; where one has none, the thing that it belongs to has.
+void MainWindow::focusField(QString place) {
+  for (; !place.isEmpty(); place.truncate(place.lastIndexOf(u'/'))) {
+    auto* field = right_->findChild<QWidget*>(place);
+    if (!field) continue;
+    field->setFocus(Qt::ShortcutFocusReason);
+    return;
+  }
+  for (auto* first : right_->findChildren<NumberField*>())
+    if (first->isVisible()) return first->setFocus(Qt::ShortcutFocusReason);
+  rightPages_->setFocus(Qt::ShortcutFocusReason);
+}
+
 void MainWindow::showViewAlone(bool alone) {
   if (centre_->currentIndex() == 0) return;
   for (auto* bar : bars_) bar->setVisible(!alone);
@@ -217,6 +242,14 @@ void MainWindow::updateTitle() {
   setWindowTitle(document.isOpen()
                      ? tr("%1%2 - Talus").arg(document.name(), document.isSaved() ? QString() : QStringLiteral("*"))
                      : QStringLiteral("Talus"));
+}
+
+void MainWindow::present(std::optional<QSize> wanted) {
+  if (wanted)
+    resize(*wanted);
+  else if (!restoreGeometry(QSettings().value(QStringLiteral("geometry")).toByteArray()))
+    resize(size().boundedTo(screen()->availableSize()));
+  show();
 }
 
 ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <optional>
 
 #include "document/autosave.hpp"
 #include "session/session.hpp"
@@ -16,6 +17,7 @@ class AccuracyPanel;
 class ExportStrip;
 class Guards;
 class PasteJoints;
+class ManualWindow;
 class Rail;
 class StartPage;
 class StereonetPanel;
@@ -40,6 +42,8 @@ class MainWindow : public QMainWindow {
 
   /// Asks what a new project is to be; `key`: the template that is chosen first.
   void newProject(const std::string& key = {});
+  /// Shows it in the size that is asked for, else as it was when it was last closed, never larger than the screen.
+  void present(std::optional<QSize> size);
   void open(const std::filesystem::path& path);
   /// A sample, as a project that has no file of its own yet.
   void openCopy(const std::filesystem::path& sample);
@@ -66,6 +70,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* addDock(Qt::DockWidgetArea area, const QString& name, QWidget* content);
   void showStart(bool start);
   void showPage();
+  void focusField(QString place);
   void showViewAlone(bool alone);
   void showRecent();
   void askForProject();
@@ -82,6 +87,8 @@ class MainWindow : public QMainWindow {
   void showAccuracy();
   void showStereonet();
   void askForJoints();
+  /// At the page that tells of what is selected, or of the page of the workflow.
+  void showManual();
   void showAbout();
   ExportTask exportTask(const std::filesystem::path& path, int width) const;
   QString folderForDialogs() const;
@@ -102,6 +109,7 @@ class MainWindow : public QMainWindow {
   QDockWidget *left_, *right_, *bottom_;
   QStackedWidget* rightPages_;
   Verification* verification_ = nullptr;  ///< once it has been asked for
+  ManualWindow* manual_ = nullptr;        ///< once it has been asked for
   AccuracyPanel* accuracy_ = nullptr;     ///< once it has been asked for
   StereonetPanel* stereonet_ = nullptr;   ///< likewise
   PasteJoints* pasteJoints_ = nullptr;    ///< likewise

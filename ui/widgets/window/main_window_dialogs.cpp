@@ -15,6 +15,7 @@
 #include "widgets/verification/verification.hpp"
 #include "widgets/window/guards.hpp"
 #include "widgets/window/main_window.hpp"
+#include "widgets/window/manual_window.hpp"
 #include "widgets/window/top_bar.hpp"
 #include "widgets/window/window_actions.hpp"
 
@@ -52,6 +53,7 @@ void MainWindow::connectActions() {
   connect(actions_->accuracy, &QAction::triggered, this, &MainWindow::showAccuracy);
   connect(actions_->stereonet, &QAction::triggered, this, &MainWindow::showStereonet);
   connect(actions_->pasteJoints, &QAction::triggered, this, &MainWindow::askForJoints);
+  connect(actions_->manual, &QAction::triggered, this, &MainWindow::showManual);
   connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_->viewAlone, &QAction::toggled, this, &MainWindow::showViewAlone);
   connect(topBar_->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::showRecent);
@@ -133,6 +135,11 @@ void MainWindow::showStereonet() {
 void MainWindow::askForJoints() {
   if (!pasteJoints_) pasteJoints_ = new PasteJoints(session_.project, this);
   pasteJoints_->present();
+}
+
+void MainWindow::showManual() {
+  if (!manual_) manual_ = new ManualWindow(this);
+  manual_->present(manualHeading(session_.display.page(), session_.project.selection().current().kind));
 }
 
 void MainWindow::showAbout() {

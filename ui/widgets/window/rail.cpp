@@ -57,7 +57,7 @@ Rail::Rail(Session& session) : session_(session) {
   connect(&session_.project.document(), &Document::projectChanged, this, &Rail::refresh);
   connect(&session_.playback, &Playback::framesChanged, this, &Rail::refresh);
   connect(&session_.run, &CurrentRun::reportChanged, this, &Rail::refresh);
-  connect(&session_.messages, &Messages::problemsChanged, this, &Rail::refresh);
+  connect(&session_.project.problems(), &ProjectProblems::changed, this, &Rail::refresh);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, &Rail::refresh);
   refresh();
 }
@@ -94,7 +94,9 @@ void Rail::refresh() {
     set(WorkflowPage::results, State::locked, tr("Nothing has been solved yet"));
   else
     set(WorkflowPage::results, current ? outcome : State::open,
-        current ? sentenceCase(shortfall) : solved ? tr("Changed since it was solved") : QString());
+        current  ? sentenceCase(shortfall)
+        : solved ? tr("Changed since it was solved")
+                 : QString());
   for (const auto& [page, item] : items_) item->setCurrent(page == session_.display.page());
 }
 

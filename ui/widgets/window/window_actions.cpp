@@ -24,6 +24,7 @@ WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&windo
   connect(&session_.project.document(), &Document::savedChanged, this, &WindowActions::refresh);
   connect(&session_.project.document(), &Document::projectChanged, this, &WindowActions::refresh);
   connect(&session_.project.selection(), &Selection::changed, this, &WindowActions::refresh);
+  connect(&session_.project.problems(), &ProjectProblems::changed, this, &WindowActions::refresh);
   refresh();
 }
 
@@ -78,6 +79,7 @@ void WindowActions::makeViewActions() {
   hide = add(tr("Hide selected blocks"), QStringLiteral("eye-off"), QKeySequence(Qt::Key_H));
   isolate = add(tr("Show selected blocks alone"), QStringLiteral("eye"), QKeySequence(Qt::Key_I));
   showAll = add(tr("Show all blocks"), {}, QKeySequence(Qt::Key_A));
+  explode = add(tr("Draw blocks apart"), QStringLiteral("blocks"), QKeySequence(Qt::Key_E));
   dark = add(tr("Light or dark"), {}, QKeySequence(tr("Ctrl+Shift+D")));
   viewAlone = add(tr("The view alone"), {}, QKeySequence(Qt::Key_F11));
   viewAlone->setCheckable(true);
@@ -114,6 +116,7 @@ void WindowActions::makeRunActions() {
   accuracy = add(tr("Accuracy…"), QStringLiteral("report"));
   knownAnswers = add(tr("Known answers…"), QStringLiteral("report"));
   hardCases = add(tr("Hard cases…"), QStringLiteral("blocks"));
+  manual = add(tr("Manual"), QStringLiteral("info"), QKeySequence(Qt::Key_F1));
   about = add(tr("About Talus"), QStringLiteral("info"));
 }
 
@@ -127,6 +130,7 @@ void WindowActions::drive(Viewport& viewport, Timeline& timeline) {
   connect(hide, &QAction::triggered, &viewport, &Viewport::hideSelected);
   connect(isolate, &QAction::triggered, &viewport, &Viewport::isolateSelected);
   connect(showAll, &QAction::triggered, &viewport, &Viewport::showAll);
+  connect(explode, &QAction::triggered, &viewport, &Viewport::toggleExplosion);
   connect(play, &QAction::triggered, &timeline, &Timeline::togglePlay);
   connect(previousFrame, &QAction::triggered, &timeline, [&timeline] { timeline.stepBy(-1); });
   connect(nextFrame, &QAction::triggered, &timeline, [&timeline] { timeline.stepBy(1); });
@@ -150,7 +154,8 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
                                  startPage, quit});
   file->insertMenu(save, recent);
   menu(tr("Edit"), {undo, redo, nullptr, clearSelection});
-  menu(tr("View"), {fit, iso, front, side, top, projection, nullptr, hide, isolate, showAll, nullptr, dark, viewAlone});
+  menu(tr("View"),
+       {fit, iso, front, side, top, projection, nullptr, hide, isolate, showAll, explode, nullptr, dark, viewAlone});
   auto* model = menu(tr("Model"), {});
   for (const auto& [page, action] : pages)
     if (isSetUp(page)) model->addAction(action);
@@ -161,7 +166,7 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   menu(tr("Solve"), {pages.at(WorkflowPage::solve), nullptr, solve, pause, oneStep, stop});
   menu(tr("Results"), {pages.at(WorkflowPage::results), nullptr, play, previousFrame, nextFrame, firstFrame, lastFrame,
                        nullptr, savePicture, saveFilm, nullptr, accuracy});
-  menu(tr("Help"), {knownAnswers, hardCases, nullptr, about});
+  menu(tr("Help"), {manual, nullptr, knownAnswers, hardCases, nullptr, about});
 }
 
 void WindowActions::allow(QAction* action, const QString& whyNot) {
@@ -191,7 +196,7 @@ void WindowActions::refresh() {
   for (auto* action : {saveAs, stereonet, pasteJoints}) allow(action, noProject);
   allow(savePicture, noBlocks);
   allow(saveFilm, noFrames);
-  for (auto* action : {fit, iso, front, side, top, projection, showAll}) allow(action, noBlocks);
+  for (auto* action : {fit, iso, front, side, top, projection, showAll, explode}) allow(action, noBlocks);
   for (auto* action : {hide, isolate}) allow(action, nothingSelected);
   allow(mesh, session_.run.whyNotMesh());
   allow(solve, session_.run.whyNotSolve());
@@ -202,7 +207,7 @@ void WindowActions::refresh() {
   allow(stop, session_.run.job().isBusy() ? QString() : tr("Nothing runs"));
   for (auto* action : {play, previousFrame, nextFrame, firstFrame, lastFrame}) allow(action, noFrames);
   for (const auto& [page, action] : pages) allow(action, noProject);
-  for (auto* action : {dark, viewAlone, clearSelection, quit, accuracy, knownAnswers, hardCases, about})
+  for (auto* action : {dark, viewAlone, clearSelection, quit, accuracy, manual, knownAnswers, hardCases, about})
     allow(action, {});
 }
 

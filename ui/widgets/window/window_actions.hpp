@@ -29,13 +29,13 @@ class WindowActions : public QObject {
   // Edit
   QAction *undo, *redo, *clearSelection;
   // View
-  QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *dark, *viewAlone;
+  QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *explode, *dark, *viewAlone;
   // Model and solve
   QAction *stereonet, *pasteJoints;
   QAction *mesh, *solve, *pause, *oneStep, *stop;
   // Results
   QAction *play, *previousFrame, *nextFrame, *firstFrame, *lastFrame, *accuracy;
-  QAction *knownAnswers, *hardCases, *about;
+  QAction *manual, *knownAnswers, *hardCases, *about;
   std::map<WorkflowPage, QAction*> pages;
 
   /// Connects what only the view and the timeline can do.

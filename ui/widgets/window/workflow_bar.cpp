@@ -57,11 +57,12 @@ WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(se
   connect(&session_.project, &CurrentProject::opened, this, &WorkflowBar::refresh);
   connect(&session_.project, &CurrentProject::systemChanged, this, &WorkflowBar::refresh);
   connect(&session_.project.document(), &Document::projectChanged, this, &WorkflowBar::refresh);
+  connect(&session_.project.problems(), &ProjectProblems::changed, this, &WorkflowBar::refresh);
   connect(&session_.playback, &Playback::framesChanged, this, &WorkflowBar::refresh);
   connect(&session_.run, &CurrentRun::reportChanged, this, &WorkflowBar::refresh);
   connect(&session_.run, &CurrentRun::progressed, this, &WorkflowBar::refreshOutcome);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, &WorkflowBar::refresh);
-  for (auto* action : {actions_.mesh, actions_.solve, actions_.pause, actions_.saveFilm})
+  for (auto* action : {actions_.mesh, actions_.solve, actions_.pause, actions_.stop, actions_.saveFilm})
     connect(action, &QAction::changed, this, &WorkflowBar::refreshPrimary);
   refresh();
 }
@@ -129,7 +130,8 @@ QString WorkflowBar::runOutcome() const {
     return session_.playback.isCurrent() ? length : tr("edited since; %1").arg(length);
   }
   if (job.state() == JobState::meshing) return tr("Cutting and meshing");
-  if (job.state() == JobState::stopping) return tr("Stopping after this step");
+  if (job.state() == JobState::stopping)
+    return session_.project.system() ? tr("Stopping after this step") : tr("Stopping");
   QString words;
   if (!session_.run.steps().empty()) {
     const auto stage = static_cast<size_t>(session_.run.steps().back().stage);
@@ -209,6 +211,7 @@ QAction* WorkflowBar::primaryAction() const {
     case WorkflowPage::results:
       return actions_.saveFilm;
     default:
+      if (session_.run.job().state() == JobState::meshing) return actions_.stop;
       return session_.project.systemIsCurrent() ? actions_.pages.at(WorkflowPage::solve) : actions_.mesh;
   }
 }
@@ -222,8 +225,9 @@ void WorkflowBar::refreshPrimary() {
   for (const auto& [member, name] : icons)
     if (actions_.*member == action) icon = QLatin1String(name);
   if (action == actions_.pause && session_.run.job().state() == JobState::paused) icon = QStringLiteral("play");
+  if (action == actions_.stop) icon = QStringLiteral("stop");
   primary_->setIcon(theme::icon(icon, theme::Tone::onAccent));
-  primary_->setText(leads ? tr("Go to solve") : action->text().remove(u'…'));
+  primary_->setText(leads ? tr("Go to solve") : action == actions_.stop ? tr("Cancel") : action->text().remove(u'…'));
   primary_->setEnabled(action->isEnabled());
   primary_->setToolTip(action->toolTip());
 }
