@@ -1,12 +1,14 @@
 #include "geometry/block_builder.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
 #include "geometry/mesher_process.hpp"
 #include "model/body_choice.hpp"
-#include "model/validate.hpp"
+#include "model/rules/validate.hpp"
+#include "model/solid_shape.hpp"
 #include "orientation/drawn_planes.hpp"
 
 namespace talus {
@@ -19,22 +21,32 @@ int index_of(const std::vector<Named>& things, const std::string& name) {
   return static_cast<int>(found - things.begin());
 }
 
-PolyhedronShape box_polyhedron(const BoxShape& box) {
-  PolyhedronShape shape;
-  for (int corner = 0; corner < 8; ++corner) {
-    shape.vertices.emplace_back(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
-                                corner & 4 ? box.max.z() : box.min.z());
+/// What the format knows and geometry does not make yet.
+void refuse_unmade(const Solid& solid) {
+  const auto* file = std::get_if<FileShape>(&solid.shape);
+  if (polyhedron_of(solid) || (file && !solid.turn && solid.move.isZero(0))) return;
+  throw InputError("solid " + solid.name, "this version does not make such a solid",
+                   "use a box, a polyhedron or a file");
+}
+
+void refuse_unmade(const Project& project) {
+  for (const Cut& cut : project.cuts) {
+    if (cut.disc || !cut.polygon.empty() || cut.network || !cut.ends_at.empty())
+      throw InputError("cut of " + cut.joint, "this version cuts along endless planes alone",
+                       "give it a point 'through', limited to some 'solids' where it must not cut all");
   }
-  shape.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  return shape;
+  const auto removed = [](const BlockOverride& block) { return block.removed; };
+  if (!project.merges.empty() || project.splinters != Splinters() || project.mesh != MeshSettings() ||
+      std::any_of(project.blocks.begin(), project.blocks.end(), removed))
+    throw InputError("/", "this version does not merge, drop or refine blocks", "leave merges, splinters and mesh out");
 }
 
 MesherSolid job_solid(const Solid& solid, const std::filesystem::path& folder) {
+  refuse_unmade(solid);
   MesherSolid job;
   job.name = solid.name;
   job.mesh_size = solid.mesh_size;
-  if (const auto* box = std::get_if<BoxShape>(&solid.shape)) job.polyhedron = box_polyhedron(*box);
-  if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape)) job.polyhedron = *polyhedron;
+  if (auto polyhedron = polyhedron_of(solid)) job.polyhedron = std::move(*polyhedron);
   if (const auto* file = std::get_if<FileShape>(&solid.shape)) {
     job.file = std::filesystem::absolute(folder / file->path).string();
     job.file_as_written = file->path;
@@ -63,6 +75,7 @@ MesherCut job_cut(const Project& project, std::size_t index) {
 }
 
 MesherJob make_job(const Project& project, const std::filesystem::path& folder) {
+  refuse_unmade(project);
   MesherJob job;
   for (const Solid& solid : project.solids) job.solids.push_back(job_solid(solid, folder));
   for (std::size_t i = 0; i < project.cuts.size(); ++i) job.cuts.push_back(job_cut(project, i));
@@ -237,7 +250,11 @@ BlockSystem build_blocks(const Project& project, const std::filesystem::path& fo
 }
 
 bool build_alike(const Project& a, const Project& b) {
-  if (a.solids != b.solids || a.cuts != b.cuts || a.blocks != b.blocks) return false;
+  const auto rock = [](const Project& project) {
+    return std::tie(project.origin, project.solids, project.cuts, project.blocks, project.merges, project.splinters,
+                    project.mesh);
+  };
+  if (rock(a) != rock(b)) return false;
   const auto left_open = [](const auto& thing) { return thing.body == BodyKind::automatic; };
   const bool chosen = std::any_of(a.solids.begin(), a.solids.end(), left_open) ||
                       std::any_of(a.blocks.begin(), a.blocks.end(), left_open);

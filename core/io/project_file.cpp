@@ -11,7 +11,7 @@
 #include "io/schema_check.hpp"
 #include "io/whole_file.hpp"
 #include "model/place.hpp"
-#include "model/validate.hpp"
+#include "model/rules/validate.hpp"
 
 extern const char project_schema[];
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace talus {
 namespace {
@@ -93,19 +94,104 @@ FileShape file_from(const OrderedJson& solid) {
   return shape;
 }
 
+BoxShape box_from(const OrderedJson& value) { return {vector_from(value.at("min")), vector_from(value.at("max"))}; }
+
+TerrainShape terrain_from(const OrderedJson& value) {
+  TerrainShape shape;
+  read(value, "file", shape.path);
+  read(value, "base", shape.base);
+  read(value, "tolerance", shape.tolerance);
+  return shape;
+}
+
+CylinderShape cylinder_from(const OrderedJson& value) {
+  CylinderShape shape;
+  read(value, "from", shape.from);
+  read(value, "to", shape.to);
+  read(value, "radius", shape.radius);
+  read(value, "sides", shape.sides);
+  return shape;
+}
+
+SectionShape section_from(const OrderedJson& value) {
+  SectionShape shape;
+  read(value, "points", shape.points);
+  read(value, "origin", shape.origin);
+  read(value, "azimuth", shape.azimuth);
+  read(value, "width", shape.width);
+  return shape;
+}
+
+CombinedShape combined_from(const OrderedJson& value) {
+  CombinedShape shape;
+  read_word(value, "operation", shape.operation,
+            {CombineOperation::unite, CombineOperation::subtract, CombineOperation::intersect});
+  read(value, "solids", shape.solids);
+  return shape;
+}
+
+SolidShape shape_from(const OrderedJson& solid) {
+  if (solid.contains("box")) return box_from(solid.at("box"));
+  if (solid.contains("polyhedron")) return polyhedron_from(solid.at("polyhedron"));
+  if (solid.contains("terrain")) return terrain_from(solid.at("terrain"));
+  if (solid.contains("cylinder")) return cylinder_from(solid.at("cylinder"));
+  if (solid.contains("section")) return section_from(solid.at("section"));
+  if (solid.contains("combine")) return combined_from(solid.at("combine"));
+  return file_from(solid);
+}
+
+Turn turn_from(const OrderedJson& value) {
+  Turn turn;
+  read(value, "axis", turn.axis);
+  read(value, "angle", turn.angle);
+  read(value, "about", turn.about);
+  return turn;
+}
+
 Solid read_item(const OrderedJson& value, Solid solid) {
   read(value, "name", solid.name);
-  if (value.contains("box")) {
-    solid.shape = BoxShape{vector_from(value.at("box").at("min")), vector_from(value.at("box").at("max"))};
-  } else if (value.contains("polyhedron")) {
-    solid.shape = polyhedron_from(value.at("polyhedron"));
-  } else {
-    solid.shape = file_from(value);
-  }
+  solid.shape = shape_from(value);
   read(value, "material", solid.material);
   read_body(value, solid.body);
   read(value, "mesh_size", solid.mesh_size);
+  if (value.contains("turn")) solid.turn = turn_from(value.at("turn"));
+  read(value, "move", solid.move);
   return solid;
+}
+
+Disc disc_from(const OrderedJson& value) {
+  Disc disc;
+  read(value, "centre", disc.centre);
+  read(value, "radius", disc.radius);
+  return disc;
+}
+
+JointNetwork network_from(const OrderedJson& value) {
+  JointNetwork network;
+  network.box = box_from(value.at("box"));
+  read(value, "density", network.density);
+  read(value, "radius", network.radius);
+  read_word(value, "radius_law", network.radius_law, {RadiusLaw::equal, RadiusLaw::exponential, RadiusLaw::lognormal});
+  read(value, "radius_deviation", network.radius_deviation);
+  return network;
+}
+
+/// What makes the cut end, and with it the point that it goes through.
+void read_ends(const OrderedJson& value, Cut& cut) {
+  if (value.contains("disc")) {
+    cut.disc = disc_from(value.at("disc"));
+    cut.through = cut.disc->centre;
+  }
+  if (value.contains("polygon")) {
+    for (const auto& corner : value.at("polygon")) cut.polygon.push_back(vector_from(corner));
+    cut.through = std::accumulate(cut.polygon.begin(), cut.polygon.end(), Vec3(Vec3::Zero())) /
+                  static_cast<double>(cut.polygon.size());
+  }
+  if (value.contains("network")) {
+    cut.network = network_from(value.at("network"));
+    cut.through = (cut.network->box.min + cut.network->box.max) / 2;
+  }
+  read(value, "ends_at", cut.ends_at);
 }
 
 Cut read_item(const OrderedJson& value, Cut cut) {
@@ -121,6 +207,7 @@ Cut read_item(const OrderedJson& value, Cut cut) {
   read(value, "spacing_deviation", cut.spacing_deviation);
   read(value, "fisher_kappa", cut.fisher_kappa);
   read(value, "seed", cut.seed);
+  read_ends(value, cut);
   return cut;
 }
 
@@ -130,7 +217,28 @@ BlockOverride read_item(const OrderedJson& value, BlockOverride block) {
   if (value.contains("body")) read_body(value, block.body.emplace());
   read(value, "material", block.material);
   read(value, "mesh_size", block.mesh_size);
+  read(value, "removed", block.removed);
   return block;
+}
+
+Merge read_item(const OrderedJson& value, Merge merge) {
+  read(value, "at", merge.at);
+  read(value, "with", merge.with);
+  return merge;
+}
+
+Splinters splinters_from(const OrderedJson& value) {
+  Splinters splinters;
+  read(value, "thickness", splinters.thickness);
+  read_word(value, "rule", splinters.rule, {SplinterRule::refuse, SplinterRule::drop, SplinterRule::merge});
+  return splinters;
+}
+
+MeshRefinement read_item(const OrderedJson& value, MeshRefinement refinement) {
+  read(value, "at", refinement.at);
+  read(value, "radius", refinement.radius);
+  read(value, "size", refinement.size);
+  return refinement;
 }
 
 Interface read_item(const OrderedJson& value, Interface interface) {
@@ -289,18 +397,30 @@ SolverSettings solver_from(const OrderedJson& value) {
   return solver;
 }
 
+MeshSettings mesh_from(const OrderedJson& value) {
+  MeshSettings mesh;
+  read(value, "size", mesh.size);
+  read_list(value, "refinements", mesh.refinements);
+  read(value, "most_tetrahedra", mesh.most_tetrahedra);
+  return mesh;
+}
+
 }  // namespace
 
 Project project_from_json(const OrderedJson& value) {
   Project project;
   read(value, "name", project.name);
   read(value, "gravity", project.gravity);
+  read(value, "origin", project.origin);
   read_by_name(value, "materials", project.materials, material_from);
   read_by_name(value, "joints", project.joints, joint_from);
   read(value, "default_joint", project.default_joint);
   read_list(value, "solids", project.solids);
   read_list(value, "cuts", project.cuts);
   read_list(value, "blocks", project.blocks);
+  read_list(value, "merges", project.merges);
+  if (value.contains("splinters")) project.splinters = splinters_from(value.at("splinters"));
+  if (value.contains("mesh")) project.mesh = mesh_from(value.at("mesh"));
   read_list(value, "interfaces", project.interfaces);
   read_list(value, "constraints", project.constraints);
   read_list(value, "loads", project.loads);

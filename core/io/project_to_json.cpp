@@ -41,9 +41,9 @@ OrderedJson json_from(const Joint& joint) {
   return json;
 }
 
-void write_shape(OrderedJson& solid, const BoxShape& box) {
-  solid["box"] = {{"min", json_from(box.min)}, {"max", json_from(box.max)}};
-}
+OrderedJson json_from(const BoxShape& box) { return {{"min", json_from(box.min)}, {"max", json_from(box.max)}}; }
+
+void write_shape(OrderedJson& solid, const BoxShape& box) { solid["box"] = json_from(box); }
 
 void write_shape(OrderedJson& solid, const PolyhedronShape& shape) {
   auto vertices = OrderedJson::array();
@@ -57,26 +57,74 @@ void write_shape(OrderedJson& solid, const FileShape& shape) {
   solid["scale"] = shape.scale;
 }
 
+void write_shape(OrderedJson& solid, const TerrainShape& shape) {
+  solid["terrain"] = {{"file", shape.path}, {"base", shape.base}};
+  write_unless_usual(solid["terrain"], "tolerance", shape.tolerance, 0.0);
+}
+
+void write_shape(OrderedJson& solid, const CylinderShape& shape) {
+  solid["cylinder"] = {{"from", json_from(shape.from)}, {"to", json_from(shape.to)}, {"radius", shape.radius}};
+  write_unless_usual(solid["cylinder"], "sides", shape.sides, CylinderShape().sides);
+}
+
+void write_shape(OrderedJson& solid, const SectionShape& shape) {
+  solid["section"]["points"] = shape.points;
+  solid["section"]["origin"] = json_from(shape.origin);
+  solid["section"]["azimuth"] = shape.azimuth;
+  solid["section"]["width"] = shape.width;
+}
+
+void write_shape(OrderedJson& solid, const CombinedShape& shape) {
+  solid["combine"]["operation"] = to_string(shape.operation);
+  solid["combine"]["solids"] = shape.solids;
+}
+
+OrderedJson json_from(const Turn& turn) {
+  return {{"axis", json_from(turn.axis)}, {"angle", turn.angle}, {"about", json_from(turn.about)}};
+}
+
 OrderedJson json_from(const Solid& solid) {
   OrderedJson json{{"name", solid.name}};
   std::visit([&](const auto& shape) { write_shape(json, shape); }, solid.shape);
   json["material"] = solid.material;
   json["body"] = to_string(solid.body);
   write(json, "mesh_size", solid.mesh_size);
+  if (solid.turn) json["turn"] = json_from(*solid.turn);
+  if (!solid.move.isZero(0)) json["move"] = json_from(solid.move);
   return json;
 }
 
+OrderedJson json_from(const JointNetwork& network) {
+  OrderedJson json;
+  json["box"] = json_from(network.box);
+  json["density"] = network.density;
+  json["radius"] = network.radius;
+  write_word_unless_usual(json, "radius_law", network.radius_law, RadiusLaw::equal);
+  write(json, "radius_deviation", network.radius_deviation);
+  return json;
+}
+
+/// Where it lies: a point of a plane, or what makes it end.
+void write_extent(OrderedJson& json, const Cut& cut) {
+  if (cut.disc)
+    json["disc"] = {{"centre", json_from(cut.disc->centre)}, {"radius", cut.disc->radius}};
+  else if (cut.network)
+    json["network"] = json_from(*cut.network);
+  else if (cut.polygon.empty())
+    json["through"] = json_from(cut.through);
+  for (const Vec3& corner : cut.polygon) json["polygon"].push_back(json_from(corner));
+}
+
 OrderedJson json_from(const Cut& cut) {
-  OrderedJson json{{"joint", cut.joint},
-                   {"dip", cut.dip},
-                   {"dip_direction", cut.dip_direction},
-                   {"through", json_from(cut.through)}};
+  OrderedJson json{{"joint", cut.joint}, {"dip", cut.dip}, {"dip_direction", cut.dip_direction}};
+  write_extent(json, cut);
   write(json, "spacing", cut.spacing);
   write(json, "count", cut.count);
   write_word_unless_usual(json, "spacing_law", cut.spacing_law, SpacingLaw::equal);
   write(json, "spacing_deviation", cut.spacing_deviation);
   write(json, "fisher_kappa", cut.fisher_kappa);
   write(json, "seed", cut.seed);
+  if (!cut.ends_at.empty()) json["ends_at"] = cut.ends_at;
   if (!cut.solids.empty()) json["solids"] = cut.solids;
   return json;
 }
@@ -86,7 +134,21 @@ OrderedJson json_from(const BlockOverride& block) {
   if (block.body) json["body"] = to_string(*block.body);
   write(json, "material", block.material);
   write(json, "mesh_size", block.mesh_size);
+  write_unless_usual(json, "removed", block.removed, false);
   return json;
+}
+
+OrderedJson json_from(const Merge& merge) { return {{"at", json_from(merge.at)}, {"with", json_from(merge.with)}}; }
+
+OrderedJson json_from(const Splinters& splinters) {
+  OrderedJson json;
+  write(json, "thickness", splinters.thickness);
+  json["rule"] = to_string(splinters.rule);
+  return json;
+}
+
+OrderedJson json_from(const MeshRefinement& refinement) {
+  return {{"at", json_from(refinement.at)}, {"radius", refinement.radius}, {"size", refinement.size}};
 }
 
 OrderedJson json_from(const Interface& interface) {
@@ -227,18 +289,30 @@ OrderedJson json_from(const SolverSettings& solver) {
   return json;
 }
 
+OrderedJson json_from(const MeshSettings& mesh) {
+  OrderedJson json = OrderedJson::object();
+  write(json, "size", mesh.size);
+  write_list(json, "refinements", mesh.refinements);
+  write_unless_usual(json, "most_tetrahedra", mesh.most_tetrahedra, MeshSettings().most_tetrahedra);
+  return json;
+}
+
 }  // namespace
 
 OrderedJson project_to_json(const Project& project) {
   OrderedJson json{{"talus", 1}};
   if (!project.name.empty()) json["name"] = project.name;
   json["gravity"] = json_from(project.gravity);
+  if (!project.origin.isZero(0)) json["origin"] = json_from(project.origin);
   json["materials"] = by_name(project.materials);  // also when empty, as the schema asks
   if (!project.joints.empty()) json["joints"] = by_name(project.joints);
   if (!project.default_joint.empty()) json["default_joint"] = project.default_joint;
   write_list(json, "solids", project.solids);
   write_list(json, "cuts", project.cuts);
   write_list(json, "blocks", project.blocks);
+  write_list(json, "merges", project.merges);
+  if (project.splinters != Splinters()) json["splinters"] = json_from(project.splinters);
+  if (project.mesh != MeshSettings()) json["mesh"] = json_from(project.mesh);
   write_list(json, "interfaces", project.interfaces);
   write_list(json, "constraints", project.constraints);
   write_list(json, "loads", project.loads);

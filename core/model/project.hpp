@@ -5,36 +5,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "base/vector.hpp"
+#include "model/rock/blocks.hpp"
+#include "model/rock/cut.hpp"
+#include "model/rock/solid.hpp"
 #include "model/solver_settings.hpp"
 
 /// What the user described, as plain values in SI units. Angles are kept in degrees here, as the file has them,
 /// so that a project is written back digit for digit; the solver converts once.
 namespace talus {
-
-/// How much a block may do: nothing; move as one; deform homogeneously too; deform tetrahedron by tetrahedron; or what
-/// `BodyChooser` makes of it. The last is a wish: no built block has it.
-enum class BodyKind { fixed, rigid, affine, tetrahedra, automatic };
-
-/// The word the project file and the results use.
-constexpr std::string_view to_string(BodyKind kind) {
-  switch (kind) {
-    case BodyKind::fixed:
-      return "fixed";
-    case BodyKind::rigid:
-      return "rigid";
-    case BodyKind::affine:
-      return "affine";
-    case BodyKind::automatic:
-      return "auto";
-    case BodyKind::tetrahedra:
-      break;
-  }
-  return "tetrahedra";
-}
 
 /// How stress follows strain: in proportion, measured in the rotated frame; or by Simo's neo-Hookean energy, which no
 /// stress squeezes to nothing.
@@ -63,76 +44,6 @@ struct Joint {
   std::optional<double> shear_stiffness;          ///< Pa/m
   std::optional<double> restitution;  ///< speed of parting over speed of approach, 0 to 1; absent: as springs do
   bool operator==(const Joint&) const = default;
-};
-
-struct BoxShape {
-  Vec3 min, max;
-  bool operator==(const BoxShape&) const = default;
-};
-/// Faces are polygons of vertex numbers, counter-clockwise seen from outside.
-struct PolyhedronShape {
-  std::vector<Vec3> vertices;
-  std::vector<std::vector<int>> faces;
-  bool operator==(const PolyhedronShape&) const = default;
-};
-/// `path` as written in the project file, relative to its folder; the ending names the format.
-struct FileShape {
-  std::string path;
-  double scale = 1;
-  bool operator==(const FileShape&) const = default;
-};
-
-struct Solid {
-  std::string name;
-  std::variant<BoxShape, PolyhedronShape, FileShape> shape;
-  std::string material;
-  BodyKind body = BodyKind::tetrahedra;
-  std::optional<double> mesh_size;  ///< m; when absent, a tenth of the longest side; rigid and affine blocks need none
-  bool operator==(const Solid&) const = default;
-};
-
-/// How the distances of a set's planes vary about their mean.
-enum class SpacingLaw { equal, normal, exponential, lognormal };
-
-/// The word the project file uses.
-constexpr std::string_view to_string(SpacingLaw law) {
-  switch (law) {
-    case SpacingLaw::normal:
-      return "normal";
-    case SpacingLaw::exponential:
-      return "exponential";
-    case SpacingLaw::lognormal:
-      return "lognormal";
-    case SpacingLaw::equal:
-      break;
-  }
-  return "equal";
-}
-
-/// A plane through `through`, or `count` ones `spacing` apart along the upward normal: parallel and equally far, or
-/// drawn by a law of spacing and a scatter about the mean attitude (orientation/drawn_planes).
-struct Cut {
-  std::string joint;
-  double dip = 0, dip_direction = 0;  ///< degrees
-  Vec3 through = Vec3::Zero();
-  std::optional<double> spacing;  ///< m
-  std::optional<int> count;
-  std::vector<std::string> solids;  ///< names it is limited to; all when empty
-  SpacingLaw spacing_law = SpacingLaw::equal;
-  std::optional<double> spacing_deviation{};  ///< m, of a normal or lognormal spacing; half the spacing when absent
-  std::optional<double> fisher_kappa{};       ///< scatter of the poles (Fisher 1953); absent: all are parallel
-  std::optional<int> seed{};                  ///< of what is drawn; 1 when absent
-  bool operator==(const Cut&) const = default;
-};
-
-/// Overrides for the block that holds the point `at`.
-struct BlockOverride {
-  std::string name;
-  Vec3 at = Vec3::Zero();
-  std::optional<BodyKind> body;
-  std::optional<std::string> material;
-  std::optional<double> mesh_size;
-  bool operator==(const BlockOverride&) const = default;
 };
 
 struct Interface {
@@ -246,12 +157,17 @@ struct Output {
 struct Project {
   std::string name;
   Vec3 gravity{0, 0, -9.81};
+  Vec3 origin =
+      Vec3::Zero();  ///< m: coordinates of files less this are the project's; sites are 10⁶ m from their grid's
   std::vector<Material> materials;
   std::vector<Joint> joints;
   std::string default_joint;
   std::vector<Solid> solids;
   std::vector<Cut> cuts;
   std::vector<BlockOverride> blocks;
+  std::vector<Merge> merges;
+  Splinters splinters;
+  MeshSettings mesh;
   std::vector<Interface> interfaces;
   std::vector<Constraint> constraints;
   std::vector<PointLoad> loads;

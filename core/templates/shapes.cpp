@@ -60,7 +60,7 @@ Project rock_with_joints(const std::string& name, double friction_angle) {
   return project;
 }
 
-Solid free_rock(const std::string& name, std::variant<BoxShape, PolyhedronShape, FileShape> shape) {
+Solid free_rock(const std::string& name, SolidShape shape) {
   Solid solid;
   solid.name = name;
   solid.shape = std::move(shape);
@@ -69,7 +69,7 @@ Solid free_rock(const std::string& name, std::variant<BoxShape, PolyhedronShape,
   return solid;
 }
 
-Solid fixed_rock(const std::string& name, std::variant<BoxShape, PolyhedronShape, FileShape> shape, double mesh_size) {
+Solid fixed_rock(const std::string& name, SolidShape shape, double mesh_size) {
   Solid solid = free_rock(name, std::move(shape));
   solid.body = BodyKind::fixed;
   solid.mesh_size = mesh_size;

@@ -26,10 +26,10 @@ std::vector<SectionPoint> on_incline(const std::vector<SectionPoint>& points, do
 Project rock_with_joints(const std::string& name, double friction_angle);
 
 /// A solid of that rock whose blocks may do what they are asked for.
-Solid free_rock(const std::string& name, std::variant<BoxShape, PolyhedronShape, FileShape> shape);
+Solid free_rock(const std::string& name, SolidShape shape);
 
 /// One that stays where it is. It is only touched: a coarse mesh of `mesh_size` [m] serves.
-Solid fixed_rock(const std::string& name, std::variant<BoxShape, PolyhedronShape, FileShape> shape, double mesh_size);
+Solid fixed_rock(const std::string& name, SolidShape shape, double mesh_size);
 
 /// A plane of that joint set; dip and dip direction in degrees. Limited to `solid` where one is named.
 Cut joint_plane(double dip, double dip_direction, const Vec3& through, const std::string& solid = {});

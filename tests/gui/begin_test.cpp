@@ -283,7 +283,7 @@ TEST_F(Begun, AStepFileThatIsDroppedBecomesASolid) {
 TEST_F(Begun, WhatCannotBeImportedIsSaidAndChangesNothing) {
   window->open(slidingCube());
   const Project before = project();
-  drop(write("hill.stl", "solid hill"));
+  drop(write("hill.dwg", "solid hill"));
   EXPECT_EQ(project(), before);
   ASSERT_FALSE(session->messages.problems().empty());
   const Problem& problem = session->messages.problems().back();

@@ -21,12 +21,19 @@ using schema::Kind;
 namespace {
 
 const std::map<std::string, std::pair<const char*, Item::Kind>> groups{
-    {"solids", {"geometry", Item::Kind::solid}},     {"joints", {"joints", Item::Kind::joint}},
-    {"cuts", {"joints", Item::Kind::cut}},           {"interfaces", {"joints", Item::Kind::interface}},
-    {"blocks", {"blocks", Item::Kind::blockWish}},   {"materials", {"materials", Item::Kind::material}},
-    {"loads", {"loads", Item::Kind::load}},          {"constraints", {"loads", Item::Kind::constraint}},
-    {"velocities", {"loads", Item::Kind::velocity}}, {"in_situ", {"loads", Item::Kind::inSitu}},
-    {"stages", {"stages", Item::Kind::stage}},       {"monitors", {"results", Item::Kind::monitor}},
+    {"solids", {"geometry", Item::Kind::solid}},
+    {"joints", {"joints", Item::Kind::joint}},
+    {"cuts", {"joints", Item::Kind::cut}},
+    {"interfaces", {"joints", Item::Kind::interface}},
+    {"blocks", {"blocks", Item::Kind::blockWish}},
+    {"merges", {"blocks", Item::Kind::merge}},
+    {"materials", {"materials", Item::Kind::material}},
+    {"loads", {"loads", Item::Kind::load}},
+    {"constraints", {"loads", Item::Kind::constraint}},
+    {"velocities", {"loads", Item::Kind::velocity}},
+    {"in_situ", {"loads", Item::Kind::inSitu}},
+    {"stages", {"stages", Item::Kind::stage}},
+    {"monitors", {"results", Item::Kind::monitor}},
     {"expect", {"results", Item::Kind::expectation}}};
 
 /// A number with the unit that the file has it in: what the field shows must not matter.

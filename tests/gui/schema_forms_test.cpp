@@ -26,12 +26,15 @@ TEST_F(DrivenForm, EveryFieldOfTheSchemaIsSetThroughTheWindowAndTakenBack) {
   const std::string nothing = "{\"talus\": 1} // empty\n";
   window->open(write("new.talus", nothing));
   ASSERT_TRUE(session->project.document().isOpen());
-  for (const char* list : {"materials", "joints", "solids", "cuts", "blocks", "interfaces", "constraints", "loads",
-                           "velocities", "in_situ", "stages", "monitors", "expect"}) {
+  for (const char* list : {"materials", "joints", "solids", "cuts", "blocks", "merges", "interfaces", "constraints",
+                           "loads", "velocities", "in_situ", "stages", "monitors", "expect"}) {
     enterThings(list, target.at(list));
     ASSERT_FALSE(HasFatalFailure());
   }
-  for (const auto& [key, kind] : {std::pair{"solver", Item::Kind::solver}, {"output", Item::Kind::output}}) {
+  for (const auto& [key, kind] : {std::pair{"solver", Item::Kind::solver},
+                                  {"output", Item::Kind::output},
+                                  {"splinters", Item::Kind::splinters},
+                                  {"mesh", Item::Kind::mesh}}) {
     selectRow({kind, 0});
     // The form of a thing that the file leaves out is open all the same: its fields make it.
     for (const auto& [name, value] : target.at(key).items()) enter(Place() / std::string(key) / name, value);
@@ -39,7 +42,8 @@ TEST_F(DrivenForm, EveryFieldOfTheSchemaIsSetThroughTheWindowAndTakenBack) {
   }
   session->project.selection().clear();
   rest(10);
-  for (const char* key : {"name", "gravity", "default_joint"}) enter(Place() / std::string(key), target.at(key));
+  for (const char* key : {"name", "gravity", "origin", "default_joint"})
+    enter(Place() / std::string(key), target.at(key));
 
   // What a new thing has already is changed, and changed back.
   for (const auto& [at, other] : {std::pair<const char*, Json>{"/solids/0/box/min", {-1, 0, 0}},

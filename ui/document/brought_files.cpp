@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "io/whole_file.hpp"
+#include "model/solid_shape.hpp"
 
 namespace talus {
 
@@ -25,8 +26,8 @@ void bring_files(const Project& project, const fs::path& from, const fs::path& t
   std::error_code unknown;
   if (from.empty() || from == to || fs::equivalent(from, to, unknown)) return;
   for (const Solid& solid : project.solids) {
-    const auto* shape = std::get_if<FileShape>(&solid.shape);
-    if (shape && fs::path(shape->path).is_relative()) bring_file(from / shape->path, to / shape->path);
+    const std::string* file = file_of(solid.shape);
+    if (file && fs::path(*file).is_relative()) bring_file(from / *file, to / *file);
   }
 }
 

@@ -16,11 +16,12 @@ const Json* listOf(Item::Kind kind, const Json& project) {
   return &project.at(key);
 }
 
-bool isOneThing(Item::Kind kind) {
-  return kind == Item::Kind::none || kind == Item::Kind::solver || kind == Item::Kind::output;
-}
-
 }  // namespace
+
+bool isOneThing(Item::Kind kind) {
+  return kind == Item::Kind::none || kind == Item::Kind::solver || kind == Item::Kind::output ||
+         kind == Item::Kind::splinters || kind == Item::Kind::mesh;
+}
 
 const char* listKey(Item::Kind kind) {
   switch (kind) {
@@ -34,6 +35,12 @@ const char* listKey(Item::Kind kind) {
       return "joints";
     case Item::Kind::blockWish:
       return "blocks";
+    case Item::Kind::merge:
+      return "merges";
+    case Item::Kind::splinters:
+      return "splinters";
+    case Item::Kind::mesh:
+      return "mesh";
     case Item::Kind::interface:
       return "interfaces";
     case Item::Kind::material:

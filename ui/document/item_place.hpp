@@ -10,6 +10,9 @@ namespace talus {
 /// is in no file: a block as it was cut.
 const char* listKey(Item::Kind kind);
 
+/// There is one of the kind in a project, not a list: the solver's settings, the project itself.
+bool isOneThing(Item::Kind kind);
+
 /// Where a thing stands in the project: "/solids/2", "/materials/rock"; empty for nothing that is selected.
 nlohmann::ordered_json::json_pointer placeOf(const Item& item, const nlohmann::ordered_json& project);
 

@@ -15,6 +15,9 @@ struct Item {
     joint,
     block,      ///< as it was cut
     blockWish,  ///< name and overrides that the project has for a block
+    merge,      ///< of two blocks
+    splinters,
+    mesh,  ///< how finely blocks are meshed
     interface,
     material,
     load,

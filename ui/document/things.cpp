@@ -47,7 +47,7 @@ void refuseWhileNamed(const Place& place, const Json& project) {
 
 bool isListed(Item::Kind kind) {
   const char* key = listKey(kind);
-  return key && *key && kind != Item::Kind::solver && kind != Item::Kind::output;
+  return key && *key && !isOneThing(kind);
 }
 
 QString titleOf(Item::Kind kind) {

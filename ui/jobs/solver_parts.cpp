@@ -1,7 +1,7 @@
 #include "jobs/solver_parts.hpp"
 
 #include "base/error.hpp"
-#include "model/validate.hpp"
+#include "model/rules/validate.hpp"
 
 namespace talus {
 

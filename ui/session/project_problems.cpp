@@ -6,7 +6,8 @@
 #include "document/item_at.hpp"
 #include "geometry/block_builder.hpp"
 #include "jobs/background_job.hpp"
-#include "model/project_problems.hpp"
+#include "model/rules/project_problems.hpp"
+#include "model/solid_shape.hpp"
 
 namespace talus {
 
@@ -82,11 +83,11 @@ void ProjectProblems::look() {
 std::vector<ProjectProblems::LookedAt> ProjectProblems::filesNow() const {
   std::vector<LookedAt> files;
   for (const Solid& solid : document_.project().solids) {
-    const auto* shape = std::get_if<FileShape>(&solid.shape);
-    if (!shape) continue;
-    const std::filesystem::path file = document_.folder() / shape->path;
+    const std::string* path = file_of(solid.shape);
+    if (!path) continue;
+    const std::filesystem::path file = document_.folder() / *path;
     std::error_code missing;
-    files.push_back({file, shape->scale, std::filesystem::last_write_time(file, missing)});
+    files.push_back({file, solid.shape, std::filesystem::last_write_time(file, missing)});
   }
   return files;
 }

@@ -37,7 +37,7 @@ class ProjectProblems : public QObject {
   /// A file that a solid is read from, as it was when it was looked at.
   struct LookedAt {
     std::filesystem::path file;
-    double scale = 1;
+    SolidShape shape;
     std::filesystem::file_time_type written;
     bool operator==(const LookedAt&) const = default;
   };

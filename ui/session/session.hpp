@@ -7,6 +7,7 @@
 #include "session/current_run.hpp"
 #include "session/display.hpp"
 #include "session/messages.hpp"
+#include "session/picking.hpp"
 #include "session/playback.hpp"
 
 namespace talus {
@@ -33,6 +34,7 @@ struct Session {
   Playback playback;
   CurrentRun run;
   Display display;
+  Picking picking;
 
  private:
   bool openProject(const std::filesystem::path& file);

@@ -6,6 +6,7 @@
 #include "io/project_file.hpp"
 #include "io/whole_file.hpp"
 #include "model/number_text.hpp"
+#include "model/solid_shape.hpp"
 #include "study/accuracy/setting_json.hpp"
 #include "study/accuracy/study_run_json.hpp"
 
@@ -133,8 +134,8 @@ std::string recommended_project(const AccuracyStudy& study, const StudyPlan& pla
                                 const std::filesystem::path& folder) {
   Project project = under(study.rows.at(static_cast<std::size_t>(study.recommended)).setting, project_of(plan));
   for (Solid& solid : project.solids)
-    if (auto* file = std::get_if<FileShape>(&solid.shape))
-      file->path = std::filesystem::relative(plan.project_file.parent_path() / file->path, folder).string();
+    if (std::string* file = file_of(solid.shape))
+      *file = std::filesystem::relative(plan.project_file.parent_path() / *file, folder).string();
   return write_project(project, plan.project_text);
 }
 

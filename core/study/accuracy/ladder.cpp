@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "model/number_text.hpp"
-#include "model/validate.hpp"
+#include "model/rules/validate.hpp"
 
 namespace talus {
 

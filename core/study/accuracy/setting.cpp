@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "model/number_text.hpp"
+#include "model/solid_shape.hpp"
 
 namespace talus {
 
@@ -53,16 +54,9 @@ void scale_step(Stage& stage, double factor) {
 
 /// m, of the box around the shape.
 double longest_side(const Solid& solid) {
-  if (const auto* box = std::get_if<BoxShape>(&solid.shape)) return (box->max - box->min).maxCoeff();
-  if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape)) {
-    Vec3 low = polyhedron->vertices.front(), high = low;
-    for (const Vec3& vertex : polyhedron->vertices) {
-      low = low.cwiseMin(vertex);
-      high = high.cwiseMax(vertex);
-    }
-    return (high - low).maxCoeff();
-  }
-  throw InputError("solid " + solid.name, "is from a file and leaves its mesh size open: it cannot be made finer",
+  if (const auto extent = extent_of({solid})) return (extent->max - extent->min).maxCoeff();
+  throw InputError("solid " + solid.name,
+                   "is not made of numbers and leaves its mesh size open: it cannot be made finer",
                    "give it a mesh_size");
 }
 

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "io/project_file.hpp"
 #include "io/whole_file.hpp"
+#include "model/solid_shape.hpp"
 #include "study/accuracy/setting_json.hpp"
 
 namespace talus {
@@ -27,8 +28,7 @@ std::uint64_t hash(std::uint64_t state, const std::string& bytes) {
 std::string fingerprint_of(const std::string& text, const Project& project, const std::filesystem::path& folder) {
   std::uint64_t state = hash(0xcbf29ce484222325, text);
   for (const Solid& solid : project.solids)
-    if (const auto* file = std::get_if<FileShape>(&solid.shape))
-      state = hash(state, read_whole_file(folder / file->path));
+    if (const std::string* file = file_of(solid.shape)) state = hash(state, read_whole_file(folder / *file));
   char digits[20];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(state));
   return digits;

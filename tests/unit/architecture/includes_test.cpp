@@ -23,13 +23,15 @@ using testing::SizeIs;
 /// Which folders a folder is built upon; what those are built upon it may include too. docs/architecture.md draws it.
 const std::map<std::string, std::vector<std::string>> arrows = {
     {"core/base", {}},
-    {"core/model", {"core/base"}},
+    {"core/model/rock", {"core/base"}},
+    {"core/model", {"core/model/rock"}},
+    {"core/model/rules", {"core/model"}},
     {"core/orientation", {"core/model"}},
-    {"core/io", {"core/model"}},
+    {"core/io", {"core/model/rules"}},
     {"core/templates", {"core/model"}},
     {"core/mesh", {"core/model"}},
     {"core/removability", {"core/mesh"}},
-    {"core/geometry", {"core/mesh", "core/orientation"}},
+    {"core/geometry", {"core/mesh", "core/orientation", "core/model/rules"}},
     {"core/geometry/mesher", {"core/geometry"}},
     {"core/linear", {"core/base"}},
     {"core/bodies", {"core/mesh", "core/linear"}},
@@ -85,7 +87,8 @@ const std::map<std::string, std::vector<std::string>> arrows = {
       "ui/widgets/verification"}},
     {"app/cli/text", {"core/study/forecast", "core/verification", "core/orientation", "ui/render/charts"}},
     {"app/cli",
-     {"app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/render/charts", "ui/render/stereonet"}},
+     {"app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/render/charts",
+      "ui/render/stereonet"}},
     {"app/window", {"ui/widgets/window"}},
 };
 

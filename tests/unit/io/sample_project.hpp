@@ -10,6 +10,7 @@ inline const std::string full_project = R"(// A slope above a road.
   "talus": 1, // the format
   "name": "Full \"slope\" – Südhang",
   "gravity": [0, -0.0, -9.80665],
+  "origin": [2600000, 1200000.5, 400], // of the survey
 
   /* Rock from the
      laboratory */
@@ -34,19 +35,34 @@ inline const std::string full_project = R"(// A slope above a road.
        "vertices": [[20, 0, 0], [21, 0, 0], [20, 1, 0], [20, 0, 1.0000000000000002]],
        "faces": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]] /* outwards */
      }},
-    {"name": "hill", "file": "shapes/hill.step", "scale": 0.001, "material": "soft rock", "body": "fixed"}
+    {"name": "hill", "file": "shapes/hill.step", "scale": 0.001, "material": "soft rock", "body": "fixed",
+     "turn": {"axis": [0, 0, 1], "angle": 30, "about": [1, 2, 3]}, "move": [0, 0, -0.5]},
+    {"name": "land", "terrain": {"file": "land.asc", "base": 100, "tolerance": 0.25}, "material": "hard/rock"},
+    {"name": "bore", "cylinder": {"from": [30, 0, 2], "to": [30, 10, 2], "radius": 1.5, "sides": 12}, "material": "soft rock"},
+    {"name": "bench", "section": {"points": [[0, 0], [20, 0], [20, 10], [10, 10]], "origin": [40, 0, 0], "azimuth": 75, "width": 8}, "material": "soft rock"},
+    // a tunnel through the bench
+    {"name": "driven", "combine": {"operation": "subtract", "solids": ["bench", "bore"]}, "material": "soft rock"}
   ],
   "cuts": [
     {"joint": "J1", "dip": 35, "dip_direction": 120, "through": [5, 5, 5], "solids": ["slope", "hill"]},
     {"joint": "J2", "dip": 60, "dip_direction": 30, "through": [5, 5, 5], "spacing": 1.5, "count": 4,
      "spacing_law": "lognormal", "spacing_deviation": 0.25, "fisher_kappa": 120, "seed": 7},
-    {"joint": "J2", "dip": 90, "dip_direction": 360, "through": [1e-3, 5, 5], "spacing": 2.0, "count": 3} // last
+    {"joint": "J2", "dip": 90, "dip_direction": 360, "through": [1e-3, 5, 5], "spacing": 2.0, "count": 3},
+    {"joint": "J2", "dip": 10, "dip_direction": 45, "disc": {"centre": [4, 4, 4], "radius": 2.5}, "ends_at": ["J1"]},
+    {"joint": "J2", "dip": 0, "dip_direction": 0, "polygon": [[0, 0, 2], [4, 0, 2], [4, 4, 2]]},
+    {"joint": "J1", "dip": 70, "dip_direction": 200, "fisher_kappa": 50, "seed": 3,
+     "network": {"box": {"min": [0, 0, 0], "max": [10, 10, 10]}, "density": 0.5, "radius": 2,
+                 "radius_law": "lognormal", "radius_deviation": 0.75}} // last
     // nothing else
   ],
   "blocks": [
     {"name": "top", "at": [5, 5, 9], "body": "tetrahedra", "material": "hard/rock", "mesh_size": 0.5},
-    {"name": "foot", "at": [5, 5, 1], "body": "fixed"}
+    {"name": "foot", "at": [5, 5, 1], "body": "fixed"},
+    {"name": "dug out", "at": [9, 9, 9], "removed": true}
   ],
+  "merges": [{"at": [1, 1, 1], "with": [2, 1, 1]}],
+  "splinters": {"thickness": 0.01, "rule": "merge"},
+  "mesh": {"size": 1.25, "refinements": [{"at": [5, 5, 10], "radius": 2, "size": 0.2}], "most_tetrahedra": 200000},
   "interfaces": [{"between": ["top", "wedge"], "joint": "J2"}],
   "constraints": [
     {"block": "foot", "at": [0, 0, 0], "displacement": [0, null, -0.001]},

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "model/validate.hpp"
+#include "model/rules/validate.hpp"
 
 namespace talus::test {
 

@@ -23,6 +23,34 @@ QString body(BodyKind kind) {
   return {};
 }
 
+namespace {
+
+QString of(const BoxShape&) { return QObject::tr("box"); }
+QString of(const PolyhedronShape& shape) { return QObject::tr("polyhedron, %1 faces").arg(shape.faces.size()); }
+QString of(const FileShape& shape) { return text(shape.path); }
+QString of(const TerrainShape& shape) { return QObject::tr("terrain, %1").arg(text(shape.path)); }
+QString of(const CylinderShape&) { return QObject::tr("cylinder"); }
+QString of(const SectionShape& shape) { return QObject::tr("section, %1 corners").arg(shape.points.size()); }
+QString of(const CombinedShape& shape) {
+  QStringList names;
+  for (const std::string& name : shape.solids) names << text(name);
+  switch (shape.operation) {
+    case CombineOperation::subtract:
+      return names.join(QObject::tr(" less "));
+    case CombineOperation::intersect:
+      return QObject::tr("common to %1").arg(names.join(QObject::tr(" and ")));
+    case CombineOperation::unite:
+      break;
+  }
+  return names.join(QObject::tr(" and "));
+}
+
+}  // namespace
+
+QString shape(const SolidShape& shape) {
+  return std::visit([](const auto& one) { return of(one); }, shape);
+}
+
 QString stage(StageKind kind) { return kind == StageKind::static_ ? QObject::tr("static") : QObject::tr("dynamic"); }
 
 QString point(const Vec3& p) {

@@ -8,6 +8,8 @@
 namespace talus::words {
 
 QString body(BodyKind kind);
+/// "box", "polyhedron, 6 faces", "hill.step", "slope less tunnel".
+QString shape(const SolidShape& shape);
 QString stage(StageKind kind);
 /// "1, 2.5, −3", four figures.
 QString point(const Vec3& p);

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "io/whole_file.hpp"
+#include "model/solid_shape.hpp"
 #include "orientation/project_joints.hpp"
 #include "session/current_project.hpp"
 #include "widgets/kit/number_field.hpp"
@@ -28,21 +29,10 @@ constexpr double usual_friction = 30;  // degrees, of sets in a project without 
 
 QString optional(const std::optional<double>& value) { return value ? numbers::figure(*value, 6) : QString(); }
 
-/// Middle of all corners that the project itself names; solids from files have none.
+/// Middle of all solids that the project itself describes; those from files have none.
 Vec3 middleOf(const Project& project) {
-  std::vector<Vec3> corners;
-  for (const Solid& solid : project.solids) {
-    if (const auto* box = std::get_if<BoxShape>(&solid.shape)) corners.insert(corners.end(), {box->min, box->max});
-    if (const auto* shape = std::get_if<PolyhedronShape>(&solid.shape))
-      corners.insert(corners.end(), shape->vertices.begin(), shape->vertices.end());
-  }
-  if (corners.empty()) return Vec3::Zero();
-  Vec3 low = corners.front(), high = corners.front();
-  for (const Vec3& corner : corners) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  return (low + high) / 2;
+  const auto extent = extent_of(project.solids);
+  return extent ? Vec3((extent->min + extent->max) / 2) : Vec3::Zero();
 }
 
 QStringList cellsOf(const MeasuredJoint& joint) {

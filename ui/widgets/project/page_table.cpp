@@ -31,13 +31,8 @@ PageRows geometryRows(const Project& project) {
                    QObject::tr("The project has no solid.")};
   for (size_t i = 0; i < project.solids.size(); ++i) {
     const Solid& solid = project.solids[i];
-    QString shape = QObject::tr("box");
-    if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape))
-      shape = QObject::tr("polyhedron, %1 faces").arg(polyhedron->faces.size());
-    else if (const auto* file = std::get_if<FileShape>(&solid.shape))
-      shape = text(file->path);
     content.rows.push_back({item(Item::Kind::solid, i),
-                            {text(solid.name), shape, text(solid.material), words::body(solid.body),
+                            {text(solid.name), words::shape(solid.shape), text(solid.material), words::body(solid.body),
                              solid.mesh_size ? number(*solid.mesh_size) : QObject::tr("automatic")}});
   }
   return content;

@@ -12,6 +12,7 @@
 #include "session/current_project.hpp"
 #include "session/display.hpp"
 #include "session/messages.hpp"
+#include "widgets/kit/model_words.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/text.hpp"
@@ -28,10 +29,11 @@ Item itemOf(const QTreeWidgetItem& row) {
 }
 
 QString solidFigure(const Solid& solid) {
-  if (std::holds_alternative<BoxShape>(solid.shape)) return QObject::tr("box");
   if (const auto* polyhedron = std::get_if<PolyhedronShape>(&solid.shape))
     return QObject::tr("%1 faces").arg(polyhedron->faces.size());
-  return text(std::filesystem::path(std::get<FileShape>(solid.shape).path).extension().string()).mid(1).toUpper();
+  if (const auto* file = std::get_if<FileShape>(&solid.shape))
+    return text(std::filesystem::path(file->path).extension().string()).mid(1).toUpper();
+  return words::shape(solid.shape);
 }
 
 QString stageFigure(const Stage& stage) {
@@ -158,9 +160,12 @@ void ProjectTree::rebuild() {
   size_t tetrahedra = 0;
   if (system)
     for (const auto& block : system->blocks) tetrahedra += block.mesh.tetrahedra.size();
-  addGroup(WorkflowPage::mesh, !system   ? tr("not made")
-                               : current ? tr("%1 tet").arg(numbers::whole(tetrahedra))
-                                         : tr("to be made anew"));
+  auto* mesh = addGroup(WorkflowPage::mesh, !system   ? tr("not made")
+                                            : current ? tr("%1 tet").arg(numbers::whole(tetrahedra))
+                                                      : tr("to be made anew"));
+  addRow(mesh, {Item::Kind::mesh, 0}, tr("mesh sizes"),
+         project.mesh.size ? tr("%1 m").arg(numbers::significant(*project.mesh.size)) : tr("by solid"))
+      ->setIcon(0, theme::icon(QStringLiteral("settings")));
   auto* materials = addGroup(WorkflowPage::materials, numbers::whole(project.materials.size()));
   for (size_t i = 0; i < project.materials.size(); ++i)
     addRow(materials, {Item::Kind::material, static_cast<int>(i)}, text(project.materials[i].name),
@@ -221,7 +226,14 @@ void ProjectTree::addBlocks(QTreeWidgetItem* group) {
   for (size_t i = 0; i < wishes.size(); ++i)
     addRow(group, {Item::Kind::blockWish, static_cast<int>(i)}, text(wishes[i].name), tr("named"))
         ->setIcon(0, theme::icon(QStringLiteral("point")));
-  offerNew(group, {Item::Kind::blockWish});
+  const auto& merges = project_.document().project().merges;
+  for (size_t i = 0; i < merges.size(); ++i)
+    addRow(group, {Item::Kind::merge, static_cast<int>(i)}, tr("merge %1").arg(i + 1), words::point(merges[i].at))
+        ->setIcon(0, theme::icon(QStringLiteral("plus-set")));
+  const Splinters& splinters = project_.document().project().splinters;
+  addRow(group, {Item::Kind::splinters, 0}, tr("splinters"), text(to_string(splinters.rule)))
+      ->setIcon(0, theme::icon(QStringLiteral("settings")));
+  offerNew(group, {Item::Kind::blockWish, Item::Kind::merge});
   if (!project_.system()) return;
   const auto& blocks = project_.system()->blocks;
   for (size_t i = 0; i < blocks.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "model/action_rules.hpp"
+#include "model/rules/action_rules.hpp"
 
 #include <algorithm>
 #include <cmath>

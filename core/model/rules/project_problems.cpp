@@ -1,11 +1,11 @@
-#include "model/project_problems.hpp"
+#include "model/rules/project_problems.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include "model/number_text.hpp"
 #include "model/require.hpp"
-#include "model/validate.hpp"
+#include "model/rules/validate.hpp"
 
 namespace talus {
 

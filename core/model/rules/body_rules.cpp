@@ -1,4 +1,4 @@
-#include "model/body_rules.hpp"
+#include "model/rules/body_rules.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "model/stage_rules.hpp"
+#include "model/rules/stage_rules.hpp"
 
 #include <algorithm>
 #include <set>
 
-#include "model/joint_rules.hpp"
 #include "model/number_text.hpp"
 #include "model/require.hpp"
+#include "model/rules/joint_rules.hpp"
 #include "model/stage_changes.hpp"
 
 namespace talus {

@@ -1,11 +1,11 @@
-#include "model/project_problems.hpp"
+#include "model/rules/project_problems.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "base/error.hpp"
-#include "model/validate.hpp"
+#include "model/rules/validate.hpp"
 
 namespace talus {
 namespace {

@@ -1,4 +1,4 @@
-#include "model/references.hpp"
+#include "model/rules/references.hpp"
 
 #include <algorithm>
 #include <map>
@@ -9,6 +9,7 @@
 #include "model/block_names.hpp"
 #include "model/quantity.hpp"
 #include "model/require.hpp"
+#include "model/rules/solid_rules.hpp"
 #include "model/suggestion.hpp"
 
 namespace talus {
@@ -87,6 +88,14 @@ void check_cut_solids(const Project& project) {
   }
 }
 
+void check_joints_where_cuts_end(const Project& project) {
+  for (std::size_t i = 0; i < project.cuts.size(); ++i) {
+    const auto& joints = project.cuts[i].ends_at;
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      check_joint(project, joints[k], Place() / "cuts" / i / "ends_at" / k);
+  }
+}
+
 void check_expected_quantity(const Project& project, const std::string& text, const Place& place) {
   const auto quantity = parse_quantity(text);
   require(quantity.has_value(), place, "cannot read the quantity '" + text + "'",
@@ -145,6 +154,8 @@ void validate_references(const Project& project) {
   }
   check_joints(project);
   check_cut_solids(project);
+  check_combined_solids(project);
+  check_joints_where_cuts_end(project);
   for (std::size_t i = 0; i < project.blocks.size(); ++i) {
     const auto& material = project.blocks[i].material;
     if (material) check_material(project, *material, Place() / "blocks" / i / "material");

@@ -1,4 +1,4 @@
-#include "model/joint_rules.hpp"
+#include "model/rules/joint_rules.hpp"
 
 #include "model/number_text.hpp"
 #include "model/require.hpp"

@@ -1,4 +1,4 @@
-#include "model/solver_rules.hpp"
+#include "model/rules/solver_rules.hpp"
 
 #include <string>
 

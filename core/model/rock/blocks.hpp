@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "model/rock/body_kind.hpp"
+
+/// What the project says of the blocks that cutting leaves: overrides, merges, splinters, and how they are meshed.
+namespace talus {
+
+/// Overrides for the block that holds the point `at`.
+struct BlockOverride {
+  std::string name;
+  Vec3 at = Vec3::Zero();
+  std::optional<BodyKind> body;
+  std::optional<std::string> material;
+  std::optional<double> mesh_size;
+  bool removed = false;  ///< excavated: cut, and then left out
+  bool operator==(const BlockOverride&) const = default;
+};
+
+/// The block that holds `at` and the one that holds `with`, which share a face, are one block.
+struct Merge {
+  Vec3 at = Vec3::Zero(), with = Vec3::Zero();  ///< m
+  bool operator==(const Merge&) const = default;
+};
+
+/// What becomes of splinters, blocks thinner than `thickness`.
+enum class SplinterRule { refuse, drop, merge };
+
+/// The word the project file uses.
+constexpr std::string_view to_string(SplinterRule rule) {
+  switch (rule) {
+    case SplinterRule::drop:
+      return "drop";
+    case SplinterRule::merge:
+      return "merge";
+    case SplinterRule::refuse:
+      break;
+  }
+  return "refuse";
+}
+
+struct Splinters {
+  std::optional<double> thickness{};         ///< m; 1e-4 of the mesh size when absent
+  SplinterRule rule = SplinterRule::refuse;  ///< merge: with the neighbour that it shares most of its surface with
+  bool operator==(const Splinters&) const = default;
+};
+
+/// Around a point blocks are meshed more finely, or more coarsely.
+struct MeshRefinement {
+  Vec3 at = Vec3::Zero();  ///< m
+  double radius = 0;       ///< m, within which `size` holds; beyond it grows to the blocks' own over one more radius
+  double size = 0;         ///< m
+  bool operator==(const MeshRefinement&) const = default;
+};
+
+struct MeshSettings {
+  std::optional<double> size{};  ///< m, of solids that say none
+  std::vector<MeshRefinement> refinements{};
+  double most_tetrahedra = 5e6;  ///< a mesh that would have more is refused
+  bool operator==(const MeshSettings&) const = default;
+};
+
+}  // namespace talus

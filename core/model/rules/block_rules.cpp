@@ -1,0 +1,32 @@
+#include "model/rules/block_rules.hpp"
+
+#include "model/require.hpp"
+
+namespace talus {
+
+void check(const BlockOverride& block, const Place& place) {
+  require_finite(block.at, place / "at");
+  if (block.mesh_size) require_positive(*block.mesh_size, place / "mesh_size", "mesh size", "m");
+}
+
+void check(const Merge& merge, const Place& place) {
+  require_finite(merge.at, place / "at");
+  require_finite(merge.with, place / "with");
+}
+
+void check(const Splinters& splinters, const Place& place) {
+  if (splinters.thickness) require_positive(*splinters.thickness, place / "thickness", "thickness", "m");
+}
+
+void check(const MeshSettings& mesh, const Place& place) {
+  if (mesh.size) require_positive(*mesh.size, place / "size", "mesh size", "m");
+  for (std::size_t i = 0; i < mesh.refinements.size(); ++i) {
+    const Place refinement = place / "refinements" / i;
+    require_finite(mesh.refinements[i].at, refinement / "at");
+    require_positive(mesh.refinements[i].radius, refinement / "radius", "radius", "m");
+    require_positive(mesh.refinements[i].size, refinement / "size", "mesh size", "m");
+  }
+  require_positive(mesh.most_tetrahedra, place / "most_tetrahedra", "the largest number of tetrahedra", "tetrahedra");
+}
+
+}  // namespace talus
