@@ -6,6 +6,8 @@ find_package(TBB REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(CGAL REQUIRED)
+find_package(GDAL REQUIRED)
 find_package(GTest REQUIRED)
 include(GoogleTest)
 

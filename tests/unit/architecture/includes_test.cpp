@@ -32,7 +32,8 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"core/mesh", {"core/model"}},
     {"core/removability", {"core/mesh"}},
     {"core/geometry", {"core/mesh", "core/orientation", "core/model/rules"}},
-    {"core/geometry/mesher", {"core/geometry"}},
+    {"core/geometry/mesher/surfaces", {"core/geometry"}},
+    {"core/geometry/mesher", {"core/geometry/mesher/surfaces"}},
     {"core/linear", {"core/base"}},
     {"core/bodies", {"core/mesh", "core/linear"}},
     {"core/contact", {"core/bodies"}},
@@ -109,6 +110,8 @@ const std::vector<Fence> fences = {
     {"giflib", std::regex("gif_lib\\.h"), std::regex("ui/render/.*\\.cpp")},
     {"libpng", std::regex("png\\.h"), std::regex("ui/render/.*\\.cpp")},
     {"gmsh", std::regex("gmsh.*\\.h(_cwrap)?"), std::regex("core/geometry/mesher/.*\\.cpp")},
+    {"CGAL", std::regex("CGAL/.*"), std::regex("core/geometry/mesher/.*\\.cpp")},
+    {"GDAL", std::regex("(gdal|ogr|cpl)\\w*\\.h"), std::regex("core/geometry/mesher/.*\\.cpp")},
     {"SuiteSparse", std::regex("(suitesparse/)?(cholmod|umfpack|SuiteSparse_config|Eigen/CholmodSupport).*"),
      std::regex("core/linear/(cholesky|sparse_lu)\\.cpp")},
     {"OpenBLAS", std::regex("cblas.*\\.h|lapacke?\\.h"), std::regex("core/linear/(cholesky|sparse_lu)\\.cpp")},
@@ -327,6 +330,8 @@ TEST(Includes, ALibraryOutsideItsFenceIsFound) {
   EXPECT_THAT(faults({"core/linear/sparse_pattern.cpp", "#include <cholmod.h>\n"}), SizeIs(1));
   EXPECT_THAT(faults({"core/linear/cholesky.cpp", "#include <cholmod.h>\n"}), IsEmpty());
   EXPECT_THAT(faults({"core/mesh/quality.cpp", "#include <gmsh.h>\n"}), SizeIs(1));
+  EXPECT_THAT(faults({"core/geometry/block_builder.cpp", "#include <CGAL/Surface_mesh.h>\n#include <gdal.h>\n"}),
+              SizeIs(2));
   EXPECT_THAT(faults({"app/cli/main.cpp", "#include <hdf5.h>\n"}), SizeIs(1));
 }
 

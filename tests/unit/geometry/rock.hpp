@@ -31,8 +31,7 @@ inline Project project() {
   return project;
 }
 
-inline Solid solid(const std::string& name, std::variant<BoxShape, PolyhedronShape, FileShape> shape,
-                   std::optional<double> mesh_size = {}) {
+inline Solid solid(const std::string& name, SolidShape shape, std::optional<double> mesh_size = {}) {
   Solid made;
   made.name = name;
   made.shape = std::move(shape);
