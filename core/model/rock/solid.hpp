@@ -14,7 +14,7 @@
 namespace talus {
 
 struct BoxShape {
-  Vec3 min, max;
+  Vec3 min = Vec3::Zero(), max = Vec3::Zero();
   bool operator==(const BoxShape&) const = default;
 };
 /// Faces are polygons of vertex numbers, counter-clockwise seen from outside.

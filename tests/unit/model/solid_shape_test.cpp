@@ -56,7 +56,7 @@ TEST(SolidShapeTest, FilesTellTheirPathAndNoExtent) {
   land.shape = TerrainShape{"land.asc", 0, 0};
   EXPECT_EQ(*file_of(hill.shape), "hill.step");
   EXPECT_EQ(*file_of(land.shape), "land.asc");
-  EXPECT_EQ(file_of(SolidShape(BoxShape())), nullptr);
+  EXPECT_EQ(file_of(SolidShape(BoxShape{{0, 0, 0}, {1, 1, 1}})), nullptr);
   EXPECT_FALSE(extent_of({hill, land}));
 }
 
