@@ -189,6 +189,10 @@ void Highlight::add_to(vtkRenderer& renderer) {
 }
 
 void Highlight::mark(std::span<const BlockActors* const> parts, const Vec3& origin, const std::vector<bool>& marked) {
+  mark(parts, origin, [&](const BlockSurface&, const BlockSurface::Triangle& t) { return marked[t.block]; });
+}
+
+void Highlight::mark(std::span<const BlockActors* const> parts, const Vec3& origin, const Chosen& marked) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> polygons, lines;
@@ -197,13 +201,17 @@ void Highlight::mark(std::span<const BlockActors* const> parts, const Vec3& orig
       const Vec3 p = part->positions()[vertex] - origin;
       return static_cast<int>(points->InsertNextPoint(p.data()));
     };
+    std::vector<bool> touched(part->positions().size(), false);
     for (const int t : part->drawn()) {
       const BlockSurface::Triangle& triangle = part->surface().triangles[t];
+      if (!marked(part->surface(), triangle)) continue;
       const auto& v = triangle.vertices;
-      if (marked[triangle.block]) insert(*polygons, {place(v[0]), place(v[1]), place(v[2])});
+      insert(*polygons, {place(v[0]), place(v[1]), place(v[2])});
+      for (const int vertex : v) touched[static_cast<std::size_t>(vertex)] = true;
     }
     for (const BlockSurface::Edge& edge : part->surface().edges)
-      if (edge.sharp && marked[edge.block]) insert(*lines, {place(edge.vertices[0]), place(edge.vertices[1])});
+      if (edge.sharp && touched[edge.vertices[0]] && touched[edge.vertices[1]])
+        insert(*lines, {place(edge.vertices[0]), place(edge.vertices[1])});
   }
   faces_->SetPoints(points);
   faces_->SetPolys(polygons);

@@ -54,13 +54,16 @@ class BlockActors {
   vtkNew<vtkActor> face_actor_, sharp_edge_actor_, mesh_actor_;
 };
 
-/// Orange outline, and a tint, of blocks that are selected or under the pointer.
+/// Orange outline, and a tint, of blocks or faces that are selected or under the pointer.
 class Highlight {
  public:
   Highlight();
   void add_to(vtkRenderer& renderer);
   /// Marks the blocks for which `marked[block]` where they are now.
   void mark(std::span<const BlockActors* const> parts, const Vec3& origin, const std::vector<bool>& marked);
+  /// The same of single triangles.
+  using Chosen = std::function<bool(const BlockSurface& surface, const BlockSurface::Triangle& triangle)>;
+  void mark(std::span<const BlockActors* const> parts, const Vec3& origin, const Chosen& marked);
   void style(Rgb colour, double line_width, double tint);
   bool any() const;
 

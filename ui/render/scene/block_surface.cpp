@@ -55,9 +55,12 @@ void append_edges(const Block& block, int block_index, const std::vector<int>& v
 void append_block(const Block& block, int block_index, int first_node, int first_tetrahedron, BlockSurface& out) {
   std::vector<int> vertex_of(block.mesh.nodes.size(), -1);
   const std::map<Triple, int> behind = tetrahedra_behind(block);
-  for (const SurfaceTriangle& triangle : block.surface) {
-    BlockSurface::Triangle drawn{
-        .vertices = {}, .block = block_index, .tetrahedron = behind.at(sorted(triangle.nodes))};
+  for (std::size_t facet = 0; facet < block.surface.size(); ++facet) {
+    const SurfaceTriangle& triangle = block.surface[facet];
+    BlockSurface::Triangle drawn{.vertices = {},
+                                 .block = block_index,
+                                 .tetrahedron = behind.at(sorted(triangle.nodes)),
+                                 .facet = static_cast<int>(facet)};
     if (drawn.tetrahedron >= 0) drawn.tetrahedron += first_tetrahedron;
     for (int i = 0; i < 3; ++i) {
       const int node = triangle.nodes[i];

@@ -16,6 +16,7 @@ struct BlockSurface {
     std::array<int, 3> vertices;
     int block;
     int tetrahedron;  ///< the one behind it, numbered through all blocks; −1: none has these nodes
+    int facet;        ///< index into Block::surface
   };
   std::vector<Triangle> triangles;
   struct Edge {

@@ -106,6 +106,11 @@ void Scene::set_hovered(std::optional<int> block) {
   state_->apply_marks();
 }
 
+void Scene::set_marked_face(const std::optional<Pick>& pick) {
+  state_->marked_face = pick;
+  state_->apply_marks();
+}
+
 void Scene::set_troubles(std::vector<ConvergenceTrouble> troubles) {
   state_->troubles = std::move(troubles);
   state_->apply_marks();
@@ -113,16 +118,39 @@ void Scene::set_troubles(std::vector<ConvergenceTrouble> troubles) {
 
 CameraPose Scene::pose_at(const ConvergenceTrouble& trouble) const { return state_->pose_at(trouble); }
 
-std::optional<Pick> Scene::pick(double x, double y) const {
+std::optional<std::array<double, 2>> Scene::pixel_of(const Vec3& point) const {
+  if (state_->renderer->GetRenderWindow() == nullptr) return {};
+  const auto pixel = state_->pixel_of(point - state_->origin);
+  if (!pixel) return {};
+  return std::array{pixel->x, state_->size()[1] - 1 - pixel->y};
+}
+
+std::optional<SightLine> Scene::sight_at(double x, double y) const {
   vtkRenderer& renderer = *state_->renderer;
   if (renderer.GetRenderWindow() == nullptr) return {};
   const double from_below = state_->size()[1] - 1 - y;
   const Vec3 start = unproject(renderer, x, from_below, 0), end = unproject(renderer, x, from_below, 1);
-  const auto hit = first_hit(state_->parts(), state_->origin + start, end - start);
+  return SightLine{state_->origin + start, (end - start).normalized()};
+}
+
+Vec3 Scene::drawn_place(int block, const Vec3& rest) const {
+  return state_->drawn_place(state_->parts(), state_->flags({block}), rest, rest);
+}
+
+std::optional<Pick> Scene::pick(double x, double y) const {
+  const auto sight = sight_at(x, y);
+  if (!sight) return {};
+  const auto hit = first_hit(state_->parts(), sight->from, sight->along);
   if (!hit) return {};
   const BlockSurface& surface = hit->part->surface();
   const BlockSurface::Triangle& triangle = surface.triangles[hit->triangle];
-  Pick pick{.block = triangle.block, .position = hit->position, .tetrahedron = triangle.tetrahedron, .value = {}};
+  Pick pick{.block = triangle.block,
+            .position = hit->position,
+            .facet = triangle.facet,
+            .rest = Vec3::Zero(),
+            .tetrahedron = triangle.tetrahedron,
+            .value = {}};
+  for (int i = 0; i < 3; ++i) pick.rest += hit->weights[i] * surface.rest[triangle.vertices[i]];
   const auto nearest = std::max_element(hit->weights.begin(), hit->weights.end()) - hit->weights.begin();
   pick.node = surface.nodes[triangle.vertices[nearest]];
   const bool coloured = !state_->field_values.empty() && hit->part == &state_->movable;

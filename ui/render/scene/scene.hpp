@@ -56,9 +56,17 @@ struct CameraPose {
 struct Pick {
   int block = -1;
   Vec3 position;                ///< m, in the project's coordinates, where the ray meets the drawn surface
+  int facet = -1;               ///< of the block's surface, index into Block::surface
+  Vec3 rest;                    ///< m, the same point of the rock before anything moved
   int node = -1;                ///< nearest node of the triangle that was hit, numbered through all blocks
   int tetrahedron = -1;         ///< the one behind the triangle, numbered through all blocks
   std::optional<double> value;  ///< of the field that is shown, SI
+};
+
+/// A line of sight, in the project's coordinates.
+struct SightLine {
+  Vec3 from = Vec3::Zero();    ///< m
+  Vec3 along = Vec3::UnitX();  ///< away from the viewer, of unit length
 };
 
 /// The blocks of a project as a picture: what the window shows and what is drawn off-screen. Knows no window:
@@ -102,6 +110,8 @@ class Scene {
   void set_hidden(std::vector<int> blocks);
   void set_selected(std::vector<int> blocks);
   void set_hovered(std::optional<int> block);
+  /// The flat face that a pick lies on; none: no face is marked.
+  void set_marked_face(const std::optional<Pick>& pick);
   /// Where the run has trouble to converge: a ring and a label over everything, and a fine outline of the blocks. A
   /// mark goes with its block from frame to frame; blocks that the system does not have are passed over.
   void set_troubles(std::vector<ConvergenceTrouble> troubles);
@@ -111,6 +121,14 @@ class Scene {
   /// The visible surface under a pixel counted from the picture's upper left corner; empty over the background.
   /// Needs a renderer that is in a window of known size, but no GL context.
   std::optional<Pick> pick(double x, double y) const;
+
+  /// Where a point [m, in the project's coordinates] is drawn, pixels from the picture's upper left corner; empty
+  /// behind the viewer. Needs what `pick` needs.
+  std::optional<std::array<double, 2>> pixel_of(const Vec3& point) const;
+  /// Through a pixel, from the near end of what is drawn. Needs what `pick` needs.
+  std::optional<SightLine> sight_at(double x, double y) const;
+  /// Where a point of a block at rest is drawn in the frame that is shown, m.
+  Vec3 drawn_place(int block, const Vec3& rest) const;
 
   /// Blocks that are shown and lie in a rectangle of the picture, pixels from its upper left corner: wholly, or where
   /// `touched` is said with a corner of the surface. Ascending. Needs what `pick` needs.

@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
 #include "base/units.hpp"
 #include "render/paint/numbers.hpp"
@@ -66,6 +67,23 @@ void add_lights(vtkRenderer& renderer) {
   add_light(renderer, 0, 0, 0.16, rgb(0xffffff));     // from the viewer
 }
 
+Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a).normalized(); }
+
+/// The triangle is of the flat face that was picked: of the same block, joint and plane.
+bool on_face(const BlockSurface& surface, const BlockSurface::Triangle& triangle, const Pick& pick,
+             const BlockSystem& system, double rock_size) {
+  if (triangle.block != pick.block) return false;
+  const Block& block = system.blocks[static_cast<std::size_t>(pick.block)];
+  const SurfaceTriangle& picked = block.surface[static_cast<std::size_t>(pick.facet)];
+  if (block.surface[static_cast<std::size_t>(triangle.facet)].joint != picked.joint) return false;
+  const auto node = [&](int i) { return block.mesh.nodes[static_cast<std::size_t>(picked.nodes[i])]; };
+  const Vec3 normal = normal_of(node(0), node(1), node(2));
+  const auto& v = triangle.vertices;
+  const Vec3& first = surface.rest[v[0]];
+  return normal.dot(normal_of(first, surface.rest[v[1]], surface.rest[v[2]])) > std::cos(radians(2)) &&
+         std::abs(normal.dot(first - node(0))) < 1e-4 * rock_size;
+}
+
 void fill(vtkLookupTable& table, const ColourMap& map, Rgb missing) {
   table.SetNumberOfTableValues(256);
   for (int i = 0; i < 256; ++i) {
@@ -90,6 +108,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
   concern.add_to(*renderer);
   selection.add_to(*renderer);
   hover.add_to(*renderer);
+  face.add_to(*renderer);
   contacts.add_to(*renderer);
   backdrop.add_to(*renderer);
   add_lights(*renderer);
@@ -172,6 +191,9 @@ void Scene::State::apply_marks() {
       for (const int block : blocks_of(trouble)) troubled.push_back(block);
   concern.mark(both, origin, flags(troubled));
   selection.mark(both, origin, flags(selected));
+  face.mark(both, origin, [this](const BlockSurface& surface, const BlockSurface::Triangle& triangle) {
+    return marked_face && on_face(surface, triangle, *marked_face, system, rock_size);
+  });
   hover.mark(both, origin, flags(hovered ? std::vector<int>{*hovered} : std::vector<int>{}));
 }
 
@@ -186,6 +208,7 @@ void Scene::State::apply_lines() {
   concern.style(c.warn, 1.6 * unit, field_values.empty() ? 0.12 : 0);
   selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0);  // a tint would falsify a field's colours
   hover.style(c.pick, unit, 0);
+  face.style(c.pick, 2 * unit, 0.35);
   const bool with_contacts = !contact_dots.empty();
   contacts.show(with_contacts ? std::span<const ContactSample>(frame->contacts) : std::span<const ContactSample>(),
                 contact_dots, origin, 7 * unit);
@@ -290,6 +313,33 @@ std::vector<bool> Scene::State::flags(const std::vector<int>& chosen) const {
   std::vector<bool> result(system.blocks.size(), false);
   for (const int block : chosen) result.at(static_cast<std::size_t>(block)) = true;
   return result;
+}
+
+Vec3 Scene::State::drawn_place(std::span<const BlockActors* const> among, const std::vector<bool>& own,
+                               const Vec3& rest, const Vec3& otherwise) const {
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 place = otherwise;
+  for (const BlockActors* part : among)
+    for (const auto& triangle : part->surface().triangles) {
+      if (!own[static_cast<std::size_t>(triangle.block)]) continue;
+      for (const int vertex : triangle.vertices) {
+        const Vec3 away = rest - part->surface().rest[vertex];
+        if (away.squaredNorm() >= least) continue;
+        least = away.squaredNorm();
+        place = part->positions()[vertex] + away;
+      }
+    }
+  return place;
+}
+
+std::optional<PixelPoint> Scene::State::pixel_of(const Vec3& point) const {
+  vtkCamera& camera = *renderer->GetActiveCamera();
+  const Vec3 eye(camera.GetPosition()), ahead(camera.GetDirectionOfProjection());
+  if ((point - eye).dot(ahead) <= 0) return {};
+  renderer->SetWorldPoint(point.x(), point.y(), point.z(), 1);
+  renderer->WorldToDisplay();
+  const double* pixel = renderer->GetDisplayPoint();
+  return PixelPoint{pixel[0], pixel[1]};
 }
 
 CameraPose Scene::State::pose() const {

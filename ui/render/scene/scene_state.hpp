@@ -26,6 +26,12 @@ struct Scene::State {
   void apply_marks();
   void apply_lines();
   void make_overlay();
+  /// Where a point of the chosen blocks at rest lies in the frame that is shown: goes with their nearest vertex in
+  /// these parts; `otherwise` where there is none [m].
+  Vec3 drawn_place(std::span<const BlockActors* const> among, const std::vector<bool>& own, const Vec3& rest,
+                   const Vec3& otherwise) const;
+  /// Pixel of a point [m from the origin]; none where it is behind the viewer.
+  std::optional<PixelPoint> pixel_of(const Vec3& point) const;
   /// Where the point of rock that a trouble is about lies in the frame that is shown [m].
   Vec3 place_of(const ConvergenceTrouble& trouble) const;
   CameraPose pose_at(const ConvergenceTrouble& trouble) const;
@@ -52,11 +58,12 @@ struct Scene::State {
   double rock_size = 1;  ///< m, diagonal of the undeformed blocks
   std::vector<Rgb> block_colours;
   BlockActors fixed, movable;
-  Highlight concern, selection, hover;
+  Highlight concern, selection, hover, face;
   ContactActor contacts;
   Backdrop backdrop;
   std::vector<int> hidden, selected;
   std::optional<int> hovered;
+  std::optional<Pick> marked_face;
   std::vector<ConvergenceTrouble> troubles;
 
   std::shared_ptr<const Frame> frame;

@@ -16,17 +16,6 @@ namespace {
 
 constexpr double room_round_a_block = 1.8;  ///< height of the view over the size of the block looked at
 
-/// Pixel of a point [m from the scene's origin]; none where it is behind the viewer.
-std::optional<PixelPoint> pixel_of(vtkRenderer& renderer, const Vec3& point) {
-  vtkCamera& camera = *renderer.GetActiveCamera();
-  const Vec3 eye(camera.GetPosition()), ahead(camera.GetDirectionOfProjection());
-  if ((point - eye).dot(ahead) <= 0) return {};
-  renderer.SetWorldPoint(point.x(), point.y(), point.z(), 1);
-  renderer.WorldToDisplay();
-  const double* pixel = renderer.GetDisplayPoint();
-  return PixelPoint{pixel[0], pixel[1]};
-}
-
 }  // namespace
 
 std::vector<int> Scene::State::blocks_of(const ConvergenceTrouble& trouble) const {
@@ -38,20 +27,8 @@ std::vector<int> Scene::State::blocks_of(const ConvergenceTrouble& trouble) cons
 }
 
 Vec3 Scene::State::place_of(const ConvergenceTrouble& trouble) const {
-  const std::vector<bool> own = flags(blocks_of(trouble));
-  double least = std::numeric_limits<double>::infinity();
-  Vec3 place = trouble.position;
-  const auto& surface = movable.surface();
-  for (const auto& triangle : surface.triangles) {
-    if (!own[static_cast<std::size_t>(triangle.block)]) continue;
-    for (const int vertex : triangle.vertices) {
-      const Vec3 away = trouble.rest_position - surface.rest[vertex];
-      if (away.squaredNorm() >= least) continue;
-      least = away.squaredNorm();
-      place = movable.positions()[vertex] + away;
-    }
-  }
-  return place;
+  const BlockActors* const going = &movable;
+  return drawn_place({&going, 1}, flags(blocks_of(trouble)), trouble.rest_position, trouble.position);
 }
 
 CameraPose Scene::State::pose_at(const ConvergenceTrouble& trouble) const {
@@ -75,7 +52,7 @@ void Scene::State::paint_troubles(Painter& painter) const {
   std::vector<PlaceMark> marks;
   for (const ConvergenceTrouble& trouble : troubles) {
     if (blocks_of(trouble).empty()) continue;
-    const auto pixel = pixel_of(*renderer, place_of(trouble) - origin);
+    const auto pixel = pixel_of(place_of(trouble) - origin);
     if (pixel) marks.push_back({*pixel, contact_text(trouble)});
   }
   const auto [width, height] = size();

@@ -13,7 +13,9 @@
 #include "render/scene/slope_view.hpp"
 #include "session/session.hpp"
 #include "widgets/kit/parts.hpp"
+#include "widgets/view/place_picker.hpp"
 #include "widgets/view/render_surface.hpp"
+#include "widgets/view/view_overlay.hpp"
 
 namespace talus {
 
@@ -45,11 +47,13 @@ Viewport::Viewport(Session& session, QWidget* parent)
   area->setMouseTracking(true);
   area->setFocusPolicy(Qt::StrongFocus);
   area->setAccessibleName(tr("3-D view"));
+  area->setObjectName(QStringLiteral("view area"));
   area->installEventFilter(this);
   area->hide();
 
   band_ = new QRubberBand(QRubberBand::Rectangle, area);
 
+  overlay_ = new ViewOverlay(this);
   tools_ = makePlane("overlay");
   tools_->setParent(this);
   setMargins(new QVBoxLayout(tools_), 3, 1);
@@ -81,6 +85,9 @@ Viewport::Viewport(Session& session, QWidget* parent)
   emptyLayout->addWidget(emptyText_);
   emptyLayout->addWidget(emptyButton_, 0, Qt::AlignHCenter);
 
+  picker_ = new PlacePicker(session_.picking, *this);
+  overlay_->add(*picker_);
+
   stillTimer_.setSingleShot(true);
   stillTimer_.setInterval(still_ms);
   connect(&stillTimer_, &QTimer::timeout, this, &Viewport::becomeStill);
@@ -105,6 +112,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(&session_.display, &Display::changed, this, &Viewport::takeDisplay);
   connect(&session_.run, &CurrentRun::progressed, this, &Viewport::showEmptyState);
   connect(&session_.project, &CurrentProject::opened, this, &Viewport::showEmptyState);
+  connect(&session_.project, &CurrentProject::opened, &session_.picking, &Picking::cancel);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, [this] {
     showEmptyState();
     stillTimer_.start();
@@ -141,6 +149,7 @@ Viewport::~Viewport() {
 
 void Viewport::rebuildScene() {
   flight_.stop();
+  session_.picking.cancel();  // places that were taken are of blocks that are there no longer
   card_->hide();
   hidden_.clear();
   if (scene_) {
@@ -240,6 +249,7 @@ void Viewport::render() {
 void Viewport::drawNow() {
   sinceDrawing_.start();
   surface_->requestRender();
+  overlay_->update();
 }
 
 void Viewport::becomeStill() {
@@ -330,12 +340,6 @@ std::optional<CameraPose> Viewport::pose() const {
 
 QPixmap Viewport::picture() { return surface_->widget()->grab(); }
 
-std::optional<Pick> Viewport::pickAt(QPointF point) const {
-  if (!scene_) return std::nullopt;
-  const double ratio = devicePixelRatioF();
-  return scene_->pick(point.x() * ratio, point.y() * ratio);
-}
-
 void Viewport::showEmptyState() {
   empty_->setVisible(!system_);
   if (system_) return;
@@ -357,6 +361,7 @@ void Viewport::showEmptyState() {
 
 void Viewport::resizeEvent(QResizeEvent*) {
   surface_->widget()->setGeometry(rect());
+  overlay_->setGeometry(rect());
   placeOverlays();
   if (scene_ && !fitted_) leaveRoomForTools();
 }
@@ -365,6 +370,9 @@ void Viewport::placeOverlays() {
   tools_->adjustSize();
   tools_->move(width() - tools_->width() - 12, 12);
   tools_->raise();
+  picker_->adjustSize();
+  picker_->move((tools_->x() - picker_->width()) / 2, 12);
+  picker_->raise();
   empty_->adjustSize();
   empty_->setGeometry(0, (height() - empty_->height()) / 2, width(), empty_->height());
 }

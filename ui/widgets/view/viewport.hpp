@@ -17,7 +17,11 @@ class QRubberBand;
 
 namespace talus {
 
+class PlacePicker;
 class RenderSurface;
+class ViewOverlay;
+class ViewTool;
+struct PickedPlace;
 struct Session;
 
 /// The 3-D view: draws the session's blocks and frame, moves the camera, picks blocks into the shared selection.
@@ -45,11 +49,24 @@ class Viewport : public QWidget {
   const std::vector<int>& hiddenBlocks() const { return hidden_; }
   /// What lies under a point of the view, logical pixels from its upper left corner.
   std::optional<Pick> pickAt(QPointF point) const;
+  /// The place of a pick on the rock at rest.
+  PickedPlace placeOf(const Pick& pick) const;
+  /// Where a point [m], or a place in the frame that is shown, lies in the view; empty behind the viewer.
+  std::optional<QPointF> pointOf(const Vec3& point) const;
+  std::optional<QPointF> pointOf(const PickedPlace& place) const;
+  std::optional<SightLine> sightAt(QPointF point) const;
+  /// Marks the flat face of a pick.
+  void markFace(const std::optional<Pick>& pick);
+  void usePointer(Qt::CursorShape shape);
+  /// What is worked with in the view; the last one that was added is asked first.
+  ViewOverlay& overlay() { return *overlay_; }
   const RenderSurface& surface() const { return *surface_; }
   /// What the view shows, without its tools.
   QPixmap picture();
   /// The toolbar over the view's right edge; the window adds to it.
   QWidget* tools() { return tools_; }
+  /// Strips and tools that lie over the view get their places again.
+  void placeOverlays();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -71,11 +88,13 @@ class Viewport : public QWidget {
   void drawNow();
   void becomeStill();
   void showEmptyState();
-  void placeOverlays();
 
   bool mousePressed(const QMouseEvent& event);
   bool mouseMoved(const QMouseEvent& event);
   bool mouseReleased(const QMouseEvent& event);
+  bool toolTakes(const QMouseEvent& event);
+  bool toolClicked(const QMouseEvent& event);
+  bool keyPressed(QEvent* event);
   bool wheelTurned(const QWheelEvent& event);
   void pickForHover();
   void selectIn(const QRectF& box, bool touched, bool added);
@@ -89,7 +108,7 @@ class Viewport : public QWidget {
   bool fitted_ = false;  ///< the camera has been placed since the blocks came
   std::vector<int> hidden_;
 
-  enum class Drag { none, turn, pan, box };
+  enum class Drag { none, turn, pan, box, tool };
   Drag drag_ = Drag::none;
   QPointF pressed_, last_;
   bool moved_ = false;
@@ -103,6 +122,9 @@ class Viewport : public QWidget {
   CameraPose togetherPose_;  ///< to go back to when blocks are no longer drawn apart
   QElapsedTimer sinceDrawing_;
 
+  ViewTool* taken_ = nullptr;  ///< whose drag it is
+  ViewOverlay* overlay_;
+  PlacePicker* picker_;
   QFrame* tools_;
   QFrame* card_;
   QLabel* cardTitle_;

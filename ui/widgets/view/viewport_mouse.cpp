@@ -11,6 +11,8 @@
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/view/render_surface.hpp"
+#include "widgets/view/view_overlay.hpp"
+#include "widgets/view/view_tool.hpp"
 #include "widgets/view/viewport.hpp"
 
 namespace talus {
@@ -34,8 +36,12 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       return mouseReleased(*static_cast<QMouseEvent*>(event));
     case QEvent::Wheel:
       return wheelTurned(*static_cast<QWheelEvent*>(event));
+    case QEvent::ShortcutOverride:
+    case QEvent::KeyPress:
+      return keyPressed(event);
     case QEvent::Leave:
       hoverTimer_.stop();
+      for (ViewTool* tool : overlay_->tools()) tool->leave();
       session_.project.selection().hoverBlock(std::nullopt);
       return false;
     default:
@@ -47,10 +53,32 @@ bool Viewport::mousePressed(const QMouseEvent& event) {
   flight_.stop();
   pressed_ = last_ = event.position();
   moved_ = false;
-  const bool left = event.button() == Qt::LeftButton, boxes = left && event.modifiers().testFlag(Qt::ShiftModifier);
-  drag_ = boxes ? Drag::box : left ? Drag::turn : event.button() == Qt::MiddleButton ? Drag::pan : Drag::none;
-  hoverTimer_.stop();
+  const bool left = event.button() == Qt::LeftButton;
   surface_->widget()->setFocus(Qt::MouseFocusReason);
+  hoverTimer_.stop();
+  if (left && toolTakes(event)) return true;
+  const bool boxes = left && event.modifiers().testFlag(Qt::ShiftModifier);
+  drag_ = boxes ? Drag::box : left ? Drag::turn : event.button() == Qt::MiddleButton ? Drag::pan : Drag::none;
+  return true;
+}
+
+bool Viewport::toolTakes(const QMouseEvent& event) {
+  const auto& tools = overlay_->tools();
+  const auto taker =
+      std::ranges::find_if(tools, [&](ViewTool* tool) { return tool->press(event.position(), event.modifiers()); });
+  if (taker == tools.end()) return false;
+  taken_ = *taker;
+  drag_ = Drag::tool;
+  return true;
+}
+
+bool Viewport::keyPressed(QEvent* event) {
+  const auto& key = *static_cast<QKeyEvent*>(event);
+  const auto& tools = overlay_->tools();
+  const auto taker = std::ranges::find_if(tools, [&](const ViewTool* tool) { return tool->wants(key); });
+  if (taker == tools.end()) return false;
+  if (event->type() == QEvent::KeyPress) (*taker)->key(key);
+  event->accept();
   return true;
 }
 
@@ -59,6 +87,10 @@ bool Viewport::mouseMoved(const QMouseEvent& event) {
   if (drag_ == Drag::none) {
     last_ = event.position();
     if (!session_.run.job().isBusy() && !hoverTimer_.isActive()) hoverTimer_.start();
+    return true;
+  }
+  if (drag_ == Drag::tool) {
+    taken_->drag(event.position(), event.modifiers());
     return true;
   }
   moved_ = moved_ || (event.position() - pressed_).manhattanLength() > click_slack;
@@ -76,6 +108,12 @@ bool Viewport::mouseMoved(const QMouseEvent& event) {
 }
 
 bool Viewport::mouseReleased(const QMouseEvent& event) {
+  if (drag_ == Drag::tool) {
+    drag_ = Drag::none;
+    taken_->release(event.position(), event.modifiers());
+    stillTimer_.start();
+    return true;
+  }
   const bool clicked = drag_ != Drag::none && !moved_ && event.button() == Qt::LeftButton;
   const bool boxed = drag_ == Drag::box && moved_;
   drag_ = Drag::none;
@@ -83,9 +121,14 @@ bool Viewport::mouseReleased(const QMouseEvent& event) {
   if (boxed)
     selectIn(QRectF(pressed_, event.position()).normalized(), event.position().x() < pressed_.x(),
              event.modifiers().testFlag(Qt::ControlModifier));
-  if (clicked) selectAt(event.position(), event.modifiers());
+  if (clicked && !toolClicked(event)) selectAt(event.position(), event.modifiers());
   stillTimer_.start();
   return true;
+}
+
+bool Viewport::toolClicked(const QMouseEvent& event) {
+  return std::ranges::any_of(overlay_->tools(),
+                             [&](ViewTool* tool) { return tool->click(event.position(), event.modifiers()); });
 }
 
 bool Viewport::wheelTurned(const QWheelEvent& event) {
@@ -96,6 +139,10 @@ bool Viewport::wheelTurned(const QWheelEvent& event) {
 }
 
 void Viewport::pickForHover() {
+  if (std::ranges::any_of(overlay_->tools(), [this](ViewTool* tool) { return tool->hover(last_); })) {
+    session_.project.selection().hoverBlock(std::nullopt);
+    return;
+  }
   const auto pick = pickAt(last_);
   session_.project.selection().hoverBlock(pick ? std::optional<int>(pick->block) : std::nullopt);
 }

@@ -60,7 +60,12 @@ void WindowActions::makeFileActions() {
     all_.push_back(action);
   }
   clearSelection = add(tr("Clear selection"), {}, QKeySequence(Qt::Key_Escape));
-  connect(clearSelection, &QAction::triggered, this, [this] { session_.project.selection().clear(); });
+  connect(clearSelection, &QAction::triggered, this, [this] {
+    if (session_.picking.isAsking())
+      session_.picking.cancel();
+    else
+      session_.project.selection().clear();
+  });
   connect(save, &QAction::triggered, this, [this] {
     if (session_.project.document().file().empty())
       saveAs->trigger();
