@@ -19,6 +19,7 @@ struct MeasuredJoint {
   std::optional<Vec3> at{};             ///< m, a point on it
   std::optional<double> spacing{};      ///< m, to the next one of its set
   std::optional<double> persistence{};  ///< m, length of its trace
+  std::vector<Vec3> corners{};          ///< m, of the face it was seen as, in order; empty: nothing says where it ends
   bool operator==(const MeasuredJoint&) const = default;
 };
 

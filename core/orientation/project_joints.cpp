@@ -34,6 +34,7 @@ Project with_joints(Project project, std::span<const MeasuredJoint> joints, cons
     cut.dip = measured.plane.dip;
     cut.dip_direction = measured.plane.dip_direction;
     cut.through = measured.at.value_or(at);
+    cut.polygon = measured.corners;
     project.cuts.push_back(cut);
   }
   return project;
