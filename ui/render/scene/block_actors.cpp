@@ -129,6 +129,11 @@ void BlockActors::show(const std::vector<bool>& shown) {
   set_lines(*mesh_lines_, surface_, [&](const BlockSurface::Edge& edge) { return !edge.sharp && shown[edge.block]; });
 }
 
+void BlockActors::let_through(double opacity) {
+  face_actor_->GetProperty()->SetOpacity(opacity);
+  face_actor_->GetProperty()->SetBackfaceCulling(opacity < 1);
+}
+
 void BlockActors::colour_by_block(const std::function<Rgb(int)>& colour) {
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);

@@ -35,6 +35,8 @@ class BlockActors {
   void move(std::span<const Vec3> displacement, double scale, double explosion = 0);
   /// Draws only the blocks for which `shown[block]`.
   void show(const std::vector<bool>& shown);
+  /// Faces are drawn with this opacity, those that look away not at all where it is below 1.
+  void let_through(double opacity);
   void colour_by_block(const std::function<Rgb(int block)>& colour);
   /// `values` of all blocks' nodes, or tetrahedra, in the unit of `low` and `high`. Faces without a tetrahedron
   /// behind them get the table's colour for no value.

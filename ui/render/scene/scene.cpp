@@ -106,6 +106,15 @@ void Scene::set_hovered(std::optional<int> block) {
   state_->apply_marks();
 }
 
+void Scene::set_joints(std::vector<JointFace> faces, std::optional<int> chosen) {
+  state_->joints.show(std::move(faces), chosen);
+}
+
+std::optional<int> Scene::joint_at(double x, double y) const {
+  const auto sight = sight_at(x, y);
+  return sight ? state_->joints.cut_at(sight->from, sight->along) : std::nullopt;
+}
+
 void Scene::set_marked_face(const std::optional<Pick>& pick) {
   state_->marked_face = pick;
   state_->apply_marks();

@@ -10,6 +10,7 @@
 #include "mesh/block.hpp"
 #include "render/paint/theme.hpp"
 #include "render/scene/field_range.hpp"
+#include "render/scene/joint_face.hpp"
 #include "results/convergence_trouble.hpp"
 #include "results/frame.hpp"
 
@@ -34,6 +35,7 @@ struct SceneSettings {
   double explosion = 0;          ///< blocks are drawn apart, by so much of their way from the middle of all
   bool contacts = false;         ///< contact points, coloured open grey, stick blue, slip orange
   bool troubles = true;          ///< where the run has trouble to converge, as far as it was told
+  double rock_opacity = 1;       ///< below 1 joints inside the rock are seen through it
   bool parallel_projection = false;
   bool fine = true;  ///< ambient occlusion and smooth edges; off while the user drags
   /// Smooths outlines of pictures that are drawn at their own size. On a screen it would break thin edges into dashes.
@@ -110,6 +112,10 @@ class Scene {
   void set_hidden(std::vector<int> blocks);
   void set_selected(std::vector<int> blocks);
   void set_hovered(std::optional<int> block);
+  /// Joints inside the rock; `chosen`: the cut that is drawn stronger.
+  void set_joints(std::vector<JointFace> faces, std::optional<int> chosen);
+  /// The cut whose face lies under a pixel, whatever rock is before it. Needs what `pick` needs.
+  std::optional<int> joint_at(double x, double y) const;
   /// The flat face that a pick lies on; none: no face is marked.
   void set_marked_face(const std::optional<Pick>& pick);
   /// Where the run has trouble to converge: a ring and a label over everything, and a fine outline of the blocks. A

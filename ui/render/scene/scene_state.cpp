@@ -102,13 +102,15 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
       rock_size(bounds_or_point(blocks).diagonal().norm()),
       block_colours(colours_of_blocks(blocks)),
       fixed(block_surface(blocks, with_body(blocks, true)), origin),
-      movable(block_surface(blocks, with_body(blocks, false)), origin) {
+      movable(block_surface(blocks, with_body(blocks, false)), origin),
+      joints(origin) {
   fixed.add_to(*renderer);
   movable.add_to(*renderer);
   concern.add_to(*renderer);
   selection.add_to(*renderer);
   hover.add_to(*renderer);
   face.add_to(*renderer);
+  joints.add_to(*renderer);
   contacts.add_to(*renderer);
   backdrop.add_to(*renderer);
   add_lights(*renderer);
@@ -150,13 +152,15 @@ void Scene::State::apply_settings() {
     setter(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
   };
   // Under ambient occlusion the backdrop is drawn; smoothed outlines are then blended with one colour from its middle.
-  const Rgb ground = settings.fine ? mix(c.view_top, c.view_bottom, 0.5) : c.view_bottom;
+  const Rgb ground = occludes() ? mix(c.view_top, c.view_bottom, 0.5) : c.view_bottom;
   set(ground, [this](double r, double g, double b) { renderer->SetBackground(r, g, b); });
   set(c.view_top, [this](double r, double g, double b) { renderer->SetBackground2(r, g, b); });
-  renderer->SetGradientBackground(!settings.fine);
-  backdrop.show(settings.fine);
+  renderer->SetGradientBackground(!occludes());
+  backdrop.show(occludes());
   renderer->GetActiveCamera()->SetParallelProjection(settings.parallel_projection);
   fixed.colour_by_block([&](int) { return c.rock; });
+  for (BlockActors* part : {&fixed, &movable}) part->let_through(settings.rock_opacity);
+  joints.use(settings.theme);
   if (settings.deformation_scale != extent_scale) reset_extent();
   apply_frame();
 }
@@ -208,6 +212,7 @@ void Scene::State::apply_lines() {
   concern.style(c.warn, 1.6 * unit, field_values.empty() ? 0.12 : 0);
   selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0);  // a tint would falsify a field's colours
   hover.style(c.pick, unit, 0);
+  joints.style(1.4 * unit);
   face.style(c.pick, 2 * unit, 0.35);
   const bool with_contacts = !contact_dots.empty();
   contacts.show(with_contacts ? std::span<const ContactSample>(frame->contacts) : std::span<const ContactSample>(),
@@ -260,7 +265,7 @@ void Scene::State::reset_extent() {
 }
 
 void Scene::State::prepare_drawing() {
-  renderer->SetUseSSAO(settings.fine);
+  renderer->SetUseSSAO(occludes());
   renderer->SetUseFXAA(settings.fine && settings.smooth_outlines && pixel_scale == 1);
   overlay.text_height = text_height();
   apply_lines();

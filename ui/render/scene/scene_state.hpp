@@ -8,6 +8,7 @@
 #include "render/scene/block_actors.hpp"
 #include "render/scene/camera_fit.hpp"
 #include "render/scene/contact_actor.hpp"
+#include "render/scene/joint_actors.hpp"
 #include "render/scene/overlay.hpp"
 #include "render/scene/scene.hpp"
 
@@ -38,6 +39,8 @@ struct Scene::State {
   std::vector<int> blocks_of(const ConvergenceTrouble& trouble) const;
   void paint_troubles(Painter& painter) const;
   void reset_extent();
+  /// Corners are shaded: where nothing moves, and nothing is seen through.
+  bool occludes() const { return settings.fine && settings.rock_opacity == 1; }
   /// Just before VTK draws: what depends on the camera and on the window's size.
   void prepare_drawing();
 
@@ -59,6 +62,7 @@ struct Scene::State {
   std::vector<Rgb> block_colours;
   BlockActors fixed, movable;
   Highlight concern, selection, hover, face;
+  JointActors joints;
   ContactActor contacts;
   Backdrop backdrop;
   std::vector<int> hidden, selected;

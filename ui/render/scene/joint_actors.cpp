@@ -1,0 +1,122 @@
+#include "render/scene/joint_actors.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <limits>
+
+namespace talus {
+namespace {
+
+constexpr unsigned char faint = 96, strong = 190, outline = 150, chosen_outline = 255;  // opacities of 255
+
+/// Cells with colours of their own.
+struct ColouredCells {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colours;
+
+  ColouredCells() {
+    points->SetDataTypeToDouble();
+    colours->SetNumberOfComponents(4);
+  }
+  void add(std::span<const Vec3> corners, const Vec3& origin, Rgb colour, unsigned char opacity) {
+    cells->InsertNextCell(static_cast<int>(corners.size()));
+    for (const Vec3& corner : corners) {
+      const Vec3 p = corner - origin;
+      cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+    }
+    const unsigned char tuple[] = {colour.red, colour.green, colour.blue, opacity};
+    colours->InsertNextTypedTuple(tuple);
+  }
+};
+
+void make_flat(vtkPolyData& data, vtkActor& actor, vtkPolyDataMapper& mapper) {
+  mapper.SetInputData(&data);
+  mapper.SetScalarModeToUseCellData();
+  mapper.SetColorModeToDirectScalars();
+  actor.SetMapper(&mapper);
+  actor.GetProperty()->SetLighting(false);
+  actor.ForceTranslucentOn();
+}
+
+/// How far along the line a triangle is met; infinite where it is not. Möller and Trumbore (1997).
+double distance_to(const FlatTriangle& triangle, const Vec3& from, const Vec3& along) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const Vec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0], p = along.cross(ac);
+  const double determinant = ab.dot(p);
+  if (determinant == 0) return never;
+  const Vec3 from_a = from - triangle[0], q = from_a.cross(ab);
+  const double u = from_a.dot(p) / determinant, v = along.dot(q) / determinant, distance = ac.dot(q) / determinant;
+  return u < 0 || v < 0 || u + v > 1 || distance < 0 ? never : distance;
+}
+
+}  // namespace
+
+JointActors::JointActors(const Vec3& origin) : origin_(origin) {
+  vtkNew<vtkPolyDataMapper> face_mapper, line_mapper;
+  make_flat(*mesh_, *face_actor_, *face_mapper);
+  make_flat(*lines_, *line_actor_, *line_mapper);
+}
+
+void JointActors::add_to(vtkRenderer& renderer) {
+  renderer.AddActor(face_actor_);
+  renderer.AddActor(line_actor_);
+}
+
+void JointActors::show(std::vector<JointFace> faces, std::optional<int> chosen) {
+  faces_ = std::move(faces);
+  chosen_ = chosen;
+  draw();
+}
+
+void JointActors::use(Theme theme) {
+  if (theme == theme_) return;
+  theme_ = theme;
+  draw();
+}
+
+void JointActors::draw() {
+  ColouredCells areas, edges;
+  const auto& palette = curve_palette(theme_);
+  for (const JointFace& face : faces_) {
+    const Rgb colour = palette[static_cast<std::size_t>(face.set) % palette.size()];
+    const bool is_chosen = chosen_ == face.cut;
+    for (const FlatTriangle& triangle : face.triangles)
+      areas.add(triangle, origin_, colour, is_chosen ? strong : faint);
+    for (const auto& edge : outline_of(face.triangles))
+      edges.add(edge, origin_, is_chosen ? colours(theme_).pick : colour, is_chosen ? chosen_outline : outline);
+  }
+  mesh_->SetPoints(areas.points);
+  mesh_->SetPolys(areas.cells);
+  mesh_->GetCellData()->SetScalars(areas.colours);
+  lines_->SetPoints(edges.points);
+  lines_->SetLines(edges.cells);
+  lines_->GetCellData()->SetScalars(edges.colours);
+  face_actor_->SetVisibility(mesh_->GetNumberOfPolys() > 0);
+  line_actor_->SetVisibility(lines_->GetNumberOfLines() > 0);
+}
+
+void JointActors::style(double line_width) { line_actor_->GetProperty()->SetLineWidth(static_cast<float>(line_width)); }
+
+std::optional<int> JointActors::cut_at(const Vec3& from, const Vec3& along) const {
+  std::optional<int> found;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const JointFace& face : faces_)
+    for (const FlatTriangle& triangle : face.triangles) {
+      const double distance = distance_to(triangle, from, along);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      found = face.cut;
+    }
+  return found;
+}
+
+}  // namespace talus

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <optional>
+#include <vector>
+
+#include "render/paint/theme.hpp"
+#include "render/scene/joint_face.hpp"
+
+class vtkRenderer;
+
+namespace talus {
+
+/// Joints as translucent faces in the colours of their sets, in front of translucent rock; the chosen one stronger and
+/// outlined.
+class JointActors {
+ public:
+  /// Positions are drawn relative to `origin`, m.
+  explicit JointActors(const Vec3& origin);
+  void add_to(vtkRenderer& renderer);
+  void show(std::vector<JointFace> faces, std::optional<int> chosen);
+  void style(double line_width);
+  void use(Theme theme);
+  /// The cut whose face a line of sight meets first.
+  std::optional<int> cut_at(const Vec3& from, const Vec3& along) const;
+
+ private:
+  void draw();
+
+  Vec3 origin_;
+  std::vector<JointFace> faces_;
+  std::optional<int> chosen_;
+  Theme theme_ = Theme::light;
+  vtkNew<vtkPolyData> mesh_, lines_;
+  vtkNew<vtkActor> face_actor_, line_actor_;
+};
+
+}  // namespace talus
