@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "io/whole_file.hpp"
 #include "model/solid_shape.hpp"
+#include "orientation/dxf_joints.hpp"
 #include "orientation/project_joints.hpp"
 #include "session/current_project.hpp"
 #include "widgets/kit/number_field.hpp"
@@ -45,6 +46,12 @@ QStringList cellsOf(const MeasuredJoint& joint) {
 QString wordsOf(const CellProblem& problem) {
   const QString where = problem.column.empty() ? QString() : text(problem.column) + QStringLiteral(": ");
   return where + text(problem.problem) + QStringLiteral("; ") + text(problem.remedy);
+}
+
+/// Files have the site's coordinates, the project those from its origin.
+void shift(MeasuredJoint& joint, const Vec3& by) {
+  if (joint.at) *joint.at += by;
+  for (Vec3& corner : joint.corners) corner += by;
 }
 
 constexpr int set_column = 4;  // of the preview
@@ -84,7 +91,7 @@ QWidget* PasteJoints::makeText() {
   text_->setLineWrapMode(QPlainTextEdit::NoWrap);
   text_->setPlaceholderText(QStringLiteral("dip\tdip direction\tset\n45\t120\tJ1\n80\t300\tJ2"));
   column->addWidget(text_, 1);
-  auto* open = makeButton(tr("Open table…"));
+  auto* open = makeButton(tr("Open table or drawing…"));
   open->setAutoDefault(false);
   column->addWidget(open, 0, Qt::AlignLeft);
   plane->setFixedWidth(text_width);
@@ -155,10 +162,24 @@ QWidget* PasteJoints::makeFoot() {
 }
 
 void PasteJoints::present() {
+  prepare();
+  setText(QApplication::clipboard()->text());
+  bring();
+}
+
+void PasteJoints::presentFile(const std::filesystem::path& file) {
+  prepare();
+  load(file);
+  bring();
+}
+
+void PasteJoints::prepare() {
   listStrengths();
   through_ = middleOf(project_.document().project());
   showPlace();
-  setText(QApplication::clipboard()->text());
+}
+
+void PasteJoints::bring() {
   show();
   raise();
   activateWindow();
@@ -174,17 +195,31 @@ void PasteJoints::listStrengths() {
 
 void PasteJoints::openFile() {
   const QString name = QFileDialog::getOpenFileName(this, tr("Open a table of joints"), {},
-                                                    tr("Tables (*.csv *.tsv *.txt);;All files (*)"));
-  if (name.isEmpty()) return;
+                                                    tr("Tables and drawings (*.csv *.tsv *.txt *.dxf);;All files (*)"));
+  if (!name.isEmpty()) load(name.toStdString());
+}
+
+void PasteJoints::load(const std::filesystem::path& file) {
   try {
-    setText(text(read_whole_file(name.toStdString())));
+    const std::string content = read_whole_file(file);
+    if (QString::fromStdString(file.extension().string()).toLower() != QStringLiteral(".dxf")) {
+      setText(text(content));
+      return;
+    }
+    JointTable drawing = read_dxf_joints(content);
+    for (JointLine& line : drawing.lines)
+      if (line.joint) shift(*line.joint, -project_.document().project().origin);
+    text_->setPlainText(tr("# faces of %1").arg(text(file.filename().string())));
+    take(std::move(drawing));
   } catch (const InputError& error) {
     refusal_->setText(QString::fromUtf8(error.what()));
   }
 }
 
-void PasteJoints::read() {
-  table_ = read_joint_table(text_->toPlainText().toStdString());
+void PasteJoints::read() { take(read_joint_table(text_->toPlainText().toStdString())); }
+
+void PasteJoints::take(JointTable table) {
+  table_ = std::move(table);
   refusal_->clear();
   showTable();
   showNotes();
@@ -244,9 +279,13 @@ void PasteJoints::showNotes() {
   const std::vector<MeasuredJoint> joints = table_.joints();
   if (std::ranges::any_of(joints, [](const MeasuredJoint& one) { return one.spacing || one.persistence; }))
     words << tr("spacing and persistence are shown but not used: every line becomes one plane without end");
+  if (std::ranges::any_of(joints, [](const MeasuredJoint& one) { return !one.corners.empty(); }))
+    words << tr("each joint ends at the corners of its face");
   if (text_->toPlainText().trimmed().isEmpty()) {
     setRole(notes_, "small");
-    notes_->setText(tr("Copy a table in a spreadsheet and paste it on the left."));
+    notes_->setText(
+        tr("Copy a table in a spreadsheet and paste it on the left, or open a table or a drawing with "
+           "faces (DXF)."));
     return;
   }
   setRole(notes_, faulty ? "error" : "small");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <filesystem>
 
 #include "orientation/joint_table.hpp"
 
@@ -15,7 +16,8 @@ class CurrentProject;
 class PlainTable;
 
 /// Joints from the clipboard or a file into the project: the text, what was read from it line by line with what is
-/// wrong, and one undoable step that adds the sound lines as cuts with their joint sets.
+/// wrong, and one undoable step that adds the sound lines as cuts with their joint sets. Of a drawing (DXF) the faces
+/// are read in place of text.
 class PasteJoints : public QDialog {
   Q_OBJECT
  public:
@@ -23,6 +25,8 @@ class PasteJoints : public QDialog {
   /// Begins with what is in the clipboard.
   void present();
   void setText(const QString& text);
+  /// Begins with a table, or a drawing where the name ends in .dxf.
+  void presentFile(const std::filesystem::path& file);
   const JointTable& table() const { return table_; }
 
  private:
@@ -30,7 +34,11 @@ class PasteJoints : public QDialog {
   QWidget* makePreview();
   QWidget* makeFoot();
   void openFile();
+  void prepare();
+  void bring();
+  void load(const std::filesystem::path& file);
   void read();
+  void take(JointTable table);
   void showTable();
   void showNotes();
   void listStrengths();

@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QPainter>
+#include <algorithm>
 
 #include "model/stage_length.hpp"
 #include "session/current_project.hpp"
@@ -11,6 +12,7 @@
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/kit/theme.hpp"
+#include "widgets/project/joint_rows.hpp"
 #include "widgets/project/motion_rows.hpp"
 
 namespace talus {
@@ -34,37 +36,6 @@ PageRows geometryRows(const Project& project) {
     content.rows.push_back({item(Item::Kind::solid, i),
                             {text(solid.name), words::shape(solid.shape), text(solid.material), words::body(solid.body),
                              solid.mesh_size ? number(*solid.mesh_size) : QObject::tr("automatic")}});
-  }
-  return content;
-}
-
-PageRows jointRows(const Project& project) {
-  PageRows content{
-      QObject::tr("Joint table"),
-      {QObject::tr("Joint"), QObject::tr("Cut"), QObject::tr("Dip °"), QObject::tr("Dir °"), QObject::tr("Spacing m"),
-       QObject::tr("Count"), QObject::tr("φ °"), QObject::tr("c MPa"), QObject::tr("Tension MPa")},
-      2,
-      {},
-      QObject::tr("The project has no joint: its solids touch without being cut.")};
-  for (size_t j = 0; j < project.joints.size(); ++j) {
-    const Joint& joint = project.joints[j];
-    const QStringList strength{number(joint.friction_angle), number(joint.cohesion / 1e6),
-                               number(joint.tensile_strength / 1e6)};
-    bool cuts = false;
-    for (size_t i = 0; i < project.cuts.size(); ++i) {
-      const Cut& cut = project.cuts[i];
-      if (cut.joint != joint.name) continue;
-      cuts = true;
-      const QString direction = QStringLiteral("%1").arg(std::lround(cut.dip_direction), 3, 10, QLatin1Char('0'));
-      content.rows.push_back(
-          {item(Item::Kind::cut, i),
-           QStringList{text(joint.name), QString::number(i + 1), number(cut.dip), direction,
-                       cut.spacing ? number(*cut.spacing) : none, QString::number(cut.count.value_or(1))} +
-               strength});
-    }
-    if (!cuts)
-      content.rows.push_back(
-          {item(Item::Kind::joint, j), QStringList{text(joint.name), none, none, none, none, none} + strength});
   }
   return content;
 }
@@ -203,6 +174,9 @@ PageTable::PageTable(CurrentProject& project, Playback& playback, Display& displ
     if (row >= 0 && row < static_cast<int>(content_.rows.size()))
       project_.selection().select(content_.rows[static_cast<size_t>(row)].item);
   });
+  connect(horizontalHeader(), &QHeaderView::sectionClicked, this, &PageTable::sortBy);
+  connect(this, &QTableWidget::cellDoubleClicked, this, &PageTable::editCell);
+  connect(&display_, &Display::pageChanged, this, [this] { sortedBy_ = -1; });
   connect(&display_, &Display::pageChanged, this, &PageTable::refresh);
   connect(&project_, &CurrentProject::opened, this, &PageTable::refresh);
   connect(&project_, &CurrentProject::systemChanged, this, &PageTable::refresh);
@@ -233,6 +207,7 @@ void PageTable::refresh() {
                  ? motionRows(*system, *playback_.frame())
                  : rowsOf(display_.page(), stale ? project_.builtFrom() : project_.document().project(), system);
   if (stale) content_.title = tr("%1, before the last change").arg(content_.title);
+  sortRows();
   std::vector<QStringList> rows;
   for (const auto& row : content_.rows) rows.push_back(row.cells);
   std::vector<bool> words(static_cast<size_t>(content_.heads.size()));
@@ -245,6 +220,42 @@ void PageTable::refresh() {
   showSelection();
   blockSignals(false);
   emit titleChanged(content_.title);
+}
+
+void PageTable::sortBy(int column) {
+  if (!content_.sortable) return;
+  const bool again = column == sortedBy_;
+  if (again && order_ == Qt::DescendingOrder) {
+    sortedBy_ = -1;  // a third click: as the project has them
+  } else {
+    order_ = again ? Qt::DescendingOrder : Qt::AscendingOrder;
+    sortedBy_ = column;
+  }
+  refresh();
+}
+
+/// Numbers before words.
+void PageTable::sortRows() {
+  const bool sorted = content_.sortable && sortedBy_ >= 0 && sortedBy_ < content_.heads.size();
+  horizontalHeader()->setSectionsClickable(content_.sortable);
+  horizontalHeader()->setSortIndicatorShown(sorted);
+  if (!sorted) return;
+  horizontalHeader()->setSortIndicator(sortedBy_, order_);
+  const auto before = [this](const PageRows::Row& one, const PageRows::Row& two) {
+    const QString &a = one.cells[sortedBy_], &b = two.cells[sortedBy_];
+    double x = 0, y = 0;
+    const bool isNumber = numbers::parse(a, x), isOther = numbers::parse(b, y);
+    if (isNumber && isOther) return x < y;
+    return isNumber || isOther ? isNumber : a.localeAwareCompare(b) < 0;
+  };
+  std::ranges::stable_sort(content_.rows, [&](const PageRows::Row& one, const PageRows::Row& two) {
+    return order_ == Qt::AscendingOrder ? before(one, two) : before(two, one);
+  });
+}
+
+void PageTable::editCell(int row, int column) {
+  const QString place = content_.rows.at(static_cast<size_t>(row)).places.value(column);
+  if (!place.isEmpty()) display_.showField(place);
 }
 
 void PageTable::showSelection() {

@@ -19,13 +19,15 @@ struct PageRows {
   struct Row {
     Item item;
     QStringList cells;
+    QStringList places{};  ///< of the project file, a cell: what a double click lets be typed; empty: nothing
   };
   QString title;
   QStringList heads;
   int wordColumns = 1;  ///< columns from the left that hold words; the others hold numbers
   std::vector<Row> rows;
-  QString empty;   ///< what to say when there is no row
-  int roomy = -1;  ///< a column that takes the room which the others leave; none: all share it
+  QString empty;          ///< what to say when there is no row
+  int roomy = -1;         ///< a column that takes the room which the others leave; none: all share it
+  bool sortable = false;  ///< by a click on a head; else the order says something
 };
 
 /// For the pages that set the project up.
@@ -48,11 +50,16 @@ class PageTable : public PlainTable {
   void refresh();
   bool mayShowMotion() const;
   void showSelection();
+  void sortBy(int column);
+  void sortRows();
+  void editCell(int row, int column);
   CurrentProject& project_;
   Playback& playback_;
   Display& display_;
   PageRows content_;
   bool showsMotion_ = false;
+  int sortedBy_ = -1;  ///< column; −1: as the project has them
+  Qt::SortOrder order_ = Qt::AscendingOrder;
 };
 
 }  // namespace talus

@@ -18,6 +18,7 @@
 #include "session/playback.hpp"
 #include "widgets/forms/object_field.hpp"
 #include "widgets/forms/scalar_fields.hpp"
+#include "widgets/forms/typical_strengths.hpp"
 #include "widgets/kit/model_words.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
@@ -135,6 +136,7 @@ void PropertyPanel::showThing(const Item& item) {
     row->addWidget(new KeyField(site), 1);
     rows->addLayout(row);
   }
+  if (item.kind == Item::Kind::joint) rows->addWidget(new TypicalStrengths(site));
   rows->addWidget(new ObjectField(site, whole));
   content_->layout()->addWidget(column);
 }

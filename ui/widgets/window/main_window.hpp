@@ -87,6 +87,8 @@ class MainWindow : public QMainWindow {
   void showAccuracy();
   void showStereonet();
   void askForJoints();
+  void takeJoints(const std::filesystem::path& file);
+  PasteJoints& pasteJoints();
   /// At the page that tells of what is selected, or of the page of the workflow.
   void showManual();
   void showAbout();

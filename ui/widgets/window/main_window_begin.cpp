@@ -19,6 +19,15 @@
 
 namespace talus {
 
+namespace {
+
+bool isTableOfJoints(const std::filesystem::path& path) {
+  const QString ending = text(path.extension().string()).toLower();
+  return ending == QStringLiteral(".csv") || ending == QStringLiteral(".tsv") || ending == QStringLiteral(".dxf");
+}
+
+}  // namespace
+
 void MainWindow::newProject(const std::string& key) {
   if (!session_.isFree(tr("New project")) || !guards_->mayLeaveProject()) return;
   auto* dialog = new NewDialog(this);
@@ -96,6 +105,7 @@ void MainWindow::takeDropped(const std::filesystem::path& path) {
   std::error_code unknown;
   if (path.extension() == ".talus" || std::filesystem::is_directory(path, unknown)) return open(path);
   const Document& document = session_.project.document();
+  if (document.isOpen() && isTableOfJoints(path)) return takeJoints(path);
   try {
     if (document.isOpen())
       session_.project.addSolid(path);

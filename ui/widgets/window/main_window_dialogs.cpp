@@ -132,10 +132,14 @@ void MainWindow::showStereonet() {
   stereonet_->present();
 }
 
-void MainWindow::askForJoints() {
+PasteJoints& MainWindow::pasteJoints() {
   if (!pasteJoints_) pasteJoints_ = new PasteJoints(session_.project, this);
-  pasteJoints_->present();
+  return *pasteJoints_;
 }
+
+void MainWindow::askForJoints() { pasteJoints().present(); }
+
+void MainWindow::takeJoints(const std::filesystem::path& file) { pasteJoints().presentFile(file); }
 
 void MainWindow::showManual() {
   if (!manual_) manual_ = new ManualWindow(this);

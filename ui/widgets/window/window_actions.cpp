@@ -7,6 +7,7 @@
 
 #include "jobs/solver_job.hpp"
 #include "session/session.hpp"
+#include "widgets/joints/joint_actions.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/view/timeline.hpp"
 #include "widgets/view/viewport.hpp"
@@ -17,6 +18,8 @@ WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&windo
   makeFileActions();
   makeViewActions();
   makeRunActions();
+  joints = new JointActions(session_, window_);
+  for (auto* action : joints->all()) include(action);
   connect(&session_.project, &CurrentProject::opened, this, &WindowActions::refresh);
   connect(&session_.project, &CurrentProject::systemChanged, this, &WindowActions::refresh);
   connect(&session_.playback, &Playback::framesChanged, this, &WindowActions::refresh);
@@ -32,10 +35,14 @@ QAction* WindowActions::add(const QString& text, const QString& icon, const QKey
   auto* action = new QAction(text, this);
   if (!icon.isEmpty()) action->setIcon(theme::icon(icon));
   action->setShortcut(shortcut);
+  include(action);
+  return action;
+}
+
+void WindowActions::include(QAction* action) {
   action->setShortcutContext(Qt::WindowShortcut);
   window_.addAction(action);
   all_.push_back(action);
-  return action;
 }
 
 void WindowActions::makeFileActions() {
@@ -166,6 +173,7 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
     if (isSetUp(page)) model->addAction(action);
   model->addSeparator();
   model->addActions({stereonet, pasteJoints});
+  for (auto* action : joints->all()) model->addAction(action);
   model->addSeparator();
   model->addAction(mesh);
   menu(tr("Solve"), {pages.at(WorkflowPage::solve), nullptr, solve, pause, oneStep, stop});
@@ -203,6 +211,7 @@ void WindowActions::refresh() {
   allow(saveFilm, noFrames);
   for (auto* action : {fit, iso, front, side, top, projection, showAll, explode}) allow(action, noBlocks);
   for (auto* action : {hide, isolate}) allow(action, nothingSelected);
+  for (auto* action : joints->all()) allow(action, joints->whyNot(action));
   allow(mesh, session_.run.whyNotMesh());
   allow(solve, session_.run.whyNotSolve());
   pause->setText(paused ? tr("Resume") : tr("Pause"));

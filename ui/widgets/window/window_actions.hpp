@@ -14,6 +14,7 @@ namespace talus {
 
 struct Session;
 
+class JointActions;
 class Viewport;
 class Timeline;
 
@@ -30,6 +31,7 @@ class WindowActions : public QObject {
   QAction *undo, *redo, *clearSelection;
   // View
   QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *explode, *dark, *viewAlone;
+  JointActions* joints;
   // Model and solve
   QAction *stereonet, *pasteJoints;
   QAction *mesh, *solve, *pause, *oneStep, *stop;
@@ -46,6 +48,8 @@ class WindowActions : public QObject {
 
  private:
   QAction* add(const QString& text, const QString& icon, const QKeySequence& shortcut = {});
+  /// An action that another class has made becomes one of all.
+  void include(QAction* action);
   void makeFileActions();
   void makeViewActions();
   void makeRunActions();

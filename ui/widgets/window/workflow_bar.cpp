@@ -8,6 +8,7 @@
 #include "jobs/solver_job.hpp"
 #include "model/stage_length.hpp"
 #include "session/session.hpp"
+#include "widgets/joints/joint_actions.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/text.hpp"
@@ -41,6 +42,7 @@ WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(se
   pages_->addWidget(makeSetUpPage());
   pages_->addWidget(makeSolvePage());
   pages_->addWidget(makeResultsPage());
+  pages_->addWidget(makeJointsPage());
   row->addWidget(pages_);
   outcome_ = new ElidedLabel({}, "small");
   outcome_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -73,6 +75,16 @@ QWidget* WorkflowBar::makeSetUpPage() {
   row->addWidget(makeActionButton(actions_.mesh, true));
   row->addWidget(makeActionButton(actions_.fit, true));
   row->addWidget(makeActionButton(actions_.savePicture, true));
+  row->addStretch();
+  return page;
+}
+
+QWidget* WorkflowBar::makeJointsPage() {
+  auto* page = new QWidget;
+  auto* row = makeRow(page);
+  for (auto* action : {actions_.joints->threePoints, actions_.joints->alongFace, actions_.joints->assignToFace,
+                       actions_.pasteJoints, actions_.stereonet})
+    row->addWidget(makeActionButton(action, true));
   row->addStretch();
   return page;
 }
@@ -111,9 +123,8 @@ QWidget* WorkflowBar::makeResultsPage() {
 
 void WorkflowBar::refresh() {
   title_->setText(pageTitle(session_.display.page()));
-  pages_->setCurrentIndex(isSetUp(session_.display.page())                 ? 0
-                          : session_.display.page() == WorkflowPage::solve ? 1
-                                                                           : 2);
+  const WorkflowPage page = session_.display.page();
+  pages_->setCurrentIndex(page == WorkflowPage::joints ? 3 : isSetUp(page) ? 0 : page == WorkflowPage::solve ? 1 : 2);
   refreshOutcome();
   refreshPrimary();
 }

@@ -21,6 +21,7 @@ class WorkflowBar : public QFrame {
 
  private:
   QWidget* makeSetUpPage();
+  QWidget* makeJointsPage();
   QWidget* makeSolvePage();
   QWidget* makeResultsPage();
   void refresh();
