@@ -287,7 +287,7 @@ TEST_F(Begun, WhatCannotBeImportedIsSaidAndChangesNothing) {
   EXPECT_EQ(project(), before);
   ASSERT_FALSE(session->messages.problems().empty());
   const Problem& problem = session->messages.problems().back();
-  EXPECT_TRUE(problem.problem.contains(QStringLiteral("STEP files only, not '.stl'"))) << problem.problem.toStdString();
+  EXPECT_TRUE(problem.problem.contains(QStringLiteral("not read from '.dwg' files"))) << problem.problem.toStdString();
 }
 
 /// Not a test: draws the templates' pictures for the start page, into the folder that TALUS_PICTURES names.

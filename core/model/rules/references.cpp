@@ -9,7 +9,6 @@
 #include "model/block_names.hpp"
 #include "model/quantity.hpp"
 #include "model/require.hpp"
-#include "model/rules/solid_rules.hpp"
 #include "model/suggestion.hpp"
 
 namespace talus {
@@ -88,6 +87,18 @@ void check_cut_solids(const Project& project) {
   }
 }
 
+void check_parts_of_solids(const Project& project) {
+  const auto names = names_of(project.solids);
+  for (std::size_t i = 0; i < project.solids.size(); ++i) {
+    const auto* combined = std::get_if<CombinedShape>(&project.solids[i].shape);
+    if (!combined) continue;
+    for (std::size_t k = 0; k < combined->solids.size(); ++k) {
+      require(contains(names, combined->solids[k]), Place() / "solids" / i / "combine" / "solids" / k,
+              "there is no solid '" + combined->solids[k] + "'", suggest_name(combined->solids[k], names));
+    }
+  }
+}
+
 void check_joints_where_cuts_end(const Project& project) {
   for (std::size_t i = 0; i < project.cuts.size(); ++i) {
     const auto& joints = project.cuts[i].ends_at;
@@ -154,7 +165,7 @@ void validate_references(const Project& project) {
   }
   check_joints(project);
   check_cut_solids(project);
-  check_combined_solids(project);
+  check_parts_of_solids(project);
   check_joints_where_cuts_end(project);
   for (std::size_t i = 0; i < project.blocks.size(); ++i) {
     const auto& material = project.blocks[i].material;

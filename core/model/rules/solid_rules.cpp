@@ -110,10 +110,8 @@ void check_shape(const SectionShape& shape, const Place& solid) {
   require_positive(shape.width, place / "width", "width", "m");
 }
 
-void check_shape(const CombinedShape& shape, const Place& solid) {
-  const Place place = solid / "combine";
-  require(shape.solids.size() >= 2, place / "solids", "there is nothing to combine", "name two solids or more");
-}
+/// Its parts are looked at once they are all named: check_combined_solids.
+void check_shape(const CombinedShape&, const Place&) {}
 
 }  // namespace
 
@@ -140,23 +138,22 @@ void check(const Solid& solid, const Place& place) {
 }
 
 void check_combined_solids(const Project& project) {
-  std::vector<std::string> names, used;
-  for (const Solid& solid : project.solids) names.push_back(solid.name);
+  std::set<std::string> before, used;
   for (std::size_t i = 0; i < project.solids.size(); ++i) {
-    const auto* combined = std::get_if<CombinedShape>(&project.solids[i].shape);
-    if (!combined) continue;
-    for (std::size_t k = 0; k < combined->solids.size(); ++k) {
-      const std::string& name = combined->solids[k];
-      const Place place = Place() / "solids" / i / "combine" / "solids" / k;
-      const auto found = std::find(names.begin(), names.end(), name);
-      require(found != names.end(), place, "there is no solid '" + name + "'", suggest_name(name, names));
-      // What is made comes after what it is made of: there is no circle then.
-      require(found < names.begin() + static_cast<std::ptrdiff_t>(i) || found == names.end(), place,
-              "'" + name + "' does not stand before the solid that is made of it", "move it up in the list of solids");
-      require(std::find(used.begin(), used.end(), name) == used.end(), place,
-              "'" + name + "' is a part of another solid already", "copy it under another name");
-      used.push_back(name);
+    const Solid& solid = project.solids[i];
+    if (const auto* combined = std::get_if<CombinedShape>(&solid.shape)) {
+      const Place parts = Place() / "solids" / i / "combine" / "solids";
+      require(combined->solids.size() >= 2, parts, "there is nothing to combine", "name two solids or more");
+      for (std::size_t k = 0; k < combined->solids.size(); ++k) {
+        const std::string& part = combined->solids[k];
+        // What is made comes after what it is made of: there is no circle then.
+        require(before.contains(part), parts / k, "'" + part + "' does not stand before the solid that is made of it",
+                "move it up in the list of solids, or name another one");
+        require(used.insert(part).second, parts / k, "'" + part + "' is a part of a solid already",
+                "copy it under another name, or name another one");
+      }
     }
+    before.insert(solid.name);
   }
 }
 

@@ -15,7 +15,8 @@ bool is_terrain_file(const std::string& path);
 /// The rules of a solid, at `place` in the project. Throws InputError for the first that is broken.
 void check(const Solid& solid, const Place& place);
 
-/// Solids that are made of others name such as there are, and do not go round in a circle.
+/// Solids that are made of others are made of two or more, each of which stands before them and is a part once. Throws
+/// InputError for the first that is not.
 void check_combined_solids(const Project& project);
 
 }  // namespace talus

@@ -80,6 +80,7 @@ void check_each(const Things& things, const char* list) {
 
 void require_solids(const Project& project) {
   require(!project.solids.empty(), Place() / "solids", "the project has no solid", "add a box, a polyhedron or a file");
+  check_combined_solids(project);
 }
 
 }  // namespace

@@ -107,8 +107,8 @@ TEST(Edits, ThingsAreCopiedAndMoved) {
   EXPECT_EQ(std::next(project["joints"].begin()).key(), "J2 1");
   EXPECT_EQ(edits::duplicate(project, Place("/solids/0")), Place("/solids/1"));
   EXPECT_EQ(project["solids"][1]["name"], "slope 1");
-  EXPECT_EQ(edits::move(project, Place("/solids/0"), 9), Place("/solids/3"));
-  EXPECT_EQ(project["solids"][3]["name"], "slope");
+  EXPECT_EQ(edits::move(project, Place("/solids/0"), 9), Place("/solids/7"));
+  EXPECT_EQ(project["solids"][7]["name"], "slope");
   edits::move(project, Place("/joints/J1"), -5);
   EXPECT_EQ(project["joints"].begin().key(), "J1");
   EXPECT_NO_THROW(parse_project(project.dump()));
@@ -143,7 +143,7 @@ TEST(Things, ThatAreNamedByOthersAreNotDeleted) {
     things::remove(document, {Item::Kind::material, 0});
     FAIL() << "deleted";
   } catch (const InputError& error) {
-    EXPECT_EQ(error.problem(), "material soft rock is used by solid slope, solid hill");
+    EXPECT_EQ(error.problem(), "material soft rock is used by solid slope, solid hill, solid bore, solid bench, 1 more");
   }
   things::remove(document, {Item::Kind::expectation, 0});
   EXPECT_EQ(document.project().expect.size(), 1u);

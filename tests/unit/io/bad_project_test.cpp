@@ -99,14 +99,6 @@ const std::vector<BadText> against_schema{
 };
 INSTANTIATE_TEST_SUITE_P(AgainstSchema, BadProject, testing::ValuesIn(against_schema));
 
-const std::vector<BadText> not_computed{
-    {"\"box\": {\"min\": [0, 0, 0], \"max\": [10, 10, 10]}", "\"terrain\": {\"file\": \"dem.asc\", \"base\": 100}",
-     "line 12, /solids/0/terrain", "does not compute this yet: a digital terrain model", "STEP file"},
-    {"\"through\": [5, 5, 5]", "\"disc\": {\"centre\": [5, 5, 5], \"radius\": 4}", "line 15, /cuts/0/disc",
-     "does not compute this yet: a joint of finite size", "plane 'through' a point"},
-};
-INSTANTIATE_TEST_SUITE_P(NotComputed, BadProject, testing::ValuesIn(not_computed));
-
 const std::vector<BadText> against_rules{
     {"\"joint\": \"J2\"", "\"joint\": \"X7\"", "line 15, /cuts/0/joint", "joint 'X7' is used here but not defined",
      "define it under joints, or use one of J1, J2"},

@@ -95,7 +95,7 @@ TEST_F(ProjectOnDisk, ALinkMayNotLeadOutOfTheFolder) {
     read_project(inner / "a.talus");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(error.place(), "line 30, /solids/2/file");
+    EXPECT_EQ(error.place(), "line 31, /solids/2/file");
     EXPECT_THAT(error.problem(), HasSubstr("outside"));
   }
   EXPECT_EQ(read_project(inner / "a.talus", {.allow_outside = true}), project);

@@ -27,20 +27,41 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   EXPECT_EQ(p.joints[0], (Joint{"J2", 8, 0, 0, {}, {}, {}, {}}));
   EXPECT_EQ(p.joints[1], (Joint{"J1", 30, 2e5, 1e4, 25, 1e10, 4e9, 0.4}));
   EXPECT_EQ(p.default_joint, "J1");
-  ASSERT_EQ(p.solids.size(), 3u);
+  ASSERT_EQ(p.solids.size(), 7u);
   EXPECT_EQ(p.solids[0],
             (Solid{"slope", BoxShape{{0, 0, 0}, {10, 10, 10}}, "soft rock", BodyKind::tetrahedra, 1.0 / 3}));
   const PolyhedronShape wedge{{{20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {20, 0, std::nextafter(1.0, 2.0)}},
                               {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   EXPECT_EQ(p.solids[1], (Solid{"wedge", wedge, "hard/rock", BodyKind::automatic, {}}));
-  EXPECT_EQ(p.solids[2], (Solid{"hill", FileShape{"shapes/hill.step", 0.001}, "soft rock", BodyKind::fixed, {}}));
-  ASSERT_EQ(p.cuts.size(), 3u);
+  EXPECT_EQ(p.solids[2], (Solid{"hill", FileShape{"shapes/hill.step", 0.001}, "soft rock", BodyKind::fixed, {},
+                                Turn{{0, 0, 1}, 30, {1, 2, 3}}, {0, 0, -0.5}}));
+  EXPECT_EQ(p.solids[3].shape, SolidShape(TerrainShape{"land.asc", 100, 0.25}));
+  EXPECT_EQ(p.solids[4].shape, SolidShape(CylinderShape{{30, 0, 2}, {30, 10, 2}, 1.5, 12}));
+  EXPECT_EQ(p.solids[5].shape,
+            SolidShape(SectionShape{{{0, 0}, {20, 0}, {20, 10}, {10, 10}}, {40, 0, 0}, 75, 8}));
+  EXPECT_EQ(p.solids[6].shape, SolidShape(CombinedShape{CombineOperation::subtract, {"bench", "bore"}}));
+  ASSERT_EQ(p.cuts.size(), 6u);
   EXPECT_EQ(p.cuts[0], (Cut{"J1", 35, 120, {5, 5, 5}, {}, {}, {"slope", "hill"}}));
   EXPECT_EQ(p.cuts[1], (Cut{"J2", 60, 30, {5, 5, 5}, 1.5, 4, {}, SpacingLaw::lognormal, 0.25, 120.0, 7}));
   EXPECT_EQ(p.cuts[2], (Cut{"J2", 90, 360, {1e-3, 5, 5}, 2.0, 3, {}}));
-  ASSERT_EQ(p.blocks.size(), 2u);
+  Cut disc{"J2", 10, 45, {4, 4, 4}, {}, {}, {}};
+  disc.disc = Disc{{4, 4, 4}, 2.5};
+  disc.ends_at = {"J1"};
+  EXPECT_EQ(p.cuts[3], disc);
+  Cut polygon{"J2", 0, 0, {8.0 / 3, 4.0 / 3, 2}, {}, {}, {}};
+  polygon.polygon = {{0, 0, 2}, {4, 0, 2}, {4, 4, 2}};
+  EXPECT_EQ(p.cuts[4], polygon);
+  Cut network{"J1", 70, 200, {5, 5, 5}, {}, {}, {}, SpacingLaw::equal, {}, 50, 3};
+  network.network = JointNetwork{{{0, 0, 0}, {10, 10, 10}}, 0.5, 2, RadiusLaw::lognormal, 0.75};
+  EXPECT_EQ(p.cuts[5], network);
+  EXPECT_EQ(p.origin, Vec3(2600000, 1200000.5, 400));
+  EXPECT_EQ(p.merges, (std::vector{Merge{{1, 1, 1}, {2, 1, 1}}}));
+  EXPECT_EQ(p.splinters, (Splinters{0.01, SplinterRule::merge}));
+  EXPECT_EQ(p.mesh, (MeshSettings{1.25, {{{5, 5, 10}, 2, 0.2}}, 200000}));
+  ASSERT_EQ(p.blocks.size(), 3u);
   EXPECT_EQ(p.blocks[0], (BlockOverride{"top", {5, 5, 9}, BodyKind::tetrahedra, "hard/rock", 0.5}));
   EXPECT_EQ(p.blocks[1], (BlockOverride{"foot", {5, 5, 1}, BodyKind::fixed, {}, {}}));
+  EXPECT_EQ(p.blocks[2], (BlockOverride{"dug out", {9, 9, 9}, {}, {}, {}, true}));
   EXPECT_EQ(p.interfaces.at(0), (Interface{{"top", "wedge"}, "J2"}));
   ASSERT_EQ(p.constraints.size(), 3u);
   EXPECT_EQ(p.constraints[0], (Constraint{"foot", Vec3(0, 0, 0), {0.0, std::nullopt, -0.001}}));
@@ -259,8 +280,8 @@ TEST(ProjectMerge, AThingAddedAtTheEndComesBehindTheLastOnesComment) {
   cut.solids.clear();
   project.cuts.push_back(cut);
   EXPECT_EQ(write_project(project, full_project),
-            replaced(full_project, "\"count\": 3} // last\n",
-                     "\"count\": 3}, // last\n"
+            replaced(full_project, "\"radius_deviation\": 0.75}} // last\n",
+                     "\"radius_deviation\": 0.75}}, // last\n"
                      "    {\"joint\": \"J1\", \"dip\": 35, \"dip_direction\": 120, \"through\": [5, 5, 5]}\n"));
 }
 
@@ -283,7 +304,7 @@ TEST(ProjectMerge, AThingRemovedTakesItsCommentsWithIt) {
 TEST(ProjectMerge, ARenamedMaterialKeepsItsNeighboursComments) {
   Project project = parse_project(full_project);
   project.materials[1].name = "granite";
-  project.solids[1].material = "granite";
+  for (const std::size_t solid : {1, 3}) project.solids[solid].material = "granite";
   project.blocks[0].material = "granite";
   const std::string text = write_project(project, full_project);
   EXPECT_EQ(parse_project(text), project);

@@ -40,7 +40,7 @@ TEST(ProjectProblems, AllBrokenRulesAreToldAtOnceAndTheFirstIsTheOneThatValidate
   project.materials[0].density = -1;
   project.materials[0].poisson = 0.7;
   project.solids[0].material = "rok";
-  project.solids.push_back({.name = "hill", .shape = FileShape{"hill.obj", 1}, .material = "rock", .mesh_size = {}});
+  project.solids.push_back({.name = "hill", .shape = FileShape{"hill.dwg", 1}, .material = "rock", .mesh_size = {}});
   project.stages[0].steps.reset();
   project.monitors[0].block = "bse";
   EXPECT_THAT(places(project, Kind::error),

@@ -44,16 +44,118 @@ const std::vector<BadProject> bad_values{
                                            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {1, 4, 2}}};
      },
      "/solids/0/polyhedron/faces/3", "in the same direction", "outside"},
-    {"stl",
+    {"drawing",
      [](Project& p) {
-       p.solids[0].shape = FileShape{"hill.stl", 1};
+       p.solids[0].shape = FileShape{"hill.dwg", 1};
      },
-     "/solids/0/file", "'.stl'", "STEP"},
+     "/solids/0/file", "'.dwg'", "STEP"},
     {"scale",
      [](Project& p) {
        p.solids[0].shape = FileShape{"hill.STP", 0};
      },
      "/solids/0/scale", "greater than 0", "metres per unit"},
+    {"terrain of a drawing",
+     [](Project& p) {
+       p.solids[0].shape = TerrainShape{"land.dwg", 0, 0};
+     },
+     "/solids/0/terrain/file", "'.dwg'", "grid of heights"},
+    {"terrain tolerance",
+     [](Project& p) {
+       p.solids[0].shape = TerrainShape{"land.asc", 0, -1};
+     },
+     "/solids/0/terrain/tolerance", "not be negative", " m"},
+    {"cylinder without length",
+     [](Project& p) {
+       p.solids[0].shape = CylinderShape{{1, 1, 1}, {1, 1, 1}, 1, 8};
+     },
+     "/solids/0/cylinder/to", "no length", "two ends"},
+    {"cylinder of two sides",
+     [](Project& p) {
+       p.solids[0].shape = CylinderShape{{0, 0, 0}, {1, 1, 1}, 1, 2};
+     },
+     "/solids/0/cylinder/sides", "not 2", "24"},
+    {"section of a line",
+     [](Project& p) {
+       p.solids[0].shape = SectionShape{{{0, 0}, {1, 1}, {2, 2}}, {0, 0, 0}, 90, 1};
+     },
+     "/solids/0/section/points", "no area", "not in one line"},
+    {"section that crosses itself",
+     [](Project& p) {
+       p.solids[0].shape = SectionShape{{{0, 0}, {3, 2}, {3, 0}, {0, 1}}, {0, 0, 0}, 90, 1};
+     },
+     "/solids/0/section/points", "crosses itself", "in order"},
+    {"section that touches itself",
+     [](Project& p) {
+       p.solids[0].shape = SectionShape{{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}, {0, 0, 0}, 90, 1};
+     },
+     "/solids/0/section/points", "touches", "in order"},
+    {"turned about nothing",
+     [](Project& p) {
+       p.solids[0].turn = Turn{{0, 0, 0}, 10, {0, 0, 0}};
+     },
+     "/solids/0/turn/axis", "no direction", "upright"},
+    {"combined of one",
+     [](Project& p) {
+       p.solids.push_back(p.solids[0]);
+       p.solids[1].name = "all";
+       p.solids[1].shape = CombinedShape{CombineOperation::unite, {p.solids[0].name}};
+     },
+     "/solids/1/combine/solids", "nothing to combine", "two solids"},
+    {"combined of itself",
+     [](Project& p) {
+       p.solids.push_back(p.solids[0]);
+       p.solids[1].name = "all";
+       p.solids[1].shape = CombinedShape{CombineOperation::unite, {p.solids[0].name, "all"}};
+     },
+     "/solids/1/combine/solids/1", "does not stand before", "move it up"},
+    {"combined twice of one",
+     [](Project& p) {
+       p.solids.push_back(p.solids[0]);
+       p.solids[1].name = "all";
+       p.solids[1].shape = CombinedShape{CombineOperation::unite, {p.solids[0].name, p.solids[0].name}};
+     },
+     "/solids/1/combine/solids/1", "a part of a solid already", "another name"},
+    {"combined of nobody",
+     [](Project& p) {
+       p.solids.push_back(p.solids[0]);
+       p.solids[1].name = "all";
+       p.solids[1].shape = CombinedShape{CombineOperation::unite, {p.solids[0].name, "tunel"}};
+     },
+     "/solids/1/combine/solids/1", "no solid 'tunel'", ""},
+    {"disc and polygon",
+     [](Project& p) {
+       p.cuts[0].disc = Disc{{0, 0, 0}, 1};
+       p.cuts[0].polygon.assign(3, Vec3::Zero());
+     },
+     "/cuts/0", "not several", "cuts of their own"},
+    {"disc without size",
+     [](Project& p) {
+       p.cuts[0].disc = Disc{{0, 0, 0}, 0};
+     },
+     "/cuts/0/disc/radius", "greater than 0", " m"},
+    {"polygon of two corners", [](Project& p) { p.cuts[0].polygon.assign(2, Vec3::Zero()); }, "/cuts/0/polygon",
+     "at least three", "add corners"},
+    {"network in a flat box",
+     [](Project& p) {
+       p.cuts[0].network = JointNetwork{{{0, 0, 0}, {1, 1, 0}}, 1, 1, RadiusLaw::equal, {}};
+     },
+     "/cuts/0/network/box/max/2", "greater than min", "thickness"},
+    {"deviation of equal radii",
+     [](Project& p) {
+       p.cuts[0].network = JointNetwork{{{0, 0, 0}, {1, 1, 1}}, 1, 1, RadiusLaw::equal, 0.5};
+     },
+     "/cuts/0/network/radius_deviation", "no standard deviation", "lognormal"},
+    {"joint that ends at nothing", [](Project& p) { p.cuts[0].ends_at = {"J9"}; }, "/cuts/0/ends_at/0",
+     "is used here but not defined", "joints"},
+    {"splinters of no thickness", [](Project& p) { p.splinters.thickness = 0; }, "/splinters/thickness",
+     "greater than 0", " m"},
+    {"refined to nothing",
+     [](Project& p) {
+       p.mesh.refinements = {{{0, 0, 0}, 1, 0}};
+     },
+     "/mesh/refinements/0/size", "greater than 0", " m"},
+    {"no tetrahedra", [](Project& p) { p.mesh.most_tetrahedra = 0; }, "/mesh/most_tetrahedra", "greater than 0",
+     "tetrahedra"},
     {"mesh size", [](Project& p) { p.solids[0].mesh_size = 0; }, "/solids/0/mesh_size", "greater than 0", " m"},
     {"dip", [](Project& p) { p.cuts[0].dip = 91; }, "/cuts/0/dip", "0 to 90, is 91", "horizontal"},
     {"dip direction", [](Project& p) { p.cuts[0].dip_direction = -1; }, "/cuts/0/dip_direction", "0 to 360, is -1",
@@ -97,7 +199,7 @@ const std::vector<BadProject> no_numbers{
      [](Project& p) {
        p.solids[0].shape = FileShape{"", 1};
      },
-     "/solids/0/file", "the file name is empty", "STEP"},
+     "/solids/0/file", "the file name is empty", "beside the project"},
     {"dip", [](Project& p) { p.cuts[0].dip = nan; }, "/cuts/0/dip", "not a finite", "finite"},
     {"dip direction", [](Project& p) { p.cuts[0].dip_direction = nan; }, "/cuts/0/dip_direction", "not a finite",
      "finite"},
