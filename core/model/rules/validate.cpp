@@ -80,7 +80,6 @@ void check_each(const Things& things, const char* list) {
 
 void require_solids(const Project& project) {
   require(!project.solids.empty(), Place() / "solids", "the project has no solid", "add a box, a polyhedron or a file");
-  check_combined_solids(project);
 }
 
 }  // namespace
@@ -90,12 +89,14 @@ void validate(const Project& project) {
   require(!project.stages.empty(), Place() / "stages", "the project has no stage",
           "add one with a type, a time_step, and steps or a duration");
   validate_what_is_there(project);
+  check_combined_solids(project);
   validate_default_joint(project);
 }
 
 void validate_for_cutting(const Project& project) {
   require_solids(project);
   validate_what_is_there(project);
+  check_combined_solids(project);
 }
 
 void validate_what_is_there(const Project& project) {
