@@ -48,6 +48,13 @@ TEST_F(DrivenForm, EveryFieldOfTheSchemaIsSetThroughTheWindowAndTakenBack) {
   // What a new thing has already is changed, and changed back.
   for (const auto& [at, other] : {std::pair<const char*, Json>{"/solids/0/box/min", {-1, 0, 0}},
                                   {"/solids/0/box/max", {11, 10, 10}},
+                                  {"/solids/2/turn/axis", {1, 0, 1}},
+                                  {"/solids/5/section/points", {{0, 0}, {20, 0}, {20, 10}}},
+                                  {"/solids/6/combine/operation", "unite"},
+                                  {"/cuts/5/network/box/min", {-1, 0, 0}},
+                                  {"/cuts/5/network/box/max", {11, 10, 10}},
+                                  {"/cuts/5/network/density", 0.25},
+                                  {"/cuts/5/network/radius", 1},
                                   {"/interfaces/0/joint", "J1"},
                                   {"/loads/0/block", "wedge"},
                                   {"/monitors/0/block", "wedge"},
@@ -59,7 +66,7 @@ TEST_F(DrivenForm, EveryFieldOfTheSchemaIsSetThroughTheWindowAndTakenBack) {
     enter(place, other);
     enter(place, target.at(place));
   }
-  entered.insert(fieldAt(Place("/solids/0/box")));  // its corners were set
+  for (const char* box : {"/solids/0/box", "/cuts/5/network/box"}) entered.insert(fieldAt(Place(box)));  // by corners
   EXPECT_EQ(nlohmann::json(project()), nlohmann::json(target));
   EXPECT_THAT(missing(fieldsOf(schema::root()), entered), IsEmpty());
 
