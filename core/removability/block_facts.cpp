@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/units.hpp"
+#include "mesh/moments.hpp"
 
 namespace talus {
 
@@ -99,6 +100,7 @@ std::vector<BlockFacts> block_facts(const Project& project, const BlockSystem& s
     const Block& block = system.blocks[i];
     facts[i].neighbours.assign(neighbours[i].begin(), neighbours[i].end());
     facts[i].joints.assign(joints[i].begin(), joints[i].end());
+    facts[i].centroid = volume_moments(block.mesh).centroid;
     facts[i].slenderness = slenderness(block, facts[i].area);
     facts[i].fixed = block.body == BodyKind::fixed;
     std::vector<HoldingPlane> planes;

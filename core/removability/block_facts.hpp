@@ -12,6 +12,7 @@ namespace talus {
 struct BlockFacts {
   int faces = 0;                       ///< flat ones
   int free_faces = 0;                  ///< those against no other block
+  Vec3 centroid = Vec3::Zero();        ///< m
   double area = 0;                     ///< m²
   double free_area = 0;                ///< m², against no other block
   std::vector<int> neighbours;         ///< blocks that it lies against, ascending

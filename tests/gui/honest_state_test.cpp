@@ -6,7 +6,7 @@
 
 #include "driven_window.hpp"
 #include "listed_runs.hpp"
-#include "widgets/project/page_table.hpp"
+#include "widgets/blocks/blocks_panel.hpp"
 #include "widgets/results/export_strip.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/view/timeline.hpp"
@@ -70,9 +70,9 @@ TEST_F(HonestState, AnotherBodyTakesTheTicksOfBlocksAndMeshAndMarksTheTable) {
   openAndMesh(slidingCube(40));
   session->display.goTo(WorkflowPage::blocks);
   EXPECT_EQ(tick("blocks"), RailItem::State::done);
-  const auto* table = window->findChild<PageTable*>();
+  const auto* table = window->findChild<BlocksPanel*>();
   QString title;
-  QObject::connect(table, &PageTable::titleChanged, [&](const QString& words) { title = words; });
+  QObject::connect(table, &BlocksPanel::titleChanged, [&](const QString& words) { title = words; });
   Project changed = session->project.document().project();
   changed.solids[1].body = BodyKind::rigid;
   session->project.document().change(changed, QStringLiteral("make the block rigid"));

@@ -176,7 +176,7 @@ TEST(PageTable, ListsEveryCutUnderItsJointAndJointsWithoutOne) {
   cut.spacing = 2.5;
   cut.count = 3;
   project.cuts = {cut};
-  const PageRows rows = rowsOf(WorkflowPage::joints, project, nullptr);
+  const PageRows rows = rowsOf(WorkflowPage::joints, project);
   ASSERT_EQ(rows.rows.size(), 2u);
   EXPECT_EQ(rows.rows[0].item, (Item{Item::Kind::cut, 0}));
   EXPECT_EQ(rows.rows[0].cells.join(u'|').toStdString(), "J1|1|34.0|070|2.50|3|30.0|2.00|0");
@@ -188,7 +188,7 @@ TEST(PageTable, SaysHowLongATableIsAndThatAWholeBlockMoves) {
   Project project;
   project.loads = {{"top", {1, 2, 3}, {0, 0, -2e6}}, {"top", {1, 2, 3}, {0, 0, 0}, {{0, {0, 0, 0}}, {2.5, {1, 0, 0}}}}};
   project.constraints = {{"base", {}, {0, 0, 0}, {{1, {0, 0, 0}}}}, {"top", Vec3(0, 0, 1), {0, {}, 0.5}}};
-  const PageRows rows = rowsOf(WorkflowPage::loads, project, nullptr);
+  const PageRows rows = rowsOf(WorkflowPage::loads, project);
   ASSERT_EQ(rows.rows.size(), 4u);
   EXPECT_EQ(rows.rows[0].cells.join(u'|').toStdString(), "force, kN|top|1.000, 2.000, 3.000|0, 0, −2000");
   EXPECT_EQ(rows.rows[1].cells.last().toStdString(), "2 rows, 0 … 2.500 s");
@@ -203,7 +203,7 @@ TEST(PageTable, SaysThatAStageEndsAtEquilibrium) {
   project.stages[0].time_step = project.stages[1].time_step = 0.01;
   project.stages[0].steps = project.stages[1].steps = 10;
   project.stages[0].until_equilibrium = true;
-  const PageRows rows = rowsOf(WorkflowPage::stages, project, nullptr);
+  const PageRows rows = rowsOf(WorkflowPage::stages, project);
   ASSERT_EQ(rows.rows.size(), 2u);
   EXPECT_EQ(rows.rows[0].cells[1].toStdString(), "static, until equilibrium");
   EXPECT_EQ(rows.rows[1].cells[1].toStdString(), "dynamic");

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <algorithm>
+#include <set>
 
 #include "model/quantity.hpp"
 
@@ -24,49 +25,60 @@ std::vector<std::string> namesIn(const Json& list) {
   return names;
 }
 
-/// Where in `text` the name ends that it begins with, by its rule; nothing when it names something else.
-bool namesThing(const std::string& text, const Json& rule, const std::string& name) {
+using NewNames = std::map<std::string, std::string>;
+
+/// Which of some names a text has, by its rule: a key of `names`, or its end.
+NewNames::const_iterator namedBy(const std::string& text, const Json& rule, const NewNames& names) {
+  std::string thing = text;
   if (rule.value("quantity", false)) {
     const auto quantity = parse_quantity(text);
-    return quantity && namesThing(quantity->of, {{"pieces", rule.value("pieces", false)}}, name);
+    if (!quantity) return names.end();
+    thing = quantity->of;
   }
-  if (text == name) return true;
-  return rule.value("pieces", false) && text.starts_with(name + ".") && text.size() > name.size() + 1 &&
-         text.find_first_not_of("0123456789", name.size() + 1) == std::string::npos;
+  if (const auto found = names.find(thing); found != names.end()) return found;
+  const auto dot = thing.rfind('.');
+  const bool isPiece = rule.value("pieces", false) && dot != std::string::npos && dot + 1 < thing.size() &&
+                       thing.find_first_not_of("0123456789", dot + 1) == std::string::npos;
+  return isPiece ? names.find(thing.substr(0, dot)) : names.end();
 }
 
 /// A key of an object, or a text, that names a thing.
 struct Reference {
   Place place;
   bool isKey = false;
+  std::string name;
 };
 
-void collect(const Json& value, const Json& rule, const Place& place, const std::string& list, const std::string& name,
+void collect(const Json& value, const Json& rule, const Place& place, const std::string& list, const NewNames& names,
              std::vector<Reference>& found) {
-  const bool names = contains(listsNamedBy(rule), list);
+  const bool mayName = contains(listsNamedBy(rule), list);
   if (value.is_string()) {
-    if (names && namesThing(value.get<std::string>(), rule, name)) found.push_back(Reference{place, false});
+    if (!mayName) return;
+    const auto named = namedBy(value.get<std::string>(), rule, names);
+    if (named != names.end()) found.push_back({place, false, named->first});
     return;
   }
   if (!value.is_structured() || schema::kindOf(rule) == schema::Kind::table) return;
+  const bool isList = value.is_array();
+  const Json elementRule = isList ? schema::memberRule(rule, {}) : Json();
   for (const auto& [key, member] : value.items()) {
-    const Place inside = value.is_array() ? place / std::stoul(key) : place / key;
-    if (value.is_object() && names && key == name) found.push_back(Reference{inside, true});
-    const Json memberRule = schema::memberRule(rule, key);
-    if (!memberRule.is_null()) collect(member, memberRule, inside, list, name, found);
+    const Place inside = isList ? place / std::stoul(key) : place / key;
+    if (!isList && mayName && names.contains(key)) found.push_back({inside, true, key});
+    const Json memberRule = isList ? elementRule : schema::memberRule(rule, key);
+    if (!memberRule.is_null()) collect(member, memberRule, inside, list, names, found);
   }
 }
 
-std::vector<Reference> referencesTo(const std::string& list, const std::string& name, const Json& project) {
+std::vector<Reference> referencesTo(const std::string& list, const NewNames& names, const Json& project) {
   std::vector<Reference> found;
-  collect(project, schema::root(), Place(), list, name, found);
+  collect(project, schema::root(), Place(), list, names, found);
   return found;
 }
 
-/// The same object with one key called otherwise, in its place.
-void renameKey(Json& object, const std::string& from, const std::string& to) {
+/// The same object with some keys called otherwise, in their places.
+void renameKeys(Json& object, const NewNames& names) {
   Json renamed = Json::object();
-  for (const auto& [key, value] : object.items()) renamed[key == from ? to : key] = value;
+  for (const auto& [key, value] : object.items()) renamed[names.contains(key) ? names.at(key) : key] = value;
   object = std::move(renamed);
 }
 
@@ -99,17 +111,19 @@ std::string fresh(const std::string& stem, const std::vector<std::string>& lists
 
 std::vector<Place> usesOf(const std::string& list, const std::string& name, const Json& project) {
   std::vector<Place> places;
-  for (const auto& reference : referencesTo(list, name, project)) places.push_back(reference.place);
+  for (const auto& reference : referencesTo(list, {{name, name}}, project)) places.push_back(reference.place);
   return places;
 }
 
-void follow(Json& project, const std::string& list, const std::string& from, const std::string& to) {
-  for (const auto& [place, isKey] : referencesTo(list, from, project)) {
+void follow(Json& project, const std::string& list, const std::map<std::string, std::string>& names) {
+  std::set<Place> objects;  // whose keys are names
+  for (const auto& [place, isKey, name] : referencesTo(list, names, project)) {
     if (isKey)
-      renameKey(project.at(place.parent_pointer()), from, to);
+      objects.insert(place.parent_pointer());
     else
-      project.at(place) = to + project.at(place).get<std::string>().substr(from.size());
+      project.at(place) = names.at(name) + project.at(place).get<std::string>().substr(name.size());
   }
+  for (const Place& place : objects) renameKeys(project.at(place), names);
 }
 
 void rename(Json& project, const Place& thing, const std::string& to) {
@@ -117,9 +131,9 @@ void rename(Json& project, const Place& thing, const std::string& to) {
   Json& things = project.at(thing.parent_pointer());
   const std::string from =
       things.is_object() ? thing.back() : things.at(std::stoul(thing.back())).at("name").get<std::string>();
-  follow(project, list, from, to);
+  follow(project, list, {{from, to}});
   if (things.is_object())
-    renameKey(things, from, to);
+    renameKeys(things, {{from, to}});
   else
     things.at(std::stoul(thing.back()))["name"] = to;
 }

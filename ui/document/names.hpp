@@ -2,6 +2,7 @@
 
 #include <QStringList>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@ std::vector<std::string> listsBeside(const std::string& list);
 
 /// The places that name the thing `name` of a list.
 std::vector<Place> usesOf(const std::string& list, const std::string& name, const Json& project);
-/// All that name the thing `from` of a list name `to` from now on.
-void follow(Json& project, const std::string& list, const std::string& from, const std::string& to);
+/// All that name a thing of a list that is a key of `names` name it by the value from now on; all at once, so that two
+/// may change their names.
+void follow(Json& project, const std::string& list, const std::map<std::string, std::string>& names);
 /// The thing at a place of a list gets another name, and all that name it follow.
 void rename(Json& project, const Place& thing, const std::string& to);
 

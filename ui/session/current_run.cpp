@@ -7,6 +7,7 @@
 #include "session/current_project.hpp"
 #include "session/messages.hpp"
 #include "session/playback.hpp"
+#include "session/volume_sum.hpp"
 
 namespace talus {
 
@@ -141,6 +142,7 @@ void CurrentRun::takeNews(const JobNews& news) {
   if (news.system) {
     project_.setSystem(news.system);
     messages_.log(tr("%1 cut and meshed").arg(countOf(*news.system)));
+    if (const auto problem = volumeProblem(*news.system, project_.builtFrom())) messages_.add(*problem);
   }
   if (news.size) size_ = news.size;
   if (!news.effects.empty()) effects_ = news.effects;

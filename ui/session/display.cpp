@@ -13,12 +13,14 @@ namespace {
 /// The page on which a place of the project file is changed.
 WorkflowPage pageOf(const QString& place) {
   static const std::map<QString, WorkflowPage> pages{
-      {QStringLiteral("solids"), WorkflowPage::geometry},     {QStringLiteral("joints"), WorkflowPage::joints},
-      {QStringLiteral("cuts"), WorkflowPage::joints},         {QStringLiteral("default_joint"), WorkflowPage::joints},
-      {QStringLiteral("blocks"), WorkflowPage::blocks},       {QStringLiteral("interfaces"), WorkflowPage::blocks},
-      {QStringLiteral("materials"), WorkflowPage::materials}, {QStringLiteral("stages"), WorkflowPage::stages},
-      {QStringLiteral("monitors"), WorkflowPage::stages},     {QStringLiteral("expect"), WorkflowPage::stages},
-      {QStringLiteral("solver"), WorkflowPage::stages},       {QStringLiteral("output"), WorkflowPage::stages}};
+      {QStringLiteral("solids"), WorkflowPage::geometry}, {QStringLiteral("joints"), WorkflowPage::joints},
+      {QStringLiteral("cuts"), WorkflowPage::joints},     {QStringLiteral("default_joint"), WorkflowPage::joints},
+      {QStringLiteral("blocks"), WorkflowPage::blocks},   {QStringLiteral("interfaces"), WorkflowPage::blocks},
+      {QStringLiteral("merges"), WorkflowPage::blocks},   {QStringLiteral("splinters"), WorkflowPage::blocks},
+      {QStringLiteral("mesh"), WorkflowPage::mesh},       {QStringLiteral("materials"), WorkflowPage::materials},
+      {QStringLiteral("stages"), WorkflowPage::stages},   {QStringLiteral("monitors"), WorkflowPage::stages},
+      {QStringLiteral("expect"), WorkflowPage::stages},   {QStringLiteral("solver"), WorkflowPage::stages},
+      {QStringLiteral("output"), WorkflowPage::stages}};
   const auto found = pages.find(place.section(u'/', 1, 1));
   return found == pages.end() ? WorkflowPage::loads : found->second;
 }
@@ -28,6 +30,7 @@ WorkflowPage pageOf(const QString& place) {
 Display::Display(CurrentProject& project, Playback& playback)
     : project_(project), playback_(playback), whole_(project, playback) {
   connect(&playback_, &Playback::frameChanged, this, &Display::takeFrame);
+  connect(&project_, &CurrentProject::systemChanged, this, [this] { mark({}); });  // they are places of other blocks
   connect(&whole_, &RunRange::changed, this, [this] {
     const auto before = settings_.range;
     takeFrame();
@@ -77,6 +80,12 @@ void Display::showField(const QString& place) {
   goTo(pageOf(place));
   project_.selection().select(itemAt(project_.document().project(), place));
   emit fieldWanted(place);
+}
+
+void Display::mark(std::vector<MarkedPlace> places) {
+  if (places == settings_.places) return;
+  settings_.places = std::move(places);
+  emit changed();
 }
 
 void Display::showTrouble(const ConvergenceTrouble& trouble) {

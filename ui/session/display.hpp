@@ -33,13 +33,18 @@ class Display : public QObject {
   void showField(const QString& place);
   /// Selects the blocks of a trouble and lets the view go there.
   void showTrouble(const ConvergenceTrouble& trouble);
+  /// Marks these places in the view, and no others.
+  void mark(std::vector<MarkedPlace> places);
+  /// Lets the view go to a place.
+  void showPlace(const MarkedPlace& place) { emit placeWanted(place); }
 
  signals:
   void pageChanged();
   void changed();  ///< the settings
   void themeChanged();
-  void unitsChanged();                                           ///< in which numbers are shown
+  void unitsChanged();  ///< in which numbers are shown
   void fieldWanted(const QString& place);
+  void placeWanted(const talus::MarkedPlace& place);             ///< the view should go there
   void troubleWanted(const talus::ConvergenceTrouble& trouble);  ///< the view should go there
 
  private:

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "io/project_file.hpp"
+#include "jobs/solver_job.hpp"
 
 namespace talus {
 
@@ -27,7 +28,9 @@ Session::Session(SolverParts parts)
     : project(messages),
       playback(project.document(), messages),
       run(project, playback, messages, std::move(parts)),
-      display(project, playback) {
+      display(project, playback),
+      survey(project),
+      colouring(project, survey, display) {
   QObject::connect(&playback, &Playback::resultsOpened, &display, [this](const ResultsIndex&, bool afterRun) {
     if (!afterRun || display.page() == WorkflowPage::solve) display.goTo(WorkflowPage::results);
   });

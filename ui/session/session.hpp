@@ -3,6 +3,8 @@
 #include <filesystem>
 
 #include "jobs/results_loader.hpp"
+#include "session/block_colouring.hpp"
+#include "session/block_survey.hpp"
 #include "session/current_project.hpp"
 #include "session/current_run.hpp"
 #include "session/display.hpp"
@@ -35,6 +37,8 @@ struct Session {
   CurrentRun run;
   Display display;
   Picking picking;
+  BlockSurvey survey;
+  BlockColouring colouring;
 
  private:
   bool openProject(const std::filesystem::path& file);

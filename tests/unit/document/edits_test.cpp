@@ -129,6 +129,16 @@ TEST(Names, OfWhatIsRenamedFollowEverywhere) {
   EXPECT_NO_THROW(parse_project(project.dump()));
 }
 
+TEST(Names, OfSeveralThingsChangeAtOnceSoThatTwoMaySwapThem) {
+  Json project = {{"loads", Json::array({{{"block", "a"}}, {{"block", "b"}}, {{"block", "c"}}})},
+                  {"interfaces", Json::array({{{"between", {"a", "b"}}}})}};
+  names::follow(project, "blocks", {{"a", "b"}, {"b", "a"}});
+  EXPECT_EQ(project["loads"][0]["block"], "b");
+  EXPECT_EQ(project["loads"][1]["block"], "a");
+  EXPECT_EQ(project["loads"][2]["block"], "c");
+  EXPECT_EQ(project["interfaces"][0]["between"], Json::array({"b", "a"}));
+}
+
 TEST(Names, AThingIsDescribedByItsKindAndName) {
   const Json project = full();
   EXPECT_EQ(names::described(Place("/joints/J1/cohesion"), project).toStdString(), "joint J1");

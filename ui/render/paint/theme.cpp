@@ -36,6 +36,12 @@ const std::array<Rgb, 8>& block_palette() {
   return palette;
 }
 
+const std::array<Rgb, 5>& caution_palette() {
+  static constexpr std::array<Rgb, 5> palette{rgb(0x7d93a6), rgb(0x99ddff), rgb(0xeedd88), rgb(0xee8866),
+                                              rgb(0xcc4125)};
+  return palette;
+}
+
 const std::array<Rgb, 6>& curve_palette(Theme theme) {
   static constexpr std::array<Rgb, 6> light{rgb(0x0068a8), rgb(0xc2540a), rgb(0x00806f),
                                             rgb(0xb3260f), rgb(0x7a3fa0), rgb(0x6f6a00)};

@@ -21,6 +21,9 @@ const ThemeColours& colours(Theme theme);
 /// Paul Tol's "light" scheme: for neighbouring blocks.
 const std::array<Rgb, 8>& block_palette();
 
+/// From what stays to what goes: five steps of caution, the last of them red.
+const std::array<Rgb, 5>& caution_palette();
+
 /// Curves and sets, each at least 3:1 against the theme's background.
 const std::array<Rgb, 6>& curve_palette(Theme theme);
 

@@ -48,6 +48,12 @@ LegendLayout layout(const Legend& legend, double em, double picture_height) {
   return out;
 }
 
+double width_of(const ColourKey& key, double em) {
+  double widest = text_width(key.title, em, FontWeight::semibold);
+  for (const KeyEntry& entry : key.entries) widest = std::max(widest, 1.2 * em + text_width(entry.meaning, em));
+  return widest + 2 * padding * em;
+}
+
 double title_row(const Overlay& overlay) { return overlay.title.empty() ? 0 : 2.2 * overlay.text_height; }
 
 void paint_bar(Painter& painter, const ColourMap& map, const PixelRect& bar) {
@@ -89,6 +95,24 @@ void paint_legend(Painter& painter, const Overlay& overlay, const OverlayView& v
     painter.line({bar.right, at}, {bar.right + tick_length * em, at}, hair * em, colour.line);
     painter.text({bar.right + 2 * tick_length * em, at}, parts.labels[i],
                  {.height = em, .colour = colour.text, .y = AlignY::centre});
+  }
+}
+
+void paint_colour_key(Painter& painter, const Overlay& overlay, const OverlayView& view) {
+  const ColourKey& key = *overlay.colour_key;
+  const double em = overlay.text_height, left = margin * em, inner = left + padding * em;
+  const double top = view.height - margin * em - title_row(overlay);
+  const double rows = static_cast<double>(key.entries.size() + 1);
+  const ThemeColours& colour = colours(overlay.theme);
+  painter.card({left, top - (2 * padding + rows * line_height) * em, left + width_of(key, em), top}, 0.4 * em,
+               colour.surface, 0.92, colour.frame, hair * em);
+  double y = top - padding * em;
+  painter.text({inner, y}, key.title,
+               {.height = em, .colour = colour.text, .weight = FontWeight::semibold, .y = AlignY::top});
+  for (const KeyEntry& entry : key.entries) {
+    y -= line_height * em;
+    painter.disc({inner + 0.35 * em, y - 0.55 * em}, 0.35 * em, entry.colour);
+    painter.text({inner + 1.2 * em, y}, entry.meaning, {.height = em, .colour = colour.text, .y = AlignY::top});
   }
 }
 
@@ -188,6 +212,7 @@ PixelRect free_area(const Overlay& overlay, double width, double height) {
   double left = margin * em;
   if (overlay.triad) left = std::max(left, (margin + triad_size) * em);
   if (overlay.legend) left = std::max(left, 2 * margin * em + layout(*overlay.legend, em, height).width);
+  if (overlay.colour_key) left = std::max(left, 2 * margin * em + width_of(*overlay.colour_key, em));
   const bool has_bottom =
       overlay.scale_bar || !overlay.key.empty() || !overlay.time.empty() || !overlay.remarks.empty();
   const double bottom = (margin + (has_bottom ? bottom_row : 0)) * em;
@@ -205,6 +230,7 @@ void paint(Painter& painter, const Overlay& overlay, const OverlayView& view) {
         {margin * em, view.height - 0.9 * margin * em}, overlay.title,
         {.height = 1.25 * em, .colour = colours(overlay.theme).text, .weight = FontWeight::semibold, .y = AlignY::top});
   if (overlay.legend) paint_legend(painter, overlay, view);
+  if (overlay.colour_key && !overlay.legend) paint_colour_key(painter, overlay, view);
   if (overlay.triad) paint_triad(painter, overlay, view);
   if (overlay.scale_bar) paint_scale_bar(painter, overlay, view);
   if (!overlay.key.empty()) paint_key(painter, overlay, view);

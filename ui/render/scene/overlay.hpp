@@ -8,6 +8,7 @@
 #include "render/paint/colour_map.hpp"
 #include "render/paint/painter.hpp"
 #include "render/paint/theme.hpp"
+#include "render/scene/block_colours.hpp"
 
 namespace talus {
 
@@ -18,10 +19,10 @@ struct Legend {
   double low = 0, high = 1;
 };
 
-/// A dot of the picture and what it means.
-struct KeyEntry {
-  Rgb colour;
-  std::string meaning;
+/// What the colours of blocks mean, under a title.
+struct ColourKey {
+  std::string title;
+  std::vector<KeyEntry> entries;
 };
 
 /// What is written over a picture: title, legend and axes on the left, scale bar and time along the bottom.
@@ -32,7 +33,8 @@ struct Overlay {
   std::string time;     ///< "t = 45.00 s"
   std::string remarks;  ///< beside the time: stage, exaggeration
   std::optional<Legend> legend;
-  std::vector<KeyEntry> key{};  ///< of contact points; empty: none are drawn
+  std::optional<ColourKey> colour_key{};  ///< in the legend's place
+  std::vector<KeyEntry> key{};            ///< of contact points; empty: none are drawn
   bool triad = true, scale_bar = true;
 };
 

@@ -1,6 +1,7 @@
 #include "render/scene/scene.hpp"
 
 #include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
 
 #include <Eigen/Geometry>
@@ -29,6 +30,37 @@ Vec3 unproject(vtkRenderer& renderer, double x, double y, double depth) {
   double world[4];
   renderer.GetWorldPoint(world);
   return Vec3(world[0], world[1], world[2]) / world[3];
+}
+
+/// Where points [m from the scene's origin] are in the picture, pixels from its upper left corner. The camera is asked
+/// once: VTK would work it out for each point.
+class PixelProjection {
+ public:
+  PixelProjection(vtkRenderer& renderer, std::array<double, 2> size) : size_(size) {
+    const vtkMatrix4x4& matrix =
+        *renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer.GetTiledAspectRatio(), -1, 1);
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k) matrix_(i, k) = matrix.GetElement(i, k);
+  }
+  std::array<double, 2> operator()(const Vec3& point) const {
+    const Eigen::Vector4d seen = matrix_ * point.homogeneous();
+    return {(1 + seen.x() / seen.w()) / 2 * size_[0], (1 - seen.y() / seen.w()) / 2 * size_[1]};
+  }
+
+ private:
+  Eigen::Matrix4d matrix_;
+  std::array<double, 2> size_;
+};
+
+/// By the number of sides that a ray to the right crosses.
+bool encloses(std::span<const std::array<double, 2>> outline, const std::array<double, 2>& point) {
+  bool inside = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    if ((a[1] > point[1]) == (b[1] > point[1])) continue;
+    inside ^= point[0] < a[0] + (b[0] - a[0]) * (point[1] - a[1]) / (b[1] - a[1]);
+  }
+  return inside;
 }
 
 }  // namespace
@@ -127,6 +159,8 @@ void Scene::set_troubles(std::vector<ConvergenceTrouble> troubles) {
 
 CameraPose Scene::pose_at(const ConvergenceTrouble& trouble) const { return state_->pose_at(trouble); }
 
+CameraPose Scene::pose_at(const MarkedPlace& place) const { return state_->pose_at(place.at, place.size); }
+
 std::optional<std::array<double, 2>> Scene::pixel_of(const Vec3& point) const {
   if (state_->renderer->GetRenderWindow() == nullptr) return {};
   const auto pixel = state_->pixel_of(point - state_->origin);
@@ -173,33 +207,37 @@ std::optional<Pick> Scene::pick(double x, double y) const {
   return pick;
 }
 
-std::vector<int> Scene::blocks_in(double left, double top, double right, double bottom, bool touched) const {
+std::vector<int> Scene::blocks_in(std::span<const std::array<double, 2>> outline, bool touched) const {
   vtkRenderer& renderer = *state_->renderer;
   if (renderer.GetRenderWindow() == nullptr) return {};
-  const double height = state_->size()[1];
+  const PixelProjection projection(renderer, state_->size());
   std::vector<int> inside(state_->system.blocks.size(), 0), all = inside;
-  for (const BlockActors* part : state_->parts())
-    for (const int t : part->drawn())
-      for (const int vertex : part->surface().triangles[t].vertices) {
-        const Vec3 p = part->positions()[vertex] - state_->origin;
-        renderer.SetWorldPoint(p.x(), p.y(), p.z(), 1);
-        renderer.WorldToDisplay();
-        const double* at = renderer.GetDisplayPoint();
-        const double y = height - 1 - at[1];
-        const auto block = static_cast<std::size_t>(part->surface().triangles[t].block);
-        ++all[block];
-        inside[block] += left <= at[0] && at[0] <= right && top <= y && y <= bottom ? 1 : 0;
+  for (const BlockActors* part : state_->parts()) {
+    const auto& positions = part->positions();
+    std::vector<signed char> known(positions.size(), -1);  // whether a vertex lies in the outline
+    for (const int t : part->drawn()) {
+      const auto& triangle = part->surface().triangles[t];
+      for (const int vertex : triangle.vertices) {
+        if (known[vertex] < 0) known[vertex] = encloses(outline, projection(positions[vertex] - state_->origin));
+        ++all[triangle.block];
+        inside[triangle.block] += known[vertex];
       }
+    }
+  }
   std::vector<int> blocks;
   for (std::size_t b = 0; b < all.size(); ++b)
     if (all[b] > 0 && (touched ? inside[b] > 0 : inside[b] == all[b])) blocks.push_back(static_cast<int>(b));
   return blocks;
 }
 
+std::vector<int> Scene::blocks_in(double left, double top, double right, double bottom, bool touched) const {
+  const std::array<double, 2> corners[] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+  return blocks_in(corners, touched);
+}
+
 Rgb Scene::block_colour(int block) const {
-  const auto index = static_cast<std::size_t>(block);
-  const bool fixed = state_->system.blocks.at(index).body == BodyKind::fixed;
-  return fixed ? colours(state_->settings.theme).rock : state_->block_colours[index];
+  if (block < 0 || block >= static_cast<int>(state_->system.blocks.size())) throw std::out_of_range("no such block");
+  return state_->colour_of(block);
 }
 
 std::optional<ValueRange> Scene::shown_range() const {

@@ -3,12 +3,14 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "mesh/block.hpp"
 #include "render/paint/theme.hpp"
+#include "render/scene/block_colours.hpp"
 #include "render/scene/field_range.hpp"
 #include "render/scene/joint_face.hpp"
 #include "results/convergence_trouble.hpp"
@@ -28,7 +30,10 @@ View view_named(std::string_view name);
 /// What a scene shows and how. Plain values; hand a changed copy to Scene::set_settings.
 struct SceneSettings {
   Theme theme = Theme::light;
-  std::optional<Field> field;       ///< colours the movable blocks; empty: a colour a block
+  std::optional<Field> field;  ///< colours the movable blocks; empty: a colour a block
+  /// Of blocks that no field colours; null, or of other blocks: each has its own, fixed ones are grey.
+  std::shared_ptr<const BlockColours> block_colours{};
+  std::vector<MarkedPlace> places{};
   std::optional<ValueRange> range;  ///< of the legend, SI; empty: of the frame that is shown
   Edges edges = Edges::blocks;
   double deformation_scale = 1;  ///< displacements are drawn this many times too large
@@ -123,6 +128,8 @@ class Scene {
   void set_troubles(std::vector<ConvergenceTrouble> troubles);
   /// A pose that looks the way the camera looks now, at the place of a trouble, with the smaller of its blocks whole.
   CameraPose pose_at(const ConvergenceTrouble& trouble) const;
+  /// The same of a marked place.
+  CameraPose pose_at(const MarkedPlace& place) const;
 
   /// The visible surface under a pixel counted from the picture's upper left corner; empty over the background.
   /// Needs a renderer that is in a window of known size, but no GL context.
@@ -136,8 +143,10 @@ class Scene {
   /// Where a point of a block at rest is drawn in the frame that is shown, m.
   Vec3 drawn_place(int block, const Vec3& rest) const;
 
-  /// Blocks that are shown and lie in a rectangle of the picture, pixels from its upper left corner: wholly, or where
-  /// `touched` is said with a corner of the surface. Ascending. Needs what `pick` needs.
+  /// Blocks that are shown and lie in a closed outline in the picture, its corners in pixels from the upper left
+  /// corner: wholly, or where `touched` is said with a corner of the surface. Ascending. Needs what `pick` needs.
+  std::vector<int> blocks_in(std::span<const std::array<double, 2>> outline, bool touched) const;
+  /// The same of a rectangle.
   std::vector<int> blocks_in(double left, double top, double right, double bottom, bool touched) const;
 
   /// Colour that a block has when coloured by block (for tables and trees).

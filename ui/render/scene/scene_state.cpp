@@ -131,7 +131,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
         camera.parallel ? camera.parallel_scale : distance * std::tan(radians(camera.view_angle) / 2);
     talus::paint(painter, overlay,
                  {width, height, right, towards_viewer.cross(right), towards_viewer, 2 * half_height / height});
-    paint_troubles(painter);
+    paint_marks(painter);
   };
   vtkNew<vtkContextActor> context;
   context->GetScene()->AddItem(item);
@@ -158,7 +158,7 @@ void Scene::State::apply_settings() {
   renderer->SetGradientBackground(!occludes());
   backdrop.show(occludes());
   renderer->GetActiveCamera()->SetParallelProjection(settings.parallel_projection);
-  fixed.colour_by_block([&](int) { return c.rock; });
+  fixed.colour_by_block([&](int block) { return colour_of(block); });
   for (BlockActors* part : {&fixed, &movable}) part->let_through(settings.rock_opacity);
   joints.use(settings.theme);
   if (settings.deformation_scale != extent_scale) reset_extent();
@@ -177,9 +177,22 @@ void Scene::State::apply_frame() {
   make_overlay();
 }
 
+const BlockColours* Scene::State::chosen_colours() const {
+  const BlockColours* chosen = settings.block_colours.get();
+  return chosen && chosen->colours.size() == system.blocks.size() ? chosen : nullptr;
+}
+
+Rgb Scene::State::colour_of(int block) const {
+  const auto index = static_cast<std::size_t>(block);
+  if (const BlockColours* chosen = chosen_colours(); chosen && !(frame && settings.field))
+    return chosen->colours[index];
+  const bool is_fixed = system.blocks[index].body == BodyKind::fixed;
+  return is_fixed ? colours(settings.theme).rock : block_colours[index];
+}
+
 void Scene::State::apply_colours() {
   if (field_values.empty()) {
-    movable.colour_by_block([&](int block) { return block_colours[block]; });
+    movable.colour_by_block([&](int block) { return colour_of(block); });
     return;
   }
   fill(*table, is_signed(*settings.field) ? vik() : batlow(), colours(settings.theme).rock);
@@ -231,6 +244,7 @@ void Scene::State::make_overlay() {
                     .time = {},
                     .remarks = {},
                     .legend = {},
+                    .colour_key = {},
                     .triad = settings.triad,
                     .scale_bar = settings.scale_bar};
   if (frame && settings.time_stamp) {
@@ -246,6 +260,8 @@ void Scene::State::make_overlay() {
     overlay.key = {{state_colour(ContactState::open), "open"},
                    {state_colour(ContactState::stick), "stick"},
                    {state_colour(ContactState::slip), "slip"}};
+  if (const BlockColours* chosen = chosen_colours(); settings.legend && chosen && !chosen->key.empty())
+    overlay.colour_key = ColourKey{chosen->title, chosen->key};
   if (settings.legend && !field_values.empty()) {
     const ValueRange range = colour_range();
     const DisplayUnit unit = display_unit(settings.field->unit, std::max(std::abs(range.low), std::abs(range.high)));

@@ -36,8 +36,13 @@ struct Scene::State {
   /// Where the point of rock that a trouble is about lies in the frame that is shown [m].
   Vec3 place_of(const ConvergenceTrouble& trouble) const;
   CameraPose pose_at(const ConvergenceTrouble& trouble) const;
+  /// Looks the way the camera looks now, at something of a size [m] about a place [m].
+  CameraPose pose_at(const Vec3& place, double size) const;
   std::vector<int> blocks_of(const ConvergenceTrouble& trouble) const;
-  void paint_troubles(Painter& painter) const;
+  void paint_marks(Painter& painter) const;
+  /// The chosen colours; null where there are none of these blocks.
+  const BlockColours* chosen_colours() const;
+  Rgb colour_of(int block) const;
   void reset_extent();
   /// Corners are shaded: where nothing moves, and nothing is seen through.
   bool occludes() const { return settings.fine && settings.rock_opacity == 1; }

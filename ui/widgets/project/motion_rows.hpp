@@ -4,6 +4,7 @@
 
 namespace talus {
 
+struct BlockSystem;
 struct Frame;
 struct MotionClass;
 

@@ -40,42 +40,6 @@ PageRows geometryRows(const Project& project) {
   return content;
 }
 
-PageRows blockRows(const Project& project, const BlockSystem* system) {
-  PageRows content{QObject::tr("Blocks"),
-                   {QObject::tr("Block"), QObject::tr("Body"), QObject::tr("Material"), QObject::tr("Volume m³"),
-                    QObject::tr("Mass t")},
-                   3,
-                   {},
-                   QObject::tr("Not cut yet.")};
-  if (!system) return content;
-  for (size_t i = 0; i < system->blocks.size(); ++i) {
-    const Block& block = system->blocks[i];
-    const auto m = static_cast<size_t>(block.material);
-    const bool known = m < project.materials.size();
-    content.rows.push_back(
-        {item(Item::Kind::block, i),
-         {text(block.name), words::body(block.body), known ? text(project.materials[m].name) : none,
-          number(block.volume, 4), known ? number(block.volume * project.materials[m].density / 1e3, 4) : none}});
-  }
-  return content;
-}
-
-PageRows meshRows(const BlockSystem* system) {
-  PageRows content{QObject::tr("Mesh"),
-                   {QObject::tr("Block"), QObject::tr("Nodes"), QObject::tr("Tetrahedra"), QObject::tr("Facets")},
-                   1,
-                   {},
-                   QObject::tr("Not meshed yet.")};
-  if (!system) return content;
-  for (size_t i = 0; i < system->blocks.size(); ++i) {
-    const Block& block = system->blocks[i];
-    content.rows.push_back({item(Item::Kind::block, i),
-                            {text(block.name), numbers::whole(block.mesh.nodes.size()),
-                             numbers::whole(block.mesh.tetrahedra.size()), numbers::whole(block.surface.size())}});
-  }
-  return content;
-}
-
 PageRows materialRows(const Project& project) {
   PageRows content{QObject::tr("Materials"),
                    {QObject::tr("Material"), QObject::tr("ρ kg/m³"), QObject::tr("E GPa"), QObject::tr("ν"),
@@ -145,20 +109,18 @@ PageRows stageRows(const Project& project) {
 
 }  // namespace
 
-PageRows rowsOf(WorkflowPage page, const Project& project, const BlockSystem* system) {
+PageRows rowsOf(WorkflowPage page, const Project& project) {
   switch (page) {
     case WorkflowPage::geometry:
       return geometryRows(project);
     case WorkflowPage::joints:
       return jointRows(project);
-    case WorkflowPage::blocks:
-      return blockRows(project, system);
-    case WorkflowPage::mesh:
-      return meshRows(system);
     case WorkflowPage::materials:
       return materialRows(project);
     case WorkflowPage::loads:
       return loadRows(project);
+    case WorkflowPage::blocks:  // have tables of their own
+    case WorkflowPage::mesh:
     case WorkflowPage::stages:
     case WorkflowPage::solve:
     case WorkflowPage::results:
@@ -199,14 +161,9 @@ void PageTable::showEvent(QShowEvent* event) {
 
 void PageTable::refresh() {
   const QSignalBlocker silent(this);
-  const BlockSystem* system = project_.system().get();
   showsMotion_ = mayShowMotion();
-  const bool ofBlocks = display_.page() == WorkflowPage::blocks || display_.page() == WorkflowPage::mesh;
-  const bool stale = ofBlocks && system && !project_.systemIsCurrent();
-  content_ = showsMotion_
-                 ? motionRows(*system, *playback_.frame())
-                 : rowsOf(display_.page(), stale ? project_.builtFrom() : project_.document().project(), system);
-  if (stale) content_.title = tr("%1, before the last change").arg(content_.title);
+  content_ = showsMotion_ ? motionRows(*project_.system(), *playback_.frame())
+                          : rowsOf(display_.page(), project_.document().project());
   sortRows();
   std::vector<QStringList> rows;
   for (const auto& row : content_.rows) rows.push_back(row.cells);

@@ -11,7 +11,6 @@ namespace talus {
 class CurrentProject;
 class Display;
 class Playback;
-struct BlockSystem;
 struct Project;
 
 /// What the project holds of one page of the workflow, as rows; a row is the thing that it selects.
@@ -30,14 +29,15 @@ struct PageRows {
   bool sortable = false;  ///< by a click on a head; else the order says something
 };
 
-/// For the pages that set the project up.
-PageRows rowsOf(WorkflowPage page, const Project& project, const BlockSystem* system);
+/// For the pages that set the project up, but for those of blocks and mesh, which have tables of their own.
+PageRows rowsOf(WorkflowPage page, const Project& project);
 
 /// The table under the view: what the project holds of the page that is open; from a run on, how its blocks move.
 class PageTable : public PlainTable {
   Q_OBJECT
  public:
   PageTable(CurrentProject& project, Playback& playback, Display& display);
+  const QString& title() const { return content_.title; }
 
  signals:
   void titleChanged(const QString& title);

@@ -12,10 +12,12 @@
 #include "document/item_place.hpp"
 #include "document/names.hpp"
 #include "document/things.hpp"
+#include "mesh/inner_point.hpp"
 #include "session/current_project.hpp"
 #include "session/display.hpp"
 #include "session/messages.hpp"
 #include "session/playback.hpp"
+#include "widgets/blocks/several_blocks.hpp"
 #include "widgets/forms/object_field.hpp"
 #include "widgets/forms/scalar_fields.hpp"
 #include "widgets/forms/typical_strengths.hpp"
@@ -23,7 +25,6 @@
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/project/motion_rows.hpp"
-#include "widgets/setup/several_blocks.hpp"
 
 namespace talus {
 
@@ -33,8 +34,10 @@ constexpr int title_width = 104;  // as the forms have
 
 }  // namespace
 
-PropertyPanel::PropertyPanel(CurrentProject& project, Playback& playback, Messages& messages, Display& display)
+PropertyPanel::PropertyPanel(CurrentProject& project, const BlockSurvey& survey, Playback& playback, Messages& messages,
+                             Display& display)
     : project_(project),
+      survey_(survey),
       playback_(playback),
       messages_(messages),
       context_{project.document(), {}, [this] { QTimer::singleShot(0, this, &PropertyPanel::rebuild); }},
@@ -162,7 +165,7 @@ void PropertyPanel::showBlock(int index) {
   const BlockSystem& system = *project_.system();
   if (const auto& several = project_.selection().blocks(); several.size() > 1) {
     header_->setTitle(tr("%1 blocks").arg(several.size()), tr("selected"));
-    content_->layout()->addWidget(new SeveralBlocks(system, project_.builtFrom(), several));
+    content_->layout()->addWidget(new SeveralBlocks(project_, survey_, messages_, several));
     return;
   }
   const Block& block = system.blocks.at(static_cast<size_t>(index));
@@ -201,15 +204,12 @@ void PropertyPanel::offerWish(Section* section, const Block& block) {
   button->setObjectName(QStringLiteral("wish"));
   button->setToolTip(tr("Name, body, material and mesh size of this block alone"));
   const int index = wish == wishes.end() ? -1 : static_cast<int>(wish - wishes.begin());
-  const auto& corners = block.mesh.tetrahedra.front();
-  Vec3 inside = Vec3::Zero();
-  for (const auto node : corners) inside += block.mesh.nodes[static_cast<size_t>(node)] / 4;
-  const auto act = [this, index, inside, name = block.name] {
+  const auto act = [this, index, inside = inner_point(block.mesh), name = block.name] {
     if (index >= 0) return project_.selection().select({Item::Kind::blockWish, index});
     auto changed = project_.document().json();
     const schema::Place place = edits::add(changed, schema::Place("/blocks"));
     edits::set(changed, place / "at", {inside.x(), inside.y(), inside.z()});
-    names::follow(changed, "blocks", name, changed.at(place).at("name").get<std::string>());
+    names::follow(changed, "blocks", {{name, changed.at(place).at("name").get<std::string>()}});
     project_.document().change(changed, tr("name a block"));
     project_.selection().select(itemAt(place, project_.document().json()));
   };

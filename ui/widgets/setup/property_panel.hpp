@@ -12,6 +12,7 @@ class QScrollArea;
 
 namespace talus {
 
+class BlockSurvey;
 class CurrentProject;
 class Display;
 class Messages;
@@ -23,7 +24,8 @@ struct Block;
 class PropertyPanel : public QWidget {
   Q_OBJECT
  public:
-  PropertyPanel(CurrentProject& project, Playback& playback, Messages& messages, Display& display);
+  PropertyPanel(CurrentProject& project, const BlockSurvey& survey, Playback& playback, Messages& messages,
+                Display& display);
 
  private:
   void rebuild();
@@ -46,6 +48,7 @@ class PropertyPanel : public QWidget {
   void tryTo(const std::function<void()>& act);
 
   CurrentProject& project_;
+  const BlockSurvey& survey_;
   Playback& playback_;
   Messages& messages_;
   FormContext context_;

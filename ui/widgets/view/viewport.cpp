@@ -12,7 +12,9 @@
 #include "jobs/solver_job.hpp"
 #include "render/scene/slope_view.hpp"
 #include "session/session.hpp"
+#include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
+#include "widgets/view/lasso.hpp"
 #include "widgets/view/place_picker.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/view/view_overlay.hpp"
@@ -25,8 +27,9 @@ constexpr int still_ms = 350;       // after that the view is drawn finely
 constexpr int live_pause_ms = 125;  // between drawings while a run goes on: eight a second at most
 constexpr double live_share = 0.2;  // of the window's time that drawing may take then
 constexpr int hover_ms = 40;
-constexpr double apart = 0.6;   // of their way from the middle: as far as blocks are drawn from each other
-constexpr int flight_ms = 450;  // from where the camera stands to a place that was asked for
+constexpr double told_seconds = 2;  // time left that is worth a word
+constexpr double apart = 0.6;       // of their way from the middle: as far as blocks are drawn from each other
+constexpr int flight_ms = 450;      // from where the camera stands to a place that was asked for
 
 /// A tetrahedron that is fixed and one that may move.
 BlockSystem smallest_system() {
@@ -52,6 +55,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   area->hide();
 
   band_ = new QRubberBand(QRubberBand::Rectangle, area);
+  lasso_ = new Lasso(area);
 
   overlay_ = new ViewOverlay(this);
   tools_ = makePlane("overlay");
@@ -106,7 +110,12 @@ Viewport::Viewport(Session& session, QWidget* parent)
   });
 
   connect(&session_.run, &CurrentRun::troublesChanged, this, &Viewport::applyTroubles);
-  connect(&session_.display, &Display::troubleWanted, this, &Viewport::flyTo);
+  connect(&session_.display, &Display::troubleWanted, this, [this](const ConvergenceTrouble& trouble) {
+    if (scene_) flyTo(scene_->pose_at(trouble));
+  });
+  connect(&session_.display, &Display::placeWanted, this, [this](const MarkedPlace& place) {
+    if (scene_) flyTo(scene_->pose_at(place));
+  });
   connect(&session_.project, &CurrentProject::systemChanged, this, &Viewport::rebuildScene);
   connect(&session_.playback, &Playback::frameChanged, this, &Viewport::showFrame);
   connect(&session_.display, &Display::changed, this, &Viewport::takeDisplay);
@@ -225,11 +234,10 @@ void Viewport::applyTroubles() {
   render();
 }
 
-void Viewport::flyTo(const ConvergenceTrouble& trouble) {
-  if (!scene_) return;
+void Viewport::flyTo(const CameraPose& pose) {
   flight_.stop();
   flightStart_ = scene_->pose();
-  flightEnd_ = scene_->pose_at(trouble);
+  flightEnd_ = pose;
   flight_.start();
 }
 
@@ -323,8 +331,8 @@ void Viewport::toggleExplosion() {
   session_.display.set(settings);
   if (explodes)
     fit();
-  else
-    moveCamera(togetherPose_);
+  else if (togetherPose_)
+    moveCamera(*togetherPose_);
 }
 
 void Viewport::showAll() {
@@ -346,7 +354,10 @@ void Viewport::showEmptyState() {
   const JobState state = session_.run.job().state();
   if (state == JobState::meshing || state == JobState::stopping) {
     const int percent = static_cast<int>(100 * session_.run.fraction());
-    emptyText_->setText(tr("Cutting and meshing, %1 %\n%2").arg(percent).arg(session_.run.activity()));
+    QStringList lines{tr("Cutting and meshing, %1 %").arg(percent), session_.run.activity()};
+    const auto left = session_.run.job().timeLeft().seconds();
+    if (left && *left > told_seconds) lines << tr("%1 left").arg(numbers::duration(*left));
+    emptyText_->setText(lines.join(u'\n'));
     emptyButton_->setText(tr("Cancel"));
     emptyButton_->setEnabled(state == JobState::meshing);
     emptyButton_->setToolTip(tr("The blocks stay as they were before; it can be begun again"));

@@ -17,6 +17,7 @@ class QRubberBand;
 
 namespace talus {
 
+class Lasso;
 class PlacePicker;
 class RenderSurface;
 class ViewOverlay;
@@ -26,7 +27,8 @@ struct Session;
 
 /// The 3-D view: draws the session's blocks and frame, moves the camera, picks blocks into the shared selection.
 /// Left drag turns, middle drag pans, the wheel zooms to the pointer. Shift and left drag select by a box: to the right
-/// the blocks that lie wholly in it, to the left all that it touches; with Ctrl as well they are added.
+/// the blocks that lie wholly in it, to the left all that it touches; Alt and left drag draw a lasso around them. With
+/// Ctrl as well they are added.
 class Viewport : public QWidget {
   Q_OBJECT
  public:
@@ -41,6 +43,8 @@ class Viewport : public QWidget {
   void showAll();
   /// Blocks are drawn apart, or again where they are.
   void toggleExplosion();
+  /// Shift and drag draw a lasso from now on, where they draw a box otherwise.
+  void setLasso(bool lasso) { drawsLasso_ = lasso; }
 
   /// Empty until there are blocks.
   std::optional<CameraPose> pose() const;
@@ -81,7 +85,7 @@ class Viewport : public QWidget {
   void applySettings();
   void applySelection();
   void applyTroubles();
-  void flyTo(const ConvergenceTrouble& trouble);
+  void flyTo(const CameraPose& pose);
   void leaveRoomForTools();
   void moveCamera(const CameraPose& pose);
   void render();
@@ -97,7 +101,7 @@ class Viewport : public QWidget {
   bool keyPressed(QEvent* event);
   bool wheelTurned(const QWheelEvent& event);
   void pickForHover();
-  void selectIn(const QRectF& box, bool touched, bool added);
+  void selectIn(const QPolygonF& outline, bool touched, bool added);
   void selectAt(QPointF point, Qt::KeyboardModifiers modifiers);
   void showCard(const Pick& pick, QPointF point);
 
@@ -108,18 +112,21 @@ class Viewport : public QWidget {
   bool fitted_ = false;  ///< the camera has been placed since the blocks came
   std::vector<int> hidden_;
 
-  enum class Drag { none, turn, pan, box, tool };
+  enum class Drag { none, turn, pan, box, lasso, tool };
+  Drag dragOf(const QMouseEvent& event) const;
   Drag drag_ = Drag::none;
   QPointF pressed_, last_;
   bool moved_ = false;
   QRubberBand* band_;
+  Lasso* lasso_;
+  bool drawsLasso_ = false;
   QTimer stillTimer_;  ///< fires when the camera has rested
   QTimer drawTimer_;   ///< spaces drawings out while a run goes on
   QTimer hoverTimer_;
   bool still_ = true;
   QVariantAnimation flight_;
   CameraPose flightStart_, flightEnd_;
-  CameraPose togetherPose_;  ///< to go back to when blocks are no longer drawn apart
+  std::optional<CameraPose> togetherPose_;  ///< to go back to when blocks are no longer drawn apart
   QElapsedTimer sinceDrawing_;
 
   ViewTool* taken_ = nullptr;  ///< whose drag it is

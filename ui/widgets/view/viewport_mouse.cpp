@@ -4,12 +4,15 @@
 #include <QRubberBand>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "jobs/solver_job.hpp"
+#include "removability/block_rule.hpp"
 #include "session/session.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
+#include "widgets/view/lasso.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/view/view_overlay.hpp"
 #include "widgets/view/view_tool.hpp"
@@ -57,8 +60,8 @@ bool Viewport::mousePressed(const QMouseEvent& event) {
   surface_->widget()->setFocus(Qt::MouseFocusReason);
   hoverTimer_.stop();
   if (left && toolTakes(event)) return true;
-  const bool boxes = left && event.modifiers().testFlag(Qt::ShiftModifier);
-  drag_ = boxes ? Drag::box : left ? Drag::turn : event.button() == Qt::MiddleButton ? Drag::pan : Drag::none;
+  drag_ = dragOf(event);
+  if (drag_ == Drag::lasso) lasso_->begin(pressed_);
   return true;
 }
 
@@ -82,6 +85,14 @@ bool Viewport::keyPressed(QEvent* event) {
   return true;
 }
 
+Viewport::Drag Viewport::dragOf(const QMouseEvent& event) const {
+  if (event.button() == Qt::MiddleButton) return Drag::pan;
+  if (event.button() != Qt::LeftButton) return Drag::none;
+  if (event.modifiers().testFlag(Qt::AltModifier)) return Drag::lasso;
+  if (event.modifiers().testFlag(Qt::ShiftModifier)) return drawsLasso_ ? Drag::lasso : Drag::box;
+  return Drag::turn;
+}
+
 bool Viewport::mouseMoved(const QMouseEvent& event) {
   const QPointF by = event.position() - last_;
   if (drag_ == Drag::none) {
@@ -99,6 +110,8 @@ bool Viewport::mouseMoved(const QMouseEvent& event) {
   if (drag_ == Drag::box) {
     band_->setGeometry(QRectF(pressed_, last_).normalized().toRect());
     band_->show();
+  } else if (drag_ == Drag::lasso) {
+    lasso_->extend(last_);
   } else if (drag_ == Drag::turn) {
     moveCamera(turned(scene_->pose(), -by.x() * turn_per_pixel, by.y() * turn_per_pixel));
   } else {
@@ -115,12 +128,13 @@ bool Viewport::mouseReleased(const QMouseEvent& event) {
     return true;
   }
   const bool clicked = drag_ != Drag::none && !moved_ && event.button() == Qt::LeftButton;
-  const bool boxed = drag_ == Drag::box && moved_;
+  const bool boxed = drag_ == Drag::box && moved_, drawn = drag_ == Drag::lasso && moved_;
+  const bool added = event.modifiers().testFlag(Qt::ControlModifier);
   drag_ = Drag::none;
   band_->hide();
-  if (boxed)
-    selectIn(QRectF(pressed_, event.position()).normalized(), event.position().x() < pressed_.x(),
-             event.modifiers().testFlag(Qt::ControlModifier));
+  const QPolygonF around = lasso_->take();
+  if (boxed) selectIn(QRectF(pressed_, event.position()).normalized(), event.position().x() < pressed_.x(), added);
+  if (drawn) selectIn(around, false, added);
   if (clicked && !toolClicked(event)) selectAt(event.position(), event.modifiers());
   stillTimer_.start();
   return true;
@@ -147,14 +161,13 @@ void Viewport::pickForHover() {
   session_.project.selection().hoverBlock(pick ? std::optional<int>(pick->block) : std::nullopt);
 }
 
-void Viewport::selectIn(const QRectF& box, bool touched, bool added) {
+void Viewport::selectIn(const QPolygonF& outline, bool touched, bool added) {
   const double ratio = devicePixelRatioF();
-  std::vector<int> blocks =
-      scene_->blocks_in(box.left() * ratio, box.top() * ratio, box.right() * ratio, box.bottom() * ratio, touched);
+  std::vector<std::array<double, 2>> corners;
+  for (const QPointF& corner : outline) corners.push_back({corner.x() * ratio, corner.y() * ratio});
+  std::vector<int> blocks = scene_->blocks_in(corners, touched);
   Selection& selection = session_.project.selection();
-  if (added) blocks.insert(blocks.end(), selection.blocks().begin(), selection.blocks().end());
-  std::sort(blocks.begin(), blocks.end());
-  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  if (added) blocks = combined(selection.blocks(), blocks, Combination::add);
   selection.selectBlocks(std::move(blocks));
 }
 

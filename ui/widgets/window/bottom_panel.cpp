@@ -1,22 +1,31 @@
 #include "widgets/window/bottom_panel.hpp"
 
 #include <QPlainTextEdit>
+#include <QStackedWidget>
 #include <QTabBar>
 #include <QTime>
 
 #include "session/session.hpp"
+#include "widgets/blocks/blocks_panel.hpp"
+#include "widgets/blocks/mesh_panel.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/project/page_table.hpp"
 #include "widgets/project/problem_list.hpp"
 #include "widgets/results/history_panel.hpp"
+#include "widgets/window/top_bar.hpp"
 
 namespace talus {
 
-BottomPanel::BottomPanel(Session& session) : session_(session) {
+BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(session), tables_(new QStackedWidget) {
   setDocumentMode(true);
   tabBar()->setExpanding(false);
-  auto* table = new PageTable(session.project, session.playback, session.display);
-  table_ = table;
+  table_ = new PageTable(session.project, session.playback, session.display);
+  QList<QToolButton*> tools{makeActionButton(actions.selectByRule, true)};
+  for (auto* action : {actions.selectAllBlocks, actions.invertBlocks, actions.growBlocks, actions.lasso})
+    tools << makeActionButton(action, false);
+  blocks_ = new BlocksPanel(session.project, session.survey, session.messages, tools);
+  mesh_ = new MeshPanel(session.project, session.survey, session.display);
+  for (QWidget* table : std::initializer_list<QWidget*>{table_, blocks_, mesh_}) tables_->addWidget(table);
   histories_ = new HistoryPanel(session.run, session.playback, session.display);
   problems_ = new ProblemList(session.project, session.messages, session.display);
   log_ = new QPlainTextEdit;
@@ -25,13 +34,13 @@ BottomPanel::BottomPanel(Session& session) : session_(session) {
   log_->setFrameShape(QFrame::NoFrame);
   log_->setProperty("kind", "log");
   log_->setAccessibleName(tr("Log"));
-  addTab(table_, {});
+  addTab(tables_, {});
   addTab(histories_, tr("Histories"));
   addTab(problems_, {});
   addTab(log_, tr("Log"));
-  auto title = [this](const QString& words) { setTabText(indexOf(table_), words); };
-  connect(table, &PageTable::titleChanged, this, title);
-  title(rowsOf(session_.display.page(), session_.project.document().project(), nullptr).title);
+  connect(table_, &PageTable::titleChanged, this, &BottomPanel::showTitle);
+  connect(blocks_, &BlocksPanel::titleChanged, this, &BottomPanel::showTitle);
+  connect(mesh_, &MeshPanel::titleChanged, this, &BottomPanel::showTitle);
   connect(&session_.display, &Display::pageChanged, this, &BottomPanel::showPage);
   connect(&session_.messages, &Messages::problemsChanged, this, &BottomPanel::countProblems);
   connect(&session_.project.problems(), &ProjectProblems::changed, this, &BottomPanel::countProblems);
@@ -39,9 +48,25 @@ BottomPanel::BottomPanel(Session& session) : session_(session) {
     log_->appendPlainText(QTime::currentTime().toString(QStringLiteral("HH:mm:ss  ")) + line);
   });
   countProblems();
+  showTitle();
 }
 
-void BottomPanel::showPage() { setCurrentWidget(isSetUp(session_.display.page()) ? table_ : histories_); }
+void BottomPanel::showPage() {
+  const WorkflowPage page = session_.display.page();
+  if (page == WorkflowPage::blocks)
+    tables_->setCurrentWidget(blocks_);
+  else if (page == WorkflowPage::mesh)
+    tables_->setCurrentWidget(mesh_);
+  else
+    tables_->setCurrentWidget(table_);
+  showTitle();
+  setCurrentWidget(isSetUp(page) ? static_cast<QWidget*>(tables_) : histories_);
+}
+
+void BottomPanel::showTitle() {
+  const QWidget* shown = tables_->currentWidget();
+  setTabText(indexOf(tables_), shown == blocks_ ? blocks_->title() : shown == mesh_ ? mesh_->title() : table_->title());
+}
 
 void BottomPanel::showProblems() { setCurrentWidget(problems_); }
 

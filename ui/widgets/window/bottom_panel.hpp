@@ -3,24 +3,34 @@
 #include <QTabWidget>
 
 class QPlainTextEdit;
+class QStackedWidget;
 
 namespace talus {
 
+class BlocksPanel;
+class MeshPanel;
+class PageTable;
 struct Session;
+class WindowActions;
 
 /// Under the view: the page's table, histories, problems, log. The tab that a page of the workflow needs comes to the
 /// front with it.
 class BottomPanel : public QTabWidget {
   Q_OBJECT
  public:
-  explicit BottomPanel(Session& session);
+  BottomPanel(Session& session, WindowActions& actions);
   void showProblems();
 
  private:
   void showPage();
+  void showTitle();
   void countProblems();
   Session& session_;
-  QWidget *table_, *histories_, *problems_;
+  QStackedWidget* tables_;  ///< one of these three
+  PageTable* table_;
+  BlocksPanel* blocks_;
+  MeshPanel* mesh_;
+  QWidget *histories_, *problems_;
   QPlainTextEdit* log_;
 };
 

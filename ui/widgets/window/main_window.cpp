@@ -148,7 +148,8 @@ void MainWindow::makeDocks() {
   project->setMinimumWidth(tree_width);
   left_ = addDock(Qt::LeftDockWidgetArea, QStringLiteral("project"), project);
   rightPages_ = new QStackedWidget;
-  rightPages_->addWidget(new PropertyPanel(session_.project, session_.playback, session_.messages, session_.display));
+  rightPages_->addWidget(
+      new PropertyPanel(session_.project, session_.survey, session_.playback, session_.messages, session_.display));
   rightPages_->addWidget(new RunPanel(session_));
   rightPages_->addWidget(new DisplayPanel(session_.display, session_.run));
   auto* right = makePlane("surface");
@@ -157,7 +158,7 @@ void MainWindow::makeDocks() {
   rightColumn->addWidget(rightPages_);
   right->setMinimumWidth(right_width);
   right_ = addDock(Qt::RightDockWidgetArea, QStringLiteral("properties"), right);
-  bottom_ = addDock(Qt::BottomDockWidgetArea, QStringLiteral("bottom"), new BottomPanel(session_));
+  bottom_ = addDock(Qt::BottomDockWidgetArea, QStringLiteral("bottom"), new BottomPanel(session_, *actions_));
 }
 
 void MainWindow::makeStatusBar() {

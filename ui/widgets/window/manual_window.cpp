@@ -54,8 +54,15 @@ QString manualHeading(WorkflowPage page, Item::Kind selected) {
     default:
       break;
   }
-  constexpr std::array headings{"Solids", "Joints", "Blocks",           "Bodies", "Materials",
-                                "Loads",  "Stages", "What a run costs", "Results"};
+  constexpr std::array headings{"Solids",
+                                "Joints",
+                                "Blocks and mesh in the window",
+                                "Blocks and mesh in the window",
+                                "Materials",
+                                "Loads",
+                                "Stages",
+                                "What a run costs",
+                                "Results"};
   return QLatin1String(headings.at(static_cast<std::size_t>(page)));
 }
 

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QObject>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -29,6 +30,8 @@ class WindowActions : public QObject {
   QAction *newProject, *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *startPage, *quit;
   // Edit
   QAction *undo, *redo, *clearSelection;
+  // Blocks
+  QAction *selectByRule, *selectAllBlocks, *invertBlocks, *growBlocks, *lasso, *excavate, *mergeBlocks;
   // View
   QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *explode, *dark, *viewAlone;
   JointActions* joints;
@@ -51,10 +54,13 @@ class WindowActions : public QObject {
   /// An action that another class has made becomes one of all.
   void include(QAction* action);
   void makeFileActions();
+  void makeBlockActions();
   void makeViewActions();
   void makeRunActions();
   void refresh();
   void allow(QAction* action, const QString& whyNot);
+  /// What the edit of blocks that are selected refuses is said as a problem.
+  void tryTo(const std::function<void()>& edit);
 
   Session& session_;
   QWidget& window_;

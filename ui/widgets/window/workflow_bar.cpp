@@ -8,6 +8,8 @@
 #include "jobs/solver_job.hpp"
 #include "model/stage_length.hpp"
 #include "session/session.hpp"
+#include "session/volume_sum.hpp"
+#include "widgets/blocks/block_view_tools.hpp"
 #include "widgets/joints/joint_actions.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
@@ -18,6 +20,8 @@
 namespace talus {
 
 namespace {
+
+constexpr double told_seconds = 2;  // time left that is worth a word
 
 QHBoxLayout* makeRow(QWidget* page) {
   auto* row = new QHBoxLayout(page);
@@ -75,6 +79,9 @@ QWidget* WorkflowBar::makeSetUpPage() {
   row->addWidget(makeActionButton(actions_.mesh, true));
   row->addWidget(makeActionButton(actions_.fit, true));
   row->addWidget(makeActionButton(actions_.savePicture, true));
+  blockTools_ = new BlockViewTools(session_.colouring, session_.display);
+  row->addSpacing(8);
+  row->addWidget(blockTools_);
   row->addStretch();
   return page;
 }
@@ -122,8 +129,9 @@ QWidget* WorkflowBar::makeResultsPage() {
 }
 
 void WorkflowBar::refresh() {
-  title_->setText(pageTitle(session_.display.page()));
   const WorkflowPage page = session_.display.page();
+  title_->setText(pageTitle(page));
+  blockTools_->setVisible(page == WorkflowPage::blocks || page == WorkflowPage::mesh);
   pages_->setCurrentIndex(page == WorkflowPage::joints ? 3 : isSetUp(page) ? 0 : page == WorkflowPage::solve ? 1 : 2);
   refreshOutcome();
   refreshPrimary();
@@ -140,7 +148,7 @@ QString WorkflowBar::runOutcome() const {
     if (!shortfall.isEmpty()) length = tr("%1; %2").arg(sentenceCase(shortfall), length);
     return session_.playback.isCurrent() ? length : tr("edited since; %1").arg(length);
   }
-  if (job.state() == JobState::meshing) return tr("Cutting and meshing");
+  if (job.state() == JobState::meshing) return cuttingOutcome();
   if (job.state() == JobState::stopping)
     return session_.project.system() ? tr("Stopping after this step") : tr("Stopping");
   QString words;
@@ -154,12 +162,19 @@ QString WorkflowBar::runOutcome() const {
   return left ? words + tr("   %1 left").arg(numbers::duration(*left)) : words;
 }
 
+QString WorkflowBar::cuttingOutcome() const {
+  const auto left = session_.run.job().timeLeft().seconds();
+  return left && *left > told_seconds ? tr("Cutting and meshing, %1 left").arg(numbers::duration(*left))
+                                      : tr("Cutting and meshing");
+}
+
 QString WorkflowBar::ofBlocks(const QString& words) const {
   return session_.project.systemIsCurrent() ? words : tr("%1, before the last change").arg(words);
 }
 
 QString WorkflowBar::outcome() const {
   if (!session_.project.document().isOpen()) return {};
+  if (session_.run.job().state() == JobState::meshing) return cuttingOutcome();
   const Project& project = session_.project.document().project();
   const auto& system = session_.project.system();
   switch (session_.display.page()) {
@@ -170,10 +185,10 @@ QString WorkflowBar::outcome() const {
              numbers::counted(project.cuts.size(), "cut");
     case WorkflowPage::blocks: {
       if (!system) return tr("not cut yet");
-      double volume = 0;
-      for (const auto& block : system->blocks) volume += block.volume;
-      return ofBlocks(
-          tr("%1, %2 m³").arg(numbers::counted(system->blocks.size(), "block"), numbers::significant(volume, 4)));
+      const VolumeSum volume = volumeSum(*system);
+      return ofBlocks(tr("%1, %2 m³ of %3 m³")
+                          .arg(numbers::counted(system->blocks.size(), "block"), numbers::significant(volume.blocks, 6),
+                               numbers::significant(volume.solids, 6)));
     }
     case WorkflowPage::mesh: {
       if (!system) return tr("not meshed yet");

@@ -31,12 +31,15 @@ class WorkflowBar : public QFrame {
   /// What is said of blocks, and whether they are those of the project as it is.
   QString ofBlocks(const QString& words) const;
   QString runOutcome() const;
+  /// With the time left, where that is worth a word.
+  QString cuttingOutcome() const;
   QAction* primaryAction() const;
 
   Session& session_;
   WindowActions& actions_;
   QLabel *title_, *outcome_;
   QStackedWidget* pages_;
+  QWidget* blockTools_;
   QProgressBar* bar_;
   QPushButton* primary_;
 };

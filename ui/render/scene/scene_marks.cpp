@@ -1,4 +1,4 @@
-// Where a run has trouble to converge, in the picture.
+// Places that are marked in the picture: where a run has trouble to converge, and those that were asked for.
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
@@ -38,25 +38,29 @@ CameraPose Scene::State::pose_at(const ConvergenceTrouble& trouble) const {
     for (const Vec3& node : system.blocks[static_cast<std::size_t>(block)].mesh.nodes) box.extend(node);
     size = std::min(size, box.diagonal().norm());
   }
+  return pose_at(place_of(trouble), size);
+}
+
+CameraPose Scene::State::pose_at(const Vec3& place, double size) const {
   CameraPose wanted = pose();
   const Vec3 forward = (wanted.focal_point - wanted.position).normalized();
   const double half_height = room_round_a_block * size / 2;
-  wanted.focal_point = place_of(trouble);
+  wanted.focal_point = place;
   wanted.position = wanted.focal_point - forward * half_height / std::tan(radians(wanted.view_angle) / 2);
   wanted.parallel_scale = half_height;
   return wanted;
 }
 
-void Scene::State::paint_troubles(Painter& painter) const {
-  if (!settings.troubles) return;
+void Scene::State::paint_marks(Painter& painter) const {
   std::vector<PlaceMark> marks;
-  for (const ConvergenceTrouble& trouble : troubles) {
-    if (blocks_of(trouble).empty()) continue;
-    const auto pixel = pixel_of(place_of(trouble) - origin);
-    if (pixel) marks.push_back({*pixel, contact_text(trouble)});
-  }
+  const auto mark = [&](const Vec3& place, const std::string& label) {
+    if (const auto pixel = pixel_of(place - origin)) marks.push_back({*pixel, label});
+  };
+  for (const ConvergenceTrouble& trouble : troubles)
+    if (settings.troubles && !blocks_of(trouble).empty()) mark(place_of(trouble), contact_text(trouble));
+  for (const MarkedPlace& place : settings.places) mark(place.at, place.label);
   const auto [width, height] = size();
-  paint_marks(painter, marks, {settings.theme, text_height(), width, height});
+  talus::paint_marks(painter, marks, {settings.theme, text_height(), width, height});
 }
 
 }  // namespace talus

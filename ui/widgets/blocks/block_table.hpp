@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QTableView>
+
+#include "widgets/blocks/block_rows.hpp"
+
+namespace talus {
+
+class CurrentProject;
+
+/// Blocks as rows: what is selected in it is selected everywhere, and the other way about. The columns are told by
+/// whoever has it.
+class BlockTable : public QTableView {
+  Q_OBJECT
+ public:
+  explicit BlockTable(CurrentProject& project);
+  /// In whose order the rows stand stays where there are as many columns as before. `roomy`: the column that takes what
+  /// the others leave.
+  void setContent(std::vector<BlockColumn> columns, int roomy);
+  void lookFor(const QString& words);
+  /// What is said where there is no row.
+  void setEmptyWords(const QString& words);
+  int shownRows() const { return sorted_.rowCount(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  void takeSelection();
+  void showSelection();
+
+  CurrentProject& project_;
+  BlockRows rows_;
+  SortedBlocks sorted_;
+  QString emptyWords_;
+  bool selects_ = false;  ///< the selection that is told of is its own
+};
+
+}  // namespace talus
