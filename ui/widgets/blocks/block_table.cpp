@@ -39,6 +39,8 @@ BlockTable::BlockTable(CurrentProject& project) : project_(project) {
   connect(&project_.selection(), &Selection::changed, this, [this] {
     if (!selects_) showSelection();
   });
+  connect(this, &QTableView::doubleClicked, this,
+          [this](const QModelIndex& index) { emit blockWanted(sorted_.mapToSource(index).row()); });
   connect(this, &QTableView::entered, this,
           [this](const QModelIndex& index) { project_.selection().hoverBlock(sorted_.mapToSource(index).row()); });
 }

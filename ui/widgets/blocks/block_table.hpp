@@ -22,6 +22,10 @@ class BlockTable : public QTableView {
   void setEmptyWords(const QString& words);
   int shownRows() const { return sorted_.rowCount(); }
 
+ signals:
+  /// A row was clicked twice: the view should go there.
+  void blockWanted(int block);
+
  protected:
   void paintEvent(QPaintEvent* event) override;
   void leaveEvent(QEvent* event) override;

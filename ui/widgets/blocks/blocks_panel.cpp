@@ -1,13 +1,12 @@
 #include "widgets/blocks/blocks_panel.hpp"
 
+#include <Eigen/Geometry>
 #include <QLineEdit>
 #include <QMenu>
 
 #include "base/error.hpp"
 #include "session/block_edits.hpp"
-#include "session/block_survey.hpp"
-#include "session/current_project.hpp"
-#include "session/messages.hpp"
+#include "session/session.hpp"
 #include "widgets/blocks/block_columns.hpp"
 #include "widgets/blocks/block_table.hpp"
 #include "widgets/kit/parts.hpp"
@@ -23,9 +22,8 @@ constexpr std::size_t most_entries = 30;  // of a menu
 
 }  // namespace
 
-BlocksPanel::BlocksPanel(CurrentProject& project, BlockSurvey& survey, Messages& messages,
-                         const QList<QToolButton*>& tools)
-    : project_(project), survey_(survey), messages_(messages), table_(new BlockTable(project)), words_(new QLineEdit) {
+BlocksPanel::BlocksPanel(Session& session, const QList<QToolButton*>& tools, const QList<QAction*>& menu)
+    : session_(session), table_(new BlockTable(session.project)), words_(new QLineEdit) {
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   auto* head = makePlane("header");
@@ -50,21 +48,24 @@ BlocksPanel::BlocksPanel(CurrentProject& project, BlockSurvey& survey, Messages&
   column->addWidget(head);
   table_->setObjectName(QStringLiteral("blocks"));
   table_->setAccessibleName(tr("Blocks"));
+  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  table_->addActions(menu);
   column->addWidget(table_, 1);
+  connect(table_, &BlockTable::blockWanted, this, &BlocksPanel::goTo);
   connect(words_, &QLineEdit::textChanged, table_, &BlockTable::lookFor);
-  connect(&survey_, &BlockSurvey::changed, this, &BlocksPanel::refresh);  // comes with other blocks, too
-  connect(&project_.document(), &Document::projectChanged, this, [this] {
+  connect(&session_.survey, &BlockSurvey::changed, this, &BlocksPanel::refresh);  // comes with other blocks, too
+  connect(&session_.project.document(), &Document::projectChanged, this, [this] {
     emit titleChanged(title());
     refreshExcavated();
   });
-  connect(&project_, &CurrentProject::opened, this, &BlocksPanel::refreshExcavated);
+  connect(&session_.project, &CurrentProject::opened, this, &BlocksPanel::refreshExcavated);
   connect(excavated_->menu(), &QMenu::triggered, this, [this](const QAction* action) {
     std::vector<std::string> names{action->data().toString().toStdString()};
-    if (names.front().empty()) names = block_edits::excavated(project_);
+    if (names.front().empty()) names = block_edits::excavated(session_.project);
     try {
-      block_edits::bringBack(project_, names);
+      block_edits::bringBack(session_.project, names);
     } catch (const InputError& error) {
-      messages_.add(problemOf(error));
+      session_.messages.add(problemOf(error));
     }
   });
   refresh();
@@ -72,11 +73,12 @@ BlocksPanel::BlocksPanel(CurrentProject& project, BlockSurvey& survey, Messages&
 }
 
 QString BlocksPanel::title() const {
-  return project_.system() && !project_.systemIsCurrent() ? tr("Blocks, before the last change") : tr("Blocks");
+  return session_.project.system() && !session_.project.systemIsCurrent() ? tr("Blocks, before the last change")
+                                                                          : tr("Blocks");
 }
 
 void BlocksPanel::showEvent(QShowEvent* event) {
-  survey_.want();
+  session_.survey.want();
   refresh();
   QWidget::showEvent(event);
 }
@@ -84,16 +86,24 @@ void BlocksPanel::showEvent(QShowEvent* event) {
 void BlocksPanel::refresh() {
   emit titleChanged(title());
   if (!isVisible()) return;
-  table_->setEmptyWords(!project_.system()         ? tr("Not cut yet.")
+  table_->setEmptyWords(!session_.project.system() ? tr("Not cut yet.")
                         : words_->text().isEmpty() ? tr("No block was left.")
                                                    : tr("No block is like this."));
   std::vector<BlockColumn> columns;
-  if (project_.system()) columns = blockColumns(project_.system(), project_.builtFrom(), survey_.facts());
+  if (session_.project.system())
+    columns = blockColumns(session_.project.system(), session_.project.builtFrom(), session_.survey.facts());
   table_->setContent(std::move(columns), leaving_column);
 }
 
+void BlocksPanel::goTo(int block) {
+  const Block& one = session_.project.system()->blocks.at(static_cast<std::size_t>(block));
+  Eigen::AlignedBox3d box;
+  for (const Vec3& node : one.mesh.nodes) box.extend(node);
+  session_.display.showPlace({box.center(), box.diagonal().norm(), {}});
+}
+
 void BlocksPanel::refreshExcavated() {
-  const auto names = block_edits::excavated(project_);
+  const auto names = block_edits::excavated(session_.project);
   excavated_->setVisible(!names.empty());
   excavated_->setText(u' ' + tr("%1 excavated").arg(names.size()));
   QMenu& menu = *excavated_->menu();

@@ -7,18 +7,16 @@ class QToolButton;
 
 namespace talus {
 
-class BlockSurvey;
 class BlockTable;
-class CurrentProject;
-class Messages;
+struct Session;
 
 /// The page of blocks under the view: a table of all of them with what is known of each, a box to look for some, and
 /// those that are excavated.
 class BlocksPanel : public QWidget {
   Q_OBJECT
  public:
-  /// `tools`: buttons beside the box.
-  BlocksPanel(CurrentProject& project, BlockSurvey& survey, Messages& messages, const QList<QToolButton*>& tools);
+  /// `tools`: buttons beside the box; `menu`: of the right button on a row.
+  BlocksPanel(Session& session, const QList<QToolButton*>& tools, const QList<QAction*>& menu);
   /// "Blocks", or that they are those from before the last change.
   QString title() const;
 
@@ -31,10 +29,9 @@ class BlocksPanel : public QWidget {
  private:
   void refresh();
   void refreshExcavated();
+  void goTo(int block);
 
-  CurrentProject& project_;
-  BlockSurvey& survey_;
-  Messages& messages_;
+  Session& session_;
   BlockTable* table_;
   QLineEdit* words_;
   QToolButton* excavated_;

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QScopedValueRollback>
+#include <algorithm>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -22,6 +23,7 @@ namespace talus {
 
 namespace {
 
+constexpr size_t most_blocks = 200;  // that the tree lists: more are found in their table
 constexpr int kind_role = Qt::UserRole, index_role = Qt::UserRole + 1, page_role = Qt::UserRole + 2;
 
 Item itemOf(const QTreeWidgetItem& row) {
@@ -223,9 +225,15 @@ void ProjectTree::addJoints(QTreeWidgetItem* group) {
 
 void ProjectTree::addBlocks(QTreeWidgetItem* group) {
   const auto& wishes = project_.document().project().blocks;
-  for (size_t i = 0; i < wishes.size(); ++i)
+  const auto leadToTable = [&](size_t count) {
+    if (count > most_blocks)
+      addRow(group, {Item::Kind::none, 0}, tr("%1 more in the table").arg(count - most_blocks), {})
+          ->setIcon(0, theme::icon(QStringLiteral("table")));
+  };
+  for (size_t i = 0; i < std::min(wishes.size(), most_blocks); ++i)
     addRow(group, {Item::Kind::blockWish, static_cast<int>(i)}, text(wishes[i].name), tr("named"))
         ->setIcon(0, theme::icon(QStringLiteral("point")));
+  leadToTable(wishes.size());
   const auto& merges = project_.document().project().merges;
   for (size_t i = 0; i < merges.size(); ++i)
     addRow(group, {Item::Kind::merge, static_cast<int>(i)}, tr("merge %1").arg(i + 1), words::point(merges[i].at))
@@ -236,12 +244,13 @@ void ProjectTree::addBlocks(QTreeWidgetItem* group) {
   offerNew(group, {Item::Kind::blockWish, Item::Kind::merge});
   if (!project_.system()) return;
   const auto& blocks = project_.system()->blocks;
-  for (size_t i = 0; i < blocks.size(); ++i) {
+  for (size_t i = 0; i < std::min(blocks.size(), most_blocks); ++i) {
     const bool fixed = blocks[i].body == BodyKind::fixed;
     auto* row = addRow(group, {Item::Kind::block, static_cast<int>(i)}, text(blocks[i].name),
                        fixed ? tr("fixed") : tr("%1 m³").arg(numbers::significant(blocks[i].volume)));
     row->setIcon(0, theme::icon(fixed ? QStringLiteral("fixed") : QStringLiteral("blocks")));
   }
+  leadToTable(blocks.size());
 }
 
 void ProjectTree::addLoads(QTreeWidgetItem* group) {
@@ -289,7 +298,8 @@ void ProjectTree::showSelection() {
   if (!row) return;
   setCurrentItem(row);
   for (int block : project_.selection().blocks())
-    if (auto* also = rowOf({Item::Kind::block, block})) also->setSelected(true);
+    if (auto* also = block < static_cast<int>(most_blocks) ? rowOf({Item::Kind::block, block}) : nullptr)
+      also->setSelected(true);
   scrollToItem(row);
 }
 

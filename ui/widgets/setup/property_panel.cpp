@@ -13,6 +13,7 @@
 #include "document/names.hpp"
 #include "document/things.hpp"
 #include "mesh/inner_point.hpp"
+#include "session/block_edits.hpp"
 #include "session/current_project.hpp"
 #include "session/display.hpp"
 #include "session/messages.hpp"
@@ -216,6 +217,12 @@ void PropertyPanel::offerWish(Section* section, const Block& block) {
   connect(
       button, &QPushButton::clicked, this, [this, act] { tryTo(act); }, Qt::QueuedConnection);
   section->addWide(button);
+  auto* excavate = makeButton(tr("Excavate it"), "link");
+  excavate->setToolTip(tr("Cuts it and leaves it out; the page Blocks brings it back (Delete)"));
+  connect(
+      excavate, &QPushButton::clicked, this,
+      [this] { tryTo([&] { block_edits::excavate(project_, project_.selection().blocks()); }); }, Qt::QueuedConnection);
+  section->addWide(excavate);
 }
 
 void PropertyPanel::showMotion() {

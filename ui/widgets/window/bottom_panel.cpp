@@ -23,7 +23,9 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   QList<QToolButton*> tools{makeActionButton(actions.selectByRule, true)};
   for (auto* action : {actions.selectAllBlocks, actions.invertBlocks, actions.growBlocks, actions.lasso})
     tools << makeActionButton(action, false);
-  blocks_ = new BlocksPanel(session.project, session.survey, session.messages, tools);
+  blocks_ = new BlocksPanel(
+      session, tools,
+      {actions.hide, actions.isolate, actions.showAll, actions.growBlocks, actions.excavate, actions.mergeBlocks});
   mesh_ = new MeshPanel(session.project, session.survey, session.display);
   for (QWidget* table : std::initializer_list<QWidget*>{table_, blocks_, mesh_}) tables_->addWidget(table);
   histories_ = new HistoryPanel(session.run, session.playback, session.display);
