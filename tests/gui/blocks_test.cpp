@@ -47,8 +47,8 @@ std::string cubes(int across) {
               "box": {"min": [0, 0, -1], "max": [)" +
          side + ", " + side + R"(, 0]}}],
   "cuts": [)" +
-         set("bedding", 0, 0, "[0, 0, 1]") + ",\n           " + set("cross", 90, 270, "[1, 0, 0]") + ",\n           " +
-         set("cross", 90, 180, "[0, 1, 0]") + R"(],
+         set("bedding", 0, 0, "[0, 0, 1]") + ",\n           " + set("cross", 90, 90, "[1, 0, 0]") + ",\n           " +
+         set("cross", 90, 0, "[0, 1, 0]") + R"(],
   "stages": [{"name": "go", "type": "dynamic", "time_step": 0.01, "steps": 1}]
 })";
 }
