@@ -320,7 +320,7 @@ TEST_F(BlocksPage, HistogramCountsEveryTetrahedronOnceAndTheWorstAreShownInTheVi
     tetrahedra += static_cast<long>(block.mesh.tetrahedra.size());
   auto* chart = window->findChild<QualityChart*>();
   EXPECT_EQ(chart->count(), tetrahedra);
-  choose(named<QComboBox>("measure"), "Smallest angle between faces");
+  choose(named<QComboBox>("measure"), "Smallest angle");
   EXPECT_EQ(chart->count(), tetrahedra);
   auto& worst = named<PlainTable>("worst");
   QTest::mouseClick(worst.viewport(), Qt::LeftButton, {}, worst.visualItemRect(worst.item(0, 0)).center());

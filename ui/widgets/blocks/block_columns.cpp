@@ -102,34 +102,35 @@ std::vector<BlockColumn> blockColumns(System system, const Project& built,
   shape.more = [isSliver = shape.isWarning](int block) {
     return isSliver(block) ? QObject::tr("A sliver") : QString();
   };
-  return {
-      nameColumn(system),
-      bodyColumn(system),
-      wordColumn(QObject::tr("Material"), {},
-                 [system, materials](int block) { return materials.value(blockOf(system, block).material, none); }),
-      numberColumn(
-          QObject::tr("Volume m³"), {}, [system](int block) { return blockOf(system, block).volume; },
-          [](double volume) { return numbers::significant(volume, 4); }),
-      countColumn(QObject::tr("Faces"), QObject::tr("Flat faces"),
-                  fact([](const BlockFacts& one) { return one.faces; })),
-      countColumn(QObject::tr("Free"), QObject::tr("Faces against no other block"),
-                  fact([](const BlockFacts& one) { return one.free_faces; })),
-      countColumn(QObject::tr("Neighbours"), QObject::tr("Blocks that it lies against"),
-                  fact([](const BlockFacts& one) { return static_cast<double>(one.neighbours.size()); })),
-      wordColumn(QObject::tr("Joints"), QObject::tr("Joints of its faces"), factWords([joints](const BlockFacts& one) {
-                   QStringList names;
-                   for (const int joint : one.joints) names << joints.value(joint);
-                   return names.isEmpty() ? none : names.join(QStringLiteral(", "));
-                 })),
-      wordColumn(QObject::tr("Leaves"),
-                 QObject::tr("Whether and how it can leave its place by block theory, and on which joints"),
-                 factWords(leavingWords)),
-      numberColumn(
-          QObject::tr("F"),
-          QObject::tr("Factor of safety by limit equilibrium, under its own weight; – where nothing drives it"),
-          fact([](const BlockFacts& one) { return one.fixed ? std::optional<double>() : one.leaving.factor; }),
-          figures),
-      shape};
+  const auto jointNames = [joints](const BlockFacts& one) {
+    QStringList names;
+    for (const int joint : one.joints) names << joints.value(joint);
+    return names.isEmpty() ? none : names.join(QStringLiteral(", "));
+  };
+  const auto factor = [](const BlockFacts& one) { return one.fixed ? std::optional<double>() : one.leaving.factor; };
+  return {nameColumn(system),
+          bodyColumn(system),
+          numberColumn(
+              QObject::tr("Volume m³"), {}, [system](int block) { return blockOf(system, block).volume; },
+              [](double volume) { return numbers::significant(volume, 4); }),
+          wordColumn(QObject::tr("Leaves"),
+                     QObject::tr("Whether and how it can leave its place by block theory, and on which joints"),
+                     factWords(leavingWords)),
+          numberColumn(QObject::tr("F"),
+                       QObject::tr("Factor of safety by limit equilibrium, under its own weight; – where nothing "
+                                   "drives it"),
+                       fact(factor), figures),
+          countColumn(QObject::tr("Faces"), QObject::tr("Flat faces"),
+                      fact([](const BlockFacts& one) { return one.faces; })),
+          countColumn(QObject::tr("Free"), QObject::tr("Faces against no other block"),
+                      fact([](const BlockFacts& one) { return one.free_faces; })),
+          countColumn(QObject::tr("Neighbours"), QObject::tr("Blocks that it lies against"),
+                      fact([](const BlockFacts& one) { return static_cast<double>(one.neighbours.size()); })),
+          wordColumn(QObject::tr("Joints"), QObject::tr("Joints of its faces"), factWords(jointNames)),
+          shape,
+          wordColumn(QObject::tr("Material"), {}, [system, materials](int block) {
+            return materials.value(blockOf(system, block).material, none);
+          })};
 }
 
 std::vector<BlockColumn> meshColumns(System system, std::shared_ptr<const MeshSurvey> survey) {
@@ -143,22 +144,22 @@ std::vector<BlockColumn> meshColumns(System system, std::shared_ptr<const MeshSu
   const auto degrees = [](double value) { return numbers::fixed(value, 1); };
   return {
       nameColumn(system),
-      bodyColumn(system),
-      countColumn(QObject::tr("Unknowns"), QObject::tr("Of its motion"),
-                  [system](int block) { return static_cast<double>(unknowns_of(blockOf(system, block))); }),
-      countColumn(QObject::tr("Nodes"), {},
-                  [system](int block) { return static_cast<double>(blockOf(system, block).mesh.nodes.size()); }),
       countColumn(QObject::tr("Tetrahedra"), {},
                   [system](int block) { return static_cast<double>(blockOf(system, block).mesh.tetrahedra.size()); }),
       numberColumn(QObject::tr("Worst"),
                    QObject::tr("Least quality of its tetrahedra: 3 × inscribed over circumscribed radius, 1 of a "
                                "regular one, 0 of a flat one"),
                    quality([](const MeshQuality& one) { return one.worst; }), ratio),
-      numberColumn(QObject::tr("Mean"), QObject::tr("Mean quality of its tetrahedra"),
-                   quality([](const MeshQuality& one) { return one.mean; }), ratio),
       numberColumn(QObject::tr("Angle °"),
                    QObject::tr("Smallest angle between two faces of a tetrahedron; 70.5° of a regular one"),
-                   quality([](const MeshQuality& one) { return one.smallest_dihedral; }), degrees)};
+                   quality([](const MeshQuality& one) { return one.smallest_dihedral; }), degrees),
+      numberColumn(QObject::tr("Mean"), QObject::tr("Mean quality of its tetrahedra"),
+                   quality([](const MeshQuality& one) { return one.mean; }), ratio),
+      countColumn(QObject::tr("Nodes"), {},
+                  [system](int block) { return static_cast<double>(blockOf(system, block).mesh.nodes.size()); }),
+      countColumn(QObject::tr("Unknowns"), QObject::tr("Of its motion"),
+                  [system](int block) { return static_cast<double>(unknowns_of(blockOf(system, block))); }),
+      bodyColumn(system)};
 }
 
 }  // namespace talus

@@ -12,7 +12,7 @@ namespace talus {
 
 namespace {
 
-constexpr int widest_column = 220, cell_padding = 24;
+constexpr int widest_column = 160, cell_padding = 12;
 constexpr int rows_measured = 100;
 
 }  // namespace
@@ -45,20 +45,15 @@ BlockTable::BlockTable(CurrentProject& project) : project_(project) {
           [this](const QModelIndex& index) { project_.selection().hoverBlock(sorted_.mapToSource(index).row()); });
 }
 
-void BlockTable::setContent(std::vector<BlockColumn> columns, int roomy) {
+void BlockTable::setContent(std::vector<BlockColumn> columns) {
   const QScopedValueRollback silent(selects_, true);
   const int blocks = project_.system() ? static_cast<int>(project_.system()->blocks.size()) : 0;
   const bool isNew = rows_.columnCount() != static_cast<int>(columns.size());
   rows_.setContent(blocks, std::move(columns));
   if (isNew) sortByColumn(0, Qt::AscendingOrder);
   for (int column = 0; column < rows_.columnCount(); ++column) {
-    if (column == roomy) {
-      horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
-      continue;
-    }
-    horizontalHeader()->setSectionResizeMode(column, QHeaderView::Interactive);
-    const int wanted = std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column));
-    setColumnWidth(column, std::min(wanted + cell_padding, widest_column));
+    const int cells = sizeHintForColumn(column) + cell_padding, head = horizontalHeader()->sectionSizeHint(column);
+    setColumnWidth(column, std::min(std::max(cells, head), widest_column));
   }
   showSelection();
 }

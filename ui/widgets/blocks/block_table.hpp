@@ -14,9 +14,8 @@ class BlockTable : public QTableView {
   Q_OBJECT
  public:
   explicit BlockTable(CurrentProject& project);
-  /// In whose order the rows stand stays where there are as many columns as before. `roomy`: the column that takes what
-  /// the others leave.
-  void setContent(std::vector<BlockColumn> columns, int roomy);
+  /// The rows keep their order where there are as many columns as before.
+  void setContent(std::vector<BlockColumn> columns);
   void lookFor(const QString& words);
   /// What is said where there is no row.
   void setEmptyWords(const QString& words);

@@ -16,7 +16,6 @@ namespace talus {
 
 namespace {
 
-constexpr int leaving_column = 8;  // how a block leaves its place: the longest words
 constexpr int search_width = 200;
 constexpr std::size_t most_entries = 30;  // of a menu
 
@@ -92,7 +91,7 @@ void BlocksPanel::refresh() {
   std::vector<BlockColumn> columns;
   if (session_.project.system())
     columns = blockColumns(session_.project.system(), session_.project.builtFrom(), session_.survey.facts());
-  table_->setContent(std::move(columns), leaving_column);
+  table_->setContent(std::move(columns));
 }
 
 void BlocksPanel::goTo(int block) {

@@ -18,7 +18,7 @@ namespace talus {
 
 namespace {
 
-constexpr int chart_width = 280, worst_width = 280, name_column = 0;
+constexpr int chart_width = 250, worst_width = 240;
 /// Below these a tetrahedron is stiff, and a step of it small: limits that meshers commonly warn at.
 constexpr double poor_ratio = 0.2, poor_angle = 10;
 constexpr double surroundings = 8;  // what the view shows round a tetrahedron, over its edges
@@ -57,9 +57,11 @@ QWidget* MeshPanel::makeChart() {
   auto* column = new QVBoxLayout(plane);
   column->setContentsMargins(12, 6, 12, 6);
   column->setSpacing(4);
-  measure_ = makeCombo({tr("Inscribed over circumscribed radius × 3"), tr("Smallest angle between faces")},
-                       tr("Measure of quality"));
+  measure_ = makeCombo({tr("Radius ratio"), tr("Smallest angle")}, tr("Measure of quality"));
   measure_->setObjectName(QStringLiteral("measure"));
+  measure_->setToolTip(
+      tr("3 × inscribed over circumscribed radius: 1 of a regular tetrahedron, 0 of a flat one; or the smallest angle "
+         "between two of its faces: 70.5° of a regular one"));
   column->addWidget(measure_);
   chart_ = new QualityChart;
   column->addWidget(chart_, 1);
@@ -99,7 +101,7 @@ void MeshPanel::refresh() {
   table_->setEmptyWords(tr("Not meshed yet."));
   std::vector<BlockColumn> columns;
   if (project_.system()) columns = meshColumns(project_.system(), survey_.mesh());
-  table_->setContent(std::move(columns), name_column);
+  table_->setContent(std::move(columns));
   showChart();
   showWorst();
 }

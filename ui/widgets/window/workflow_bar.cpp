@@ -187,8 +187,8 @@ QString WorkflowBar::outcome() const {
       if (!system) return tr("not cut yet");
       const VolumeSum volume = volumeSum(*system);
       return ofBlocks(tr("%1, %2 m³ of %3 m³")
-                          .arg(numbers::counted(system->blocks.size(), "block"), numbers::significant(volume.blocks, 6),
-                               numbers::significant(volume.solids, 6)));
+                          .arg(numbers::counted(system->blocks.size(), "block"), numbers::figure(volume.blocks, 6),
+                               numbers::figure(volume.solids, 6)));
     }
     case WorkflowPage::mesh: {
       if (!system) return tr("not meshed yet");
