@@ -6,6 +6,7 @@
 #include <QTime>
 
 #include "session/session.hpp"
+#include "widgets/blocks/block_actions.hpp"
 #include "widgets/blocks/blocks_panel.hpp"
 #include "widgets/blocks/mesh_panel.hpp"
 #include "widgets/kit/theme.hpp"
@@ -20,12 +21,13 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   setDocumentMode(true);
   tabBar()->setExpanding(false);
   table_ = new PageTable(session.project, session.playback, session.display);
-  QList<QToolButton*> tools{makeActionButton(actions.selectByRule, true)};
-  for (auto* action : {actions.selectAllBlocks, actions.invertBlocks, actions.growBlocks, actions.lasso})
+  QList<QToolButton*> tools{makeActionButton(actions.blocks->byRule, true)};
+  for (auto* action :
+       {actions.blocks->everyOne, actions.blocks->others, actions.blocks->neighbours, actions.blocks->lasso})
     tools << makeActionButton(action, false);
-  blocks_ = new BlocksPanel(
-      session, tools,
-      {actions.hide, actions.isolate, actions.showAll, actions.growBlocks, actions.excavate, actions.mergeBlocks});
+  blocks_ = new BlocksPanel(session, tools,
+                            {actions.hide, actions.isolate, actions.showAll, actions.blocks->neighbours,
+                             actions.blocks->excavate, actions.blocks->merge});
   mesh_ = new MeshPanel(session.project, session.survey, session.display);
   for (QWidget* table : std::initializer_list<QWidget*>{table_, blocks_, mesh_}) tables_->addWidget(table);
   histories_ = new HistoryPanel(session.run, session.playback, session.display);

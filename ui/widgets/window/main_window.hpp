@@ -19,7 +19,6 @@ class Guards;
 class PasteJoints;
 class ManualWindow;
 class Rail;
-class RuleDialog;
 class StartPage;
 class StereonetPanel;
 class WorkflowBar;
@@ -90,7 +89,6 @@ class MainWindow : public QMainWindow {
   void askForJoints();
   void takeJoints(const std::filesystem::path& file);
   PasteJoints& pasteJoints();
-  void selectByRule();
   /// At the page that tells of what is selected, or of the page of the workflow.
   void showManual();
   void showAbout();
@@ -117,7 +115,6 @@ class MainWindow : public QMainWindow {
   AccuracyPanel* accuracy_ = nullptr;     ///< once it has been asked for
   StereonetPanel* stereonet_ = nullptr;   ///< likewise
   PasteJoints* pasteJoints_ = nullptr;    ///< likewise
-  RuleDialog* rule_ = nullptr;            ///< likewise
   QList<QToolBar*> bars_;
   QLabel *message_, *place_;
   bool docksSized_ = false;

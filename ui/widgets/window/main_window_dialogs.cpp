@@ -8,7 +8,6 @@
 #include "verification/hard_cases/scenes/all_hard_cases.hpp"
 #include "widgets/begin/recent_files.hpp"
 #include "widgets/begin/samples.hpp"
-#include "widgets/blocks/rule_dialog.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/orientation/paste_joints.hpp"
 #include "widgets/orientation/stereonet_panel.hpp"
@@ -54,7 +53,6 @@ void MainWindow::connectActions() {
   connect(actions_->accuracy, &QAction::triggered, this, &MainWindow::showAccuracy);
   connect(actions_->stereonet, &QAction::triggered, this, &MainWindow::showStereonet);
   connect(actions_->pasteJoints, &QAction::triggered, this, &MainWindow::askForJoints);
-  connect(actions_->selectByRule, &QAction::triggered, this, &MainWindow::selectByRule);
   connect(actions_->manual, &QAction::triggered, this, &MainWindow::showManual);
   connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_->viewAlone, &QAction::toggled, this, &MainWindow::showViewAlone);
@@ -142,11 +140,6 @@ PasteJoints& MainWindow::pasteJoints() {
 void MainWindow::askForJoints() { pasteJoints().present(); }
 
 void MainWindow::takeJoints(const std::filesystem::path& file) { pasteJoints().presentFile(file); }
-
-void MainWindow::selectByRule() {
-  if (!rule_) rule_ = new RuleDialog(session_, this);
-  rule_->present();
-}
 
 void MainWindow::showManual() {
   if (!manual_) manual_ = new ManualWindow(this);

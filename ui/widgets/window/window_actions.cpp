@@ -5,11 +5,9 @@
 #include <QMenuBar>
 #include <QWidget>
 
-#include "base/error.hpp"
 #include "jobs/solver_job.hpp"
-#include "removability/block_rule.hpp"
-#include "session/block_edits.hpp"
 #include "session/session.hpp"
+#include "widgets/blocks/block_actions.hpp"
 #include "widgets/joints/joint_actions.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/view/timeline.hpp"
@@ -19,11 +17,12 @@ namespace talus {
 
 WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&window), session_(session), window_(window) {
   makeFileActions();
-  makeBlockActions();
   makeViewActions();
   makeRunActions();
   joints = new JointActions(session_, window_);
   for (auto* action : joints->all()) include(action);
+  blocks = new BlockActions(session_, window_);
+  for (auto* action : blocks->all()) include(action);
   connect(&session_.project, &CurrentProject::opened, this, &WindowActions::refresh);
   connect(&session_.project, &CurrentProject::systemChanged, this, &WindowActions::refresh);
   connect(&session_.playback, &Playback::framesChanged, this, &WindowActions::refresh);
@@ -84,39 +83,6 @@ void WindowActions::makeFileActions() {
     else
       session_.project.save();
   });
-}
-
-void WindowActions::makeBlockActions() {
-  selectByRule = add(tr("Select by rule…"), QStringLiteral("filter"), QKeySequence(tr("Ctrl+F")));
-  selectAllBlocks = add(tr("Select all blocks"), QStringLiteral("select"), QKeySequence(tr("Ctrl+A")));
-  invertBlocks = add(tr("Select the other blocks"), QStringLiteral("loop"), QKeySequence(tr("Ctrl+I")));
-  growBlocks = add(tr("Select neighbours, too"), QStringLiteral("plus-set"), QKeySequence(tr("Ctrl+G")));
-  lasso = add(tr("Shift and drag draw a lasso"), QStringLiteral("scatter"), QKeySequence(Qt::Key_L));
-  lasso->setCheckable(true);
-  excavate = add(tr("Excavate selected blocks"), {}, QKeySequence(Qt::Key_Delete));
-  mergeBlocks = add(tr("Merge selected blocks"), {}, QKeySequence(Qt::Key_M));
-  CurrentProject& project = session_.project;
-  Selection& selection = project.selection();
-  const auto count = [&project] { return static_cast<int>(project.system()->blocks.size()); };
-  connect(selectAllBlocks, &QAction::triggered, this,
-          [&selection, count] { selection.selectBlocks(inverted({}, count())); });
-  connect(invertBlocks, &QAction::triggered, this,
-          [&selection, count] { selection.selectBlocks(inverted(selection.blocks(), count())); });
-  connect(growBlocks, &QAction::triggered, this,
-          [this, &selection] { selection.selectBlocks(grown(selection.blocks(), *session_.survey.facts())); });
-  connect(excavate, &QAction::triggered, this,
-          [this, &project] { tryTo([&] { block_edits::excavate(project, project.selection().blocks()); }); });
-  connect(mergeBlocks, &QAction::triggered, this, [this, &project] {
-    tryTo([&] { block_edits::merge(project, project.selection().blocks(), *session_.survey.facts()); });
-  });
-}
-
-void WindowActions::tryTo(const std::function<void()>& edit) {
-  try {
-    edit();
-  } catch (const InputError& error) {
-    session_.messages.add(problemOf(error));
-  }
 }
 
 void WindowActions::makeViewActions() {
@@ -181,7 +147,7 @@ void WindowActions::drive(Viewport& viewport, Timeline& timeline) {
   connect(isolate, &QAction::triggered, &viewport, &Viewport::isolateSelected);
   connect(showAll, &QAction::triggered, &viewport, &Viewport::showAll);
   connect(explode, &QAction::triggered, &viewport, &Viewport::toggleExplosion);
-  connect(lasso, &QAction::toggled, &viewport, &Viewport::setLasso);
+  connect(blocks->lasso, &QAction::toggled, &viewport, &Viewport::setLasso);
   connect(play, &QAction::triggered, &timeline, &Timeline::togglePlay);
   connect(previousFrame, &QAction::triggered, &timeline, [&timeline] { timeline.stepBy(-1); });
   connect(nextFrame, &QAction::triggered, &timeline, [&timeline] { timeline.stepBy(1); });
@@ -204,8 +170,8 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   auto* file = menu(tr("File"), {newProject, open, openResults, save, saveAs, nullptr, savePicture, saveFilm, nullptr,
                                  startPage, quit});
   file->insertMenu(save, recent);
-  menu(tr("Edit"), {undo, redo, nullptr, clearSelection, selectAllBlocks, invertBlocks, growBlocks, selectByRule, lasso,
-                    nullptr, excavate, mergeBlocks});
+  auto* edit = menu(tr("Edit"), {undo, redo, nullptr, clearSelection, nullptr});
+  for (auto* action : blocks->all()) edit->addAction(action);
   menu(tr("View"),
        {fit, iso, front, side, top, projection, nullptr, hide, isolate, showAll, explode, nullptr, dark, viewAlone});
   auto* model = menu(tr("Model"), {});
@@ -250,12 +216,8 @@ void WindowActions::refresh() {
   allow(savePicture, noBlocks);
   allow(saveFilm, noFrames);
   for (auto* action : {fit, iso, front, side, top, projection, showAll, explode}) allow(action, noBlocks);
-  for (auto* action : {hide, isolate, excavate}) allow(action, nothingSelected);
-  for (auto* action : {selectByRule, selectAllBlocks, invertBlocks, lasso}) allow(action, noBlocks);
-  const QString noFacts =
-      session_.survey.facts() ? QString() : tr("Their neighbours are looked for on the page Blocks");
-  allow(growBlocks, nothingSelected.isEmpty() ? noFacts : nothingSelected);
-  allow(mergeBlocks, session_.project.selection().blocks().size() < 2 ? tr("Select two blocks or more") : noFacts);
+  for (auto* action : {hide, isolate}) allow(action, nothingSelected);
+  for (auto* action : blocks->all()) allow(action, blocks->whyNot(action));
   for (auto* action : joints->all()) allow(action, joints->whyNot(action));
   allow(mesh, session_.run.whyNotMesh());
   allow(solve, session_.run.whyNotSolve());

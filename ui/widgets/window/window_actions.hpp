@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QObject>
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -15,6 +14,7 @@ namespace talus {
 
 struct Session;
 
+class BlockActions;
 class JointActions;
 class Viewport;
 class Timeline;
@@ -30,11 +30,10 @@ class WindowActions : public QObject {
   QAction *newProject, *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *startPage, *quit;
   // Edit
   QAction *undo, *redo, *clearSelection;
-  // Blocks
-  QAction *selectByRule, *selectAllBlocks, *invertBlocks, *growBlocks, *lasso, *excavate, *mergeBlocks;
   // View
   QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *explode, *dark, *viewAlone;
   JointActions* joints;
+  BlockActions* blocks;
   // Model and solve
   QAction *stereonet, *pasteJoints;
   QAction *mesh, *solve, *pause, *oneStep, *stop;
@@ -54,13 +53,10 @@ class WindowActions : public QObject {
   /// An action that another class has made becomes one of all.
   void include(QAction* action);
   void makeFileActions();
-  void makeBlockActions();
   void makeViewActions();
   void makeRunActions();
   void refresh();
   void allow(QAction* action, const QString& whyNot);
-  /// What the edit of blocks that are selected refuses is said as a problem.
-  void tryTo(const std::function<void()>& edit);
 
   Session& session_;
   QWidget& window_;
