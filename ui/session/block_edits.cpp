@@ -11,7 +11,6 @@
 #include "document/names.hpp"
 #include "mesh/inner_point.hpp"
 #include "removability/block_rule.hpp"
-#include "session/current_project.hpp"
 
 namespace talus::block_edits {
 

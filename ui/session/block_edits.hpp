@@ -7,10 +7,9 @@
 
 #include "model/rock/body_kind.hpp"
 #include "removability/block_facts.hpp"
+#include "session/current_project.hpp"
 
 namespace talus {
-
-class CurrentProject;
 
 /// What is done to several blocks at once: each one step that can be undone. Blocks are indices into the blocks as they
 /// were cut; the project names each by a point that surely lies in it. Each throws InputError, and changes nothing,

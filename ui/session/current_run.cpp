@@ -3,11 +3,11 @@
 #include "io/project_file.hpp"
 #include "jobs/results_loader.hpp"
 #include "jobs/solver_job.hpp"
+#include "mesh/volume_sum.hpp"
 #include "render/paint/numbers.hpp"
 #include "session/current_project.hpp"
 #include "session/messages.hpp"
 #include "session/playback.hpp"
-#include "session/volume_sum.hpp"
 
 namespace talus {
 
@@ -37,6 +37,16 @@ Problem problemOf(const ExpectationOutcome& outcome) {
                                      : QObject::tr("was not reached by the run; %1").arg(wanted),
           .remedy = QObject::tr("see how it went in the histories, and which of project and expectation is wrong"),
           .of = Problem::Of::run};
+}
+
+/// Of rock that cutting has lost or made twice.
+Problem problemOf(const VolumeSum& sum) {
+  return {
+      .severity = Problem::Severity::warning,
+      .place = QObject::tr("blocks"),
+      .problem = QObject::tr("they have %1 m³ together, the solids %2 m³").arg(number(sum.blocks), number(sum.solids)),
+      .remedy = QObject::tr("look for solids that are open or overlap, and for cuts that nearly meet"),
+      .of = Problem::Of::run};
 }
 
 /// In what a run that has ended falls short; empty: in nothing.
@@ -142,7 +152,7 @@ void CurrentRun::takeNews(const JobNews& news) {
   if (news.system) {
     project_.setSystem(news.system);
     messages_.log(tr("%1 cut and meshed").arg(countOf(*news.system)));
-    if (const auto problem = volumeProblem(*news.system, project_.builtFrom())) messages_.add(*problem);
+    if (const VolumeSum sum = volume_sum(*news.system); !sum.adds_up()) messages_.add(problemOf(sum));
   }
   if (news.size) size_ = news.size;
   if (!news.effects.empty()) effects_ = news.effects;

@@ -5,7 +5,6 @@
 #include "base/error.hpp"
 #include "removability/block_rule.hpp"
 #include "session/block_edits.hpp"
-#include "session/session.hpp"
 #include "widgets/blocks/rule_dialog.hpp"
 #include "widgets/kit/theme.hpp"
 

@@ -5,7 +5,6 @@
 #include <QScopedValueRollback>
 #include <algorithm>
 
-#include "session/current_project.hpp"
 #include "widgets/kit/theme.hpp"
 
 namespace talus {

@@ -2,11 +2,10 @@
 
 #include <QTableView>
 
+#include "session/current_project.hpp"
 #include "widgets/blocks/block_rows.hpp"
 
 namespace talus {
-
-class CurrentProject;
 
 /// Blocks as rows: what is selected in it is selected everywhere, and the other way about. The columns are told by
 /// whoever has it.

@@ -4,7 +4,6 @@
 #include <QHeaderView>
 
 #include "session/block_survey.hpp"
-#include "session/current_project.hpp"
 #include "session/display.hpp"
 #include "widgets/blocks/block_columns.hpp"
 #include "widgets/blocks/block_table.hpp"

@@ -2,8 +2,6 @@
 
 #include <QComboBox>
 
-#include "session/session.hpp"
-#include "widgets/blocks/rule_form.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 
@@ -14,7 +12,7 @@ constexpr int dialog_width = 330;
 }
 
 RuleDialog::RuleDialog(Session& session, QWidget* parent)
-    : QDialog(parent), session_(session), form_(new RuleForm(session.project, session.picking)) {
+    : QDialog(parent), session_(session), form_(new RuleForm(session)) {
   setWindowTitle(tr("Select blocks by rule"));
   setFixedWidth(dialog_width);
   auto* column = new QVBoxLayout(this);

@@ -3,14 +3,13 @@
 #include <QDialog>
 #include <vector>
 
+#include "widgets/blocks/rule_form.hpp"
+
 class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace talus {
-
-class RuleForm;
-struct Session;
 
 /// Selects blocks by what is known of them; it stays open, so that one rule can follow another. How many blocks a rule
 /// means is said at once.

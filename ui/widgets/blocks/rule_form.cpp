@@ -7,8 +7,6 @@
 #include <array>
 #include <memory>
 
-#include "session/current_project.hpp"
-#include "session/picking.hpp"
 #include "widgets/kit/model_words.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/kit/numbers.hpp"
@@ -38,7 +36,7 @@ constexpr int title_width = 104;
 
 }  // namespace
 
-RuleForm::RuleForm(CurrentProject& project, Picking& picking) : project_(project), picking_(picking) {
+RuleForm::RuleForm(Session& session) : session_(session) {
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 6);
   question_ = makeCombo({tr("volume below"), tr("volume above"), tr("thinner than"), tr("below a plane"),
@@ -68,7 +66,7 @@ void RuleForm::showQuestion() {
   setMargins(rows_, 0, 6);
   layout()->addWidget(answers_);
   rule_ = {};
-  const Project& built = project_.builtFrom();
+  const Project& built = session_.project.builtFrom();
   switch (static_cast<Question>(question_->currentIndex())) {
     case volume_below:
     case volume_above: {
@@ -146,13 +144,14 @@ void RuleForm::askPlane(Side side) {
 }
 
 void RuleForm::pickPlane() {
-  picking_.ask(tr("Click three places that the plane goes through"), 3, [this](const std::vector<PickedPlace>& places) {
-    Vec3 normal = (places[1].point - places[0].point).cross(places[2].point - places[0].point);
-    if (normal.isZero(0)) return;  // in one line: there is no plane
-    if (normal.z() < 0) normal = -normal;
-    picked_ = ByPlane{.through = places[0].point, .normal = normal.normalized()};
-    showQuestion();
-  });
+  session_.picking.ask(tr("Click three places that the plane goes through"), 3,
+                       [this](const std::vector<PickedPlace>& places) {
+                         Vec3 normal = (places[1].point - places[0].point).cross(places[2].point - places[0].point);
+                         if (normal.isZero(0)) return;  // in one line: there is no plane
+                         if (normal.z() < 0) normal = -normal;
+                         picked_ = ByPlane{.through = places[0].point, .normal = normal.normalized()};
+                         showQuestion();
+                       });
 }
 
 void RuleForm::askWay() {

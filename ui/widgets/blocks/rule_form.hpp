@@ -5,20 +5,18 @@
 #include <optional>
 
 #include "removability/block_rule.hpp"
+#include "session/session.hpp"
 
 class QComboBox;
 class QFormLayout;
 
 namespace talus {
 
-class CurrentProject;
-class Picking;
-
 /// Which blocks are meant: what is asked of them, and the numbers or names that belong to the question.
 class RuleForm : public QWidget {
   Q_OBJECT
  public:
-  RuleForm(CurrentProject& project, Picking& picking);
+  explicit RuleForm(Session& session);
   /// None while a number is missing, or the project has no such thing.
   std::optional<BlockRule> rule() const { return rule_ ? rule_() : std::nullopt; }
   /// Offers joints, materials and solids of the blocks as they were built.
@@ -39,8 +37,7 @@ class RuleForm : public QWidget {
   void addRow(const QString& title, QWidget* field);
   void pickPlane();
 
-  CurrentProject& project_;
-  Picking& picking_;
+  Session& session_;
   QComboBox* question_;
   QWidget* answers_ = nullptr;
   QFormLayout* rows_ = nullptr;

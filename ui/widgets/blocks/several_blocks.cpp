@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "session/block_edits.hpp"
 #include "session/block_survey.hpp"
-#include "session/current_project.hpp"
 #include "session/messages.hpp"
 #include "widgets/kit/model_words.hpp"
 #include "widgets/kit/number_field.hpp"

@@ -6,9 +6,9 @@
 #include <QStackedWidget>
 
 #include "jobs/solver_job.hpp"
+#include "mesh/volume_sum.hpp"
 #include "model/stage_length.hpp"
 #include "session/session.hpp"
-#include "session/volume_sum.hpp"
 #include "widgets/blocks/block_view_tools.hpp"
 #include "widgets/joints/joint_actions.hpp"
 #include "widgets/kit/numbers.hpp"
@@ -185,7 +185,7 @@ QString WorkflowBar::outcome() const {
              numbers::counted(project.cuts.size(), "cut");
     case WorkflowPage::blocks: {
       if (!system) return tr("not cut yet");
-      const VolumeSum volume = volumeSum(*system);
+      const VolumeSum volume = volume_sum(*system);
       return ofBlocks(tr("%1, %2 m³ of %3 m³")
                           .arg(numbers::counted(system->blocks.size(), "block"), numbers::figure(volume.blocks, 6),
                                numbers::figure(volume.solids, 6)));
