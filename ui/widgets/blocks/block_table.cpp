@@ -11,7 +11,7 @@ namespace talus {
 
 namespace {
 
-constexpr int widest_column = 160, cell_padding = 12;
+constexpr int widest_column = 160, cell_padding = 12, arrow = 14;
 constexpr int rows_measured = 100;
 
 }  // namespace
@@ -51,7 +51,8 @@ void BlockTable::setContent(std::vector<BlockColumn> columns) {
   rows_.setContent(blocks, std::move(columns));
   if (isNew) sortByColumn(0, Qt::AscendingOrder);
   for (int column = 0; column < rows_.columnCount(); ++column) {
-    const int cells = sizeHintForColumn(column) + cell_padding, head = horizontalHeader()->sectionSizeHint(column);
+    const int cells = sizeHintForColumn(column) + cell_padding,
+              head = horizontalHeader()->sectionSizeHint(column) + arrow;
     setColumnWidth(column, std::min(std::max(cells, head), widest_column));
   }
   showSelection();

@@ -20,7 +20,7 @@ namespace {
 constexpr int chart_width = 250, worst_width = 240;
 /// Below these a tetrahedron is stiff, and a step of it small: limits that meshers commonly warn at.
 constexpr double poor_ratio = 0.2, poor_angle = 10;
-constexpr double surroundings = 8;  // what the view shows round a tetrahedron, over its edges
+constexpr double surroundings = 3;  // what the view shows round a tetrahedron, over its edges
 
 /// The longest edge [m].
 double sizeOf(const BlockSystem& system, const PoorTetrahedron& one) {
