@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "geometry/mesher_answers.hpp"
 #include "geometry/mesher_process.hpp"
+#include "geometry/mesher_solids.hpp"
+#include "geometry/solid_surface.hpp"
 #include "model/body_choice.hpp"
 #include "model/rules/validate.hpp"
 #include "model/solid_shape.hpp"
@@ -22,13 +25,6 @@ int index_of(const std::vector<Named>& things, const std::string& name) {
 }
 
 /// What the format knows and geometry does not make yet.
-void refuse_unmade(const Solid& solid) {
-  const auto* file = std::get_if<FileShape>(&solid.shape);
-  if (polyhedron_of(solid) || (file && !solid.turn && solid.move.isZero(0))) return;
-  throw InputError("solid " + solid.name, "this version does not make such a solid",
-                   "use a box, a polyhedron or a file");
-}
-
 void refuse_unmade(const Project& project) {
   for (const Cut& cut : project.cuts) {
     if (cut.disc || !cut.polygon.empty() || cut.network || !cut.ends_at.empty())
@@ -39,23 +35,6 @@ void refuse_unmade(const Project& project) {
   if (!project.merges.empty() || project.splinters != Splinters() || project.mesh != MeshSettings() ||
       std::any_of(project.blocks.begin(), project.blocks.end(), removed))
     throw InputError("/", "this version does not merge, drop or refine blocks", "leave merges, splinters and mesh out");
-}
-
-MesherSolid job_solid(const Solid& solid, const std::filesystem::path& folder) {
-  refuse_unmade(solid);
-  MesherSolid job;
-  job.name = solid.name;
-  job.mesh_size = solid.mesh_size;
-  if (auto polyhedron = polyhedron_of(solid)) job.polyhedron = std::move(*polyhedron);
-  if (const auto* file = std::get_if<FileShape>(&solid.shape)) {
-    job.file = std::filesystem::absolute(folder / file->path).string();
-    job.file_as_written = file->path;
-    job.scale = file->scale;
-    if (!std::filesystem::is_regular_file(job.file)) {
-      throw InputError(file->path, "there is no such file", "correct the path of solid " + solid.name);
-    }
-  }
-  return job;
 }
 
 MesherCut job_cut(const Project& project, std::size_t index) {
@@ -77,7 +56,7 @@ MesherCut job_cut(const Project& project, std::size_t index) {
 MesherJob make_job(const Project& project, const std::filesystem::path& folder) {
   refuse_unmade(project);
   MesherJob job;
-  for (const Solid& solid : project.solids) job.solids.push_back(job_solid(solid, folder));
+  job.solids = mesher_solids(project.solids, project.origin, folder);
   for (std::size_t i = 0; i < project.cuts.size(); ++i) job.cuts.push_back(job_cut(project, i));
   for (const BlockOverride& wanted : project.blocks) {
     job.overrides.push_back({wanted.name, wanted.at, wanted.mesh_size});
@@ -156,32 +135,15 @@ Project without_what_moves_no_choice(Project project) {
   return project;
 }
 
-/// The mesher has gone without a word: what it did last tells where.
-InputError crashed(const std::string& last_words) {
-  return InputError("geometry", "the mesher crashed while " + last_words,
-                    "try a larger mesh_size, or move the cuts there");
+const char* key_of_file(const SolidShape& shape) {
+  return std::holds_alternative<TerrainShape>(shape) ? "/terrain/file" : "/file";
 }
 
-constexpr int patience = 50;  // ms, how long a cancelled wait may last
-
-/// Throws InputError for a solid that cannot be read.
-void import_alone(const Solid& solid, const std::filesystem::path& folder, const Progress& progress) {
-  MesherJob job;
-  job.solids = {job_solid(solid, folder)};
-  job.import_only = true;
-  MesherProcess mesher;
-  mesher.send(MessageKind::job, to_bytes(job));
-  for (;;) {
-    const bool come = mesher.wait(patience);
-    if (progress.cancelled()) throw Cancelled{};
-    if (!come) continue;
-    const auto message = mesher.receive();
-    if (!message || message->kind == MessageKind::fault) throw crashed("reading " + solid.name);
-    if (message->kind == MessageKind::end) return;
-    if (message->kind != MessageKind::error) continue;
-    const auto error = from_bytes<MesherError>(message->bytes);
-    throw InputError(error.place, error.problem, error.remedy);
-  }
+/// Throws InputError for a solid that no rock can be made of.
+void check_alone(const Solid& solid, const Vec3& origin, const std::filesystem::path& folder, Progress& progress) {
+  const SolidSurface surface = solid_surface(solid, origin, folder, progress);
+  for (const SurfaceFinding& finding : surface.findings)
+    if (is_fatal(finding)) throw unsound(*file_of(solid.shape), finding);
 }
 
 }  // namespace
@@ -189,12 +151,13 @@ void import_alone(const Solid& solid, const std::filesystem::path& folder, const
 std::vector<InputError> broken_files(const Project& project, const std::filesystem::path& folder, Progress& progress) {
   std::vector<InputError> broken;
   for (std::size_t i = 0; i < project.solids.size(); ++i) {
-    if (!std::holds_alternative<FileShape>(project.solids[i].shape)) continue;
+    const Solid& solid = project.solids[i];
+    if (!file_of(solid.shape)) continue;
     try {
-      import_alone(project.solids[i], folder, progress);
+      check_alone(solid, project.origin, folder, progress);
     } catch (const InputError& error) {
-      broken.emplace_back("/solids/" + std::to_string(i) + "/file", error.place() + ": " + error.problem(),
-                          error.remedy());
+      broken.emplace_back("/solids/" + std::to_string(i) + key_of_file(solid.shape),
+                          error.place() + ": " + error.problem(), error.remedy());
     }
   }
   return broken;
@@ -208,43 +171,21 @@ BlockSystem build_blocks(const Project& project, const std::filesystem::path& fo
   for (const Joint& joint : project.joints) system.joint_names.push_back(joint.name);
   MesherProcess mesher;
   mesher.send(MessageKind::job, to_bytes(job));
-  std::string last_words = "starting";
+  MesherAnswers answers(mesher, progress, "try a larger mesh_size, or move the cuts there");
   std::size_t meshed = 0;  // blocks
   for (;;) {
-    const bool come = mesher.wait(patience);
-    if (progress.cancelled()) throw Cancelled{};
-    if (!come) continue;
-    const auto message = mesher.receive();
-    if (!message) throw crashed(last_words);
-    switch (message->kind) {
-      case MessageKind::progress: {
-        const auto told = from_bytes<MesherProgress>(message->bytes);
-        last_words = told.what;
-        progress.report(told.fraction, told.what);
-        break;
-      }
-      case MessageKind::cut: {
-        const auto cut = from_bytes<MesherCutModel>(message->bytes);
-        mesher.send(MessageKind::sizes, to_bytes(describe_blocks(project, cut, system.blocks)));
-        break;
-      }
-      case MessageKind::block:
-        take_mesh(system.blocks.at(meshed++), from_bytes<MesherBlock>(message->bytes));
-        break;
-      case MessageKind::end:
-        system.solids_volume = from_bytes<MesherEnd>(message->bytes).solids_volume;
-        progress.report(1, "meshed");
-        return system;
-      case MessageKind::error: {
-        const auto error = from_bytes<MesherError>(message->bytes);
-        throw InputError(error.place, error.problem, error.remedy);
-      }
-      case MessageKind::fault:
-        throw std::runtime_error("the mesher failed while " + last_words + ": " +
-                                 from_bytes<MesherFault>(message->bytes).what);
-      case MessageKind::job:
-      case MessageKind::sizes:
-        throw std::runtime_error("the mesher answered with an order");
+    const auto message = answers.next();
+    if (message.kind == MessageKind::cut) {
+      const auto cut = from_bytes<MesherCutModel>(message.bytes);
+      mesher.send(MessageKind::sizes, to_bytes(describe_blocks(project, cut, system.blocks)));
+    } else if (message.kind == MessageKind::block) {
+      take_mesh(system.blocks.at(meshed++), from_bytes<MesherBlock>(message.bytes));
+    } else if (message.kind == MessageKind::end) {
+      system.solids_volume = from_bytes<MesherEnd>(message.bytes).solids_volume;
+      progress.report(1, "meshed");
+      return system;
+    } else {
+      throw std::runtime_error("the mesher answered with what was not asked for");
     }
   }
 }

@@ -9,21 +9,61 @@
 #include "model/project.hpp"
 
 /// What passes between the program and the mesher, a program of its own: a job goes out, and what cutting made of it
-/// comes back; how finely to mesh each block goes out, and blocks and at last an end come back. Progress comes between,
-/// and an error or a fault instead. Names are resolved to indices before.
+/// comes back; how finely to mesh each block goes out, and blocks and at last an end come back. Or a job goes out of
+/// which the solids are only looked at, and a SolidSurface of each and an end come back. Progress comes between, and an
+/// error or a fault instead. Names are resolved to indices before.
 namespace talus {
 
+/// Where a solid lies: a point of its shape, less the origin of the files' coordinates, is turned and then moved.
+struct MesherPlacement {
+  Vec3 origin = Vec3::Zero();  ///< m
+  Vec3 axis = Vec3::UnitZ(), about = Vec3::Zero();
+  double angle = 0;  ///< rad
+  Vec3 move = Vec3::Zero();
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(origin, axis, about, angle, move);
+  }
+};
+
+/// The solid's file has the surface that it lies below.
+struct MesherTerrain {
+  double base = 0, tolerance = 0;  ///< m
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(base, tolerance);
+  }
+};
+
+struct MesherCombination {
+  CombineOperation operation = CombineOperation::unite;
+  std::vector<int> solids;  ///< indices into MesherJob::solids, all before its own
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(operation, solids);
+  }
+};
+
+/// A polyhedron, a file or a combination.
 struct MesherSolid {
   std::string name;
-  PolyhedronShape polyhedron;  ///< empty when `file` is given
+  PolyhedronShape polyhedron;  ///< placed already
   std::string file;            ///< absolute path
   std::string file_as_written;
-  double scale = 1;
+  double scale = 1;  ///< m per unit of the file
+  std::optional<MesherTerrain> terrain;
+  std::optional<MesherCombination> combined;
+  MesherPlacement placement;
+  bool is_part = false;             ///< of a combined solid: no body of its own
   std::optional<double> mesh_size;  ///< m
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(name, polyhedron.vertices, polyhedron.faces, file, file_as_written, scale, mesh_size);
+    stream(name, polyhedron.vertices, polyhedron.faces, file, file_as_written, scale, terrain, combined, placement,
+           is_part, mesh_size);
   }
 };
 
@@ -70,11 +110,10 @@ struct MesherJob {
   std::vector<MesherSolid> solids;
   std::vector<MesherCut> cuts;
   std::vector<MesherOverride> overrides;
-  bool import_only = false;  ///< the solids are looked at, and nothing is cut
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(solids, cuts, overrides, import_only);
+    stream(solids, cuts, overrides);
   }
 };
 
@@ -164,7 +203,7 @@ struct MesherFault {
   }
 };
 
-enum class MessageKind : std::uint32_t { job, cut, sizes, progress, block, end, error, fault };
+enum class MessageKind : std::uint32_t { job, cut, sizes, look, surface, progress, block, end, error, fault };
 
 /// Precedes every message.
 struct MessageHeader {

@@ -4,10 +4,10 @@
 #include <set>
 #include <utility>
 
-#include "base/error.hpp"
-#include "geometry/polygon_triangles.hpp"
+#include "geometry/mesher_answers.hpp"
+#include "geometry/mesher_solids.hpp"
+#include "mesh/polygon_triangles.hpp"
 #include "model/polyhedron.hpp"
-#include "model/solid_shape.hpp"
 
 namespace talus {
 namespace {
@@ -35,22 +35,45 @@ SolidSurface surface_of(const PolyhedronShape& shape) {
   return surface;
 }
 
-}  // namespace
-
-SolidSurface solid_surface(const Solid& solid, const Vec3&, const std::filesystem::path&, Progress&) {
-  const auto polyhedron = polyhedron_of(solid);
-  if (!polyhedron)
-    throw InputError("solid " + solid.name, "this version does not show such a solid", "cut the project to see it");
-  SolidSurface surface = surface_of(*polyhedron);
-  surface.name = solid.name;
-  return surface;
+/// As the mesher reads them: a surface for each solid, in their order; polyhedra are left empty.
+std::vector<SolidSurface> surfaces_by_mesher(const MesherJob& job, Progress& progress) {
+  MesherProcess mesher;
+  mesher.send(MessageKind::look, to_bytes(job));
+  MesherAnswers answers(mesher, progress, "export the solid again, in another format if need be");
+  std::vector<SolidSurface> surfaces;
+  for (;;) {
+    const auto message = answers.next();
+    if (message.kind == MessageKind::end) return surfaces;
+    surfaces.push_back(from_bytes<SolidSurface>(message.bytes));
+  }
 }
+
+std::vector<SolidSurface> surfaces_of(const std::vector<Solid>& solids, const Vec3& origin,
+                                      const std::filesystem::path& folder, Progress& progress) {
+  MesherJob job;
+  job.solids = mesher_solids(solids, origin, folder);
+  const auto is_polyhedron = [](const MesherSolid& solid) { return !solid.polyhedron.faces.empty(); };
+  std::vector<SolidSurface> surfaces(job.solids.size());
+  if (!std::all_of(job.solids.begin(), job.solids.end(), is_polyhedron)) surfaces = surfaces_by_mesher(job, progress);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!is_polyhedron(job.solids[i])) continue;
+    surfaces[i] = surface_of(job.solids[i].polyhedron);
+    surfaces[i].name = job.solids[i].name;
+    surfaces[i].is_part = job.solids[i].is_part;
+  }
+  return surfaces;
+}
+
+}  // namespace
 
 std::vector<SolidSurface> solid_surfaces(const Project& project, const std::filesystem::path& folder,
                                          Progress& progress) {
-  std::vector<SolidSurface> surfaces;
-  for (const Solid& solid : project.solids) surfaces.push_back(solid_surface(solid, project.origin, folder, progress));
-  return surfaces;
+  return surfaces_of(project.solids, project.origin, folder, progress);
+}
+
+SolidSurface solid_surface(const Solid& solid, const Vec3& origin, const std::filesystem::path& folder,
+                           Progress& progress) {
+  return surfaces_of({solid}, origin, folder, progress).front();
 }
 
 }  // namespace talus

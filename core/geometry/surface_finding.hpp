@@ -1,8 +1,10 @@
 #pragma once
 
+#include <sstream>
 #include <string>
 #include <string_view>
 
+#include "base/error.hpp"
 #include "base/vector.hpp"
 
 namespace talus {
@@ -92,6 +94,14 @@ constexpr bool is_fatal(const SurfaceFinding& finding) {
 inline std::string text_of(const SurfaceFinding& finding) {
   return std::to_string(finding.count) + " " + std::string(name_of(finding.kind, finding.count != 1)) + ": " +
          std::string(remedy_of(finding.kind, finding.mended));
+}
+
+/// The error of a solid with such a finding.
+inline InputError unsound(const std::string& place, const SurfaceFinding& finding) {
+  std::ostringstream problem;
+  problem << "its surface has " << finding.count << " " << name_of(finding.kind, finding.count != 1) << ", around ("
+          << finding.where.x() << ", " << finding.where.y() << ", " << finding.where.z() << ")";
+  return {place, problem.str(), std::string(remedy_of(finding.kind, finding.mended))};
 }
 
 }  // namespace talus

@@ -299,6 +299,7 @@ CutModel cut_solids(const MesherJob& job, const ImportedModel& model,
   CutModel result{PlaneTable(rounding * bounds.diagonal().norm()), {}};
   std::vector<bool> hit(job.cuts.size(), false);
   for (std::size_t s = 0; s < job.solids.size(); ++s) {
+    if (!model.solids[s].is_body()) continue;
     const int solid = static_cast<int>(s);
     report(static_cast<double>(s) / static_cast<double>(job.solids.size()), "cutting " + job.solids[s].name);
     SolidCutter cutter(job, model, solid, result.planes);

@@ -1,6 +1,6 @@
-/// talus-mesher: the program that runs gmsh for Talus, so that a crash in it or a cancelled wait ends nothing else.
-/// Reads one job from descriptor 0, answers there with what cutting made of it, and, told how finely to mesh, with
-/// blocks, and an end or an error (mesher_job.hpp).
+/// talus-mesher: the program that runs gmsh, CGAL and GDAL for Talus, so that a crash in them or a cancelled wait ends
+/// nothing else. Reads one job from descriptor 0, answers there with what cutting made of it, and, told how finely to
+/// mesh, with blocks, or with what its solids look like; then with an end or an error (mesher_job.hpp).
 
 #include <gmsh.h>
 #include <sys/prctl.h>
@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "geometry/mesher/block_names.hpp"
 #include "geometry/mesher/overlap.hpp"
+#include "geometry/mesher/solid_views.hpp"
 #include "geometry/mesher/tet_mesher.hpp"
 
 namespace talus {
@@ -45,14 +46,17 @@ void send_message(MessageKind kind, const Message& message) {
   send_exactly(bytes.data(), bytes.size());
 }
 
-/// The next message, which the order of things makes one of `Message`.
-template <class Message>
-Message receive_message() {
+struct Received {
+  MessageKind kind;
+  std::string bytes;
+};
+
+Received receive_message() {
   MessageHeader header;
   receive_exactly(reinterpret_cast<char*>(&header), sizeof header);
-  std::string bytes(header.size, '\0');
-  receive_exactly(bytes.data(), bytes.size());
-  return from_bytes<Message>(bytes);
+  Received received{header.kind, std::string(header.size, '\0')};
+  receive_exactly(received.bytes.data(), received.bytes.size());
+  return received;
 }
 
 void report(double fraction, std::string_view what) {
@@ -103,19 +107,31 @@ void mesh_blocks(const ImportedModel& model, const CutModel& cut, const std::vec
   }
 }
 
+/// The solids as they come. What the program itself knows, polyhedra, is left empty.
+void look(const MesherJob& job) {
+  gmsh::model::add("rock");
+  const ImportedModel model = import_solids(job.solids, ImportPurpose::look, report);
+  for (std::size_t i = 0; i < job.solids.size(); ++i) {
+    const bool known = !job.solids[i].polyhedron.faces.empty();
+    send_message(MessageKind::surface,
+                 known ? SolidSurface{} : surface_of(job.solids[i], model.solids[i], model.origin));
+  }
+  send_message(MessageKind::end, MesherEnd{});
+}
+
 void work(const MesherJob& job) {
   constexpr double imported = 0.05, cut_done = 0.2;  // shares of the whole
-  report(0, "importing solids");
   gmsh::model::add("rock");
-  const ImportedModel model = import_solids(job.solids);
-  if (job.import_only) return send_message(MessageKind::end, MesherEnd{});
+  const ImportedModel model = import_solids(job.solids, ImportPurpose::cut, [](double fraction, std::string_view what) {
+    report(imported * fraction, what);
+  });
   check_no_overlap(model, job.solids);
   const CutModel cut = cut_solids(job, model, [](double fraction, std::string_view what) {
     report(imported + (cut_done - imported) * fraction, what);
   });
   const std::vector<NamedBlock> names = name_blocks(job, model, cut);
   send_message(MessageKind::cut, cut_model(model, cut, names));
-  mesh_blocks(model, cut, names, receive_message<MesherSizes>().sizes, cut_done);
+  mesh_blocks(model, cut, names, from_bytes<MesherSizes>(receive_message().bytes).sizes, cut_done);
   MesherEnd end;
   for (const ImportedSolid& solid : model.solids) end.solids_volume += solid.volume;
   send_message(MessageKind::end, end);
@@ -123,13 +139,14 @@ void work(const MesherJob& job) {
 
 void run() {
   try {
-    const auto job = receive_message<MesherJob>();
+    const Received order = receive_message();
+    const auto job = from_bytes<MesherJob>(order.bytes);
     gmsh::initialize();
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
     // An error in the threads of surface meshing would end the process; the checks of each mesh see it as well.
     gmsh::option::setNumber("General.AbortOnError", 0);
-    work(job);
+    order.kind == MessageKind::look ? look(job) : work(job);
   } catch (const InputError& error) {
     send_message(MessageKind::error, MesherError{error.place(), error.problem(), error.remedy()});
   } catch (const std::string& error) {

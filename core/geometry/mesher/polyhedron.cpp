@@ -86,6 +86,8 @@ std::vector<Plane> fitted_planes(const PolyhedronShape& shape) {
   return planes;
 }
 
+}  // namespace
+
 /// Turn by turn fits a plane to each face and moves each vertex onto the planes of its faces with more than three
 /// vertices (a triangle is always flat).
 PolyhedronShape with_flat_faces(PolyhedronShape shape, const std::string& place) {
@@ -122,8 +124,6 @@ PolyhedronShape with_flat_faces(PolyhedronShape shape, const std::string& place)
   }
   return shape;
 }
-
-}  // namespace
 
 PolyhedronShape flattened(PolyhedronShape shape, const std::string& place) {
   check_single_body(shape, place);

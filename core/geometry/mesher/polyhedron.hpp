@@ -12,4 +12,7 @@ namespace talus {
 /// unchanged. Throws InputError at `place` when it falls into separate bodies or its faces cannot all be flat.
 PolyhedronShape flattened(PolyhedronShape shape, const std::string& place);
 
+/// The same of faces that may be several bodies.
+PolyhedronShape with_flat_faces(PolyhedronShape shape, const std::string& place);
+
 }  // namespace talus

@@ -4,10 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
+#include <utility>
 
 #include "base/error.hpp"
+#include "geometry/mesher/cad_file.hpp"
+#include "geometry/mesher/combined_solid.hpp"
+#include "geometry/mesher/flat_bodies.hpp"
+#include "geometry/mesher/occ_volumes.hpp"
+#include "geometry/mesher/placement.hpp"
 #include "geometry/mesher/polyhedron.hpp"
+#include "geometry/mesher/surface_file.hpp"
 #include "model/polyhedron.hpp"
 
 namespace talus {
@@ -16,68 +23,6 @@ namespace {
 namespace occ = gmsh::model::occ;
 
 std::string place_of(const MesherSolid& solid) { return "solid " + solid.name; }
-
-/// gmsh throws for some unreadable files and gives nothing for others: both end here as no volumes.
-std::vector<int> volumes_in_file(const MesherSolid& solid) {
-  gmsh::option::setString("Geometry.OCCTargetUnit", "M");  // OpenCASCADE reads millimetres otherwise
-  gmsh::option::setNumber("Geometry.OCCScaling", solid.scale);
-  gmsh::vectorpair shapes;
-  try {
-    occ::importShapes(solid.file, shapes, true);
-  } catch (const std::string&) {
-    shapes.clear();
-  }
-  if (shapes.empty()) {
-    throw InputError(solid.file_as_written, "is not a readable STEP file", "export the solid again as STEP");
-  }
-  std::vector<int> volumes;
-  for (const auto& [dimension, tag] : shapes) {
-    if (dimension == 3) volumes.push_back(tag);
-  }
-  if (volumes.empty()) {
-    throw InputError(solid.file_as_written, "holds surfaces but no closed solid", "export a closed solid");
-  }
-  return volumes;
-}
-
-Eigen::AlignedBox3d bounds_of(const std::vector<int>& volumes) {
-  Eigen::AlignedBox3d bounds;
-  for (int tag : volumes) {
-    Vec3 low, high;
-    occ::getBoundingBox(3, tag, low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
-    bounds.extend(low).extend(high);
-  }
-  return bounds;
-}
-
-double volume_of(const std::vector<int>& volumes) {
-  double total = 0;
-  for (int tag : volumes) {
-    double volume = 0;
-    occ::getMass(3, tag, volume);
-    total += volume;
-  }
-  return total;
-}
-
-int add_polyhedron(const PolyhedronShape& shape) {
-  std::vector<int> points;
-  for (const Vec3& vertex : shape.vertices) points.push_back(occ::addPoint(vertex.x(), vertex.y(), vertex.z()));
-  std::map<std::pair<int, int>, int> lines;
-  std::vector<int> faces;
-  for (const std::vector<int>& face : shape.faces) {
-    std::vector<int> loop;
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const int from = face[k], to = face[(k + 1) % face.size()];
-      const auto [line, fresh] = lines.try_emplace(std::minmax(from, to), 0);
-      if (fresh)
-        line->second = occ::addLine(points[static_cast<std::size_t>(from)], points[static_cast<std::size_t>(to)]);
-      loop.push_back(line->second);
-    }
-    faces.push_back(occ::addPlaneSurface({occ::addCurveLoop(loop)}));
-  }
-  return occ::addVolume({occ::addSurfaceLoop(faces)});
-}
 
 ImportedSolid make_polyhedron(const MesherSolid& solid, const Vec3& origin) {
   PolyhedronShape local = solid.polyhedron;
@@ -100,15 +45,71 @@ ImportedSolid make_polyhedron(const MesherSolid& solid, const Vec3& origin) {
   return imported;
 }
 
-void shift_file_shape(ImportedSolid& imported, const MesherSolid& solid, const Vec3& origin) {
-  gmsh::vectorpair shapes;
-  for (int tag : imported.volumes) shapes.emplace_back(3, tag);
-  occ::translate(shapes, -origin.x(), -origin.y(), -origin.z());
-  imported.bounds.translate(-origin);
-  imported.volume = volume_of(imported.volumes);
-  if (!(imported.volume > 0)) {
-    throw InputError(solid.file_as_written, "holds a solid without volume or inside out", "export a closed solid");
+/// What a file holds, in the project's coordinates, and the box around what the project itself tells.
+ImportedSolid read(const MesherSolid& solid) {
+  ImportedSolid imported;
+  if (has_surface_file(solid)) {
+    MendedSurface surface = read_surface(solid);
+    imported.triangles = std::move(surface.surface);
+    imported.findings = std::move(surface.findings);
+    imported.bounds = bounds_of(imported.triangles);
+  } else if (!solid.file.empty()) {
+    imported.volumes = read_cad(solid);
+    imported.bounds = bounds_of(imported.volumes);
+    if (imported.volumes.size() > 1)
+      imported.findings.push_back({SurfaceFinding::Kind::several_bodies, static_cast<int>(imported.volumes.size()),
+                                   imported.bounds.center(), true});
+  } else {
+    for (const Vec3& vertex : solid.polyhedron.vertices) imported.bounds.extend(vertex);
   }
+  return imported;
+}
+
+void shift(ImportedSolid& imported, const Vec3& origin) {
+  gmsh::vectorpair shapes;
+  for (const int tag : imported.volumes) shapes.emplace_back(3, tag);
+  if (!shapes.empty()) occ::translate(shapes, -origin.x(), -origin.y(), -origin.z());
+  for (Vec3& vertex : imported.triangles.vertices) vertex -= origin;
+  imported.bounds.translate(-origin);
+}
+
+void measure(ImportedSolid& imported) {
+  if (imported.volumes.empty())
+    imported.volume = volume_of(imported.triangles);
+  else
+    imported.volume = volume_of(imported.volumes);
+}
+
+void check_sound(const MesherSolid& solid, const ImportedSolid& imported) {
+  for (const SurfaceFinding& finding : imported.findings)
+    if (is_fatal(finding)) throw unsound(solid.file.empty() ? place_of(solid) : solid.file_as_written, finding);
+}
+
+ImportedSolid make_combined(const MesherSolid& solid, const std::vector<MesherSolid>& solids, ImportedModel& model,
+                            ImportPurpose purpose) {
+  for (const int part : solid.combined->solids)
+    check_sound(solids[static_cast<std::size_t>(part)], model.solids[static_cast<std::size_t>(part)]);
+  ImportedSolid made = combine(*solid.combined, model, purpose == ImportPurpose::look, place_of(solid));
+  const MesherPlacement placement = relative_to(model.origin, solid.placement);
+  place_volumes(placement, made.volumes);
+  for (Vec3& vertex : made.triangles.vertices) vertex = placed(placement, vertex);
+  made.bounds = made.volumes.empty() ? bounds_of(made.triangles) : bounds_of(made.volumes);
+  measure(made);
+  return made;
+}
+
+/// Triangles become a volume that OpenCASCADE can cut, where they lie in few planes.
+void make_volumes(const MesherSolid& solid, ImportedSolid& imported) {
+  constexpr std::size_t most_faces = 300;
+  if (!imported.volumes.empty() || imported.triangles.empty()) return;
+  imported.volumes = add_flat_bodies(imported.triangles, most_faces);
+  if (imported.volumes.empty())
+    throw InputError(place_of(solid),
+                     "its surface has " + std::to_string(imported.triangles.triangles.size()) +
+                         " triangles in more planes than this version can cut, " + std::to_string(most_faces),
+                     "thin it, for example by a larger tolerance of the terrain");
+  imported.triangles = {};
+  measure(imported);
 }
 
 /// Whole metres, so that taking it off and putting it back costs no digit.
@@ -116,25 +117,44 @@ Vec3 rounded_centre(const Eigen::AlignedBox3d& bounds) { return bounds.center().
 
 }  // namespace
 
-ImportedModel import_solids(const std::vector<MesherSolid>& solids) {
+ImportedModel import_solids(const std::vector<MesherSolid>& solids, ImportPurpose purpose,
+                            const std::function<void(double, std::string_view)>& report) {
+  const auto begin = [&](std::size_t step, std::string_view word, const MesherSolid& solid) {
+    report(static_cast<double>(step) / static_cast<double>(2 * solids.size()), std::string(word) + " " + solid.name);
+  };
   ImportedModel model;
   model.solids.resize(solids.size());
+  std::vector<std::size_t> order(solids.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return is_iges(solids[i]); });
   Eigen::AlignedBox3d bounds;
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    if (solids[i].file.empty()) {
-      for (const Vec3& vertex : solids[i].polyhedron.vertices) bounds.extend(vertex);
-    } else {
-      model.solids[i].volumes = volumes_in_file(solids[i]);
-      model.solids[i].bounds = bounds_of(model.solids[i].volumes);
-      bounds.extend(model.solids[i].bounds);
-    }
+  for (std::size_t done = 0; done < order.size(); ++done) {
+    const std::size_t i = order[done];
+    begin(done, "reading", solids[i]);
+    model.solids[i] = read(solids[i]);
+    bounds.extend(model.solids[i].bounds);
   }
   model.origin = rounded_centre(bounds);
   for (std::size_t i = 0; i < solids.size(); ++i) {
-    if (solids[i].file.empty()) {
-      model.solids[i] = make_polyhedron(solids[i], model.origin);
+    ImportedSolid& imported = model.solids[i];
+    if (solids[i].combined) {
+      begin(solids.size() + i, "combining", solids[i]);
+      imported = make_combined(solids[i], solids, model, purpose);
+    } else if (!solids[i].polyhedron.faces.empty()) {
+      imported = make_polyhedron(solids[i], model.origin);
     } else {
-      shift_file_shape(model.solids[i], solids[i], model.origin);
+      shift(imported, model.origin);
+      measure(imported);
+    }
+  }
+  if (purpose == ImportPurpose::cut) {
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      if (solids[i].is_part) {
+        model.solids[i] = {};
+        continue;
+      }
+      check_sound(solids[i], model.solids[i]);
+      make_volumes(solids[i], model.solids[i]);
     }
   }
   occ::synchronize();

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "geometry/polygon_triangles.hpp"
 #include "rock.hpp"
 
 namespace talus {
@@ -51,18 +50,6 @@ TEST(SolidSurface, IsTurnedAndMovedAsTheSolidIs) {
   const SolidSurface surface = surface_of(cube);
   EXPECT_TRUE(surface.min.isApprox(Vec3(9, 0, 0), 1e-12)) << surface.min.transpose();
   EXPECT_TRUE(surface.max.isApprox(Vec3(10, 2, 1), 1e-12)) << surface.max.transpose();
-}
-
-/// An arrow head: its notch lies in the triangle of its three other corners.
-TEST(PolygonTriangles, KeepOutOfANotch) {
-  const std::vector<Vec3> corners{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}};
-  double area = 0;
-  for (const auto& [a, b, c] : polygon_triangles(corners, {0, 1, 2, 3})) {
-    const double one = (corners[b] - corners[a]).cross(corners[c] - corners[a]).z() / 2;
-    EXPECT_GT(one, 0);
-    area += one;
-  }
-  EXPECT_DOUBLE_EQ(area, 1);
 }
 
 TEST(SurfaceFinding, SaysHowManyAndWhatWasDone) {

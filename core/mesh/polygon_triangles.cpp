@@ -1,4 +1,4 @@
-#include "geometry/polygon_triangles.hpp"
+#include "mesh/polygon_triangles.hpp"
 
 #include <Eigen/Geometry>
 #include <cstddef>

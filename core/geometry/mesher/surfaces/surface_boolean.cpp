@@ -1,0 +1,69 @@
+#include "geometry/mesher/surfaces/surface_boolean.hpp"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "base/error.hpp"
+
+namespace talus {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Point = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+Mesh mesh_of(const TriangleSolid& solid) {
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> vertices;
+  for (const Vec3& vertex : solid.vertices)
+    vertices.push_back(mesh.add_vertex(Point(vertex.x(), vertex.y(), vertex.z())));
+  const auto at = [&](int v) { return vertices[static_cast<std::size_t>(v)]; };
+  for (const auto& [a, b, c] : solid.triangles) mesh.add_face(at(a), at(b), at(c));
+  return mesh;
+}
+
+PolygonSoup soup_of(const Mesh& mesh) {
+  PolygonSoup soup;
+  for (const auto v : mesh.vertices()) {
+    const Point& point = mesh.point(v);
+    soup.points.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
+  }
+  for (const auto face : mesh.faces()) {
+    std::vector<int> polygon;
+    for (const auto v : vertices_around_face(mesh.halfedge(face), mesh)) polygon.push_back(static_cast<int>(v.idx()));
+    soup.polygons.push_back(std::move(polygon));
+  }
+  return soup;
+}
+
+/// False when the result would meet itself in a line or a point.
+bool combine(CombineOperation operation, Mesh& first, Mesh& second, Mesh& result) {
+  switch (operation) {
+    case CombineOperation::subtract:
+      return pmp::corefine_and_compute_difference(first, second, result);
+    case CombineOperation::intersect:
+      return pmp::corefine_and_compute_intersection(first, second, result);
+    case CombineOperation::unite:
+      break;
+  }
+  return pmp::corefine_and_compute_union(first, second, result);
+}
+
+}  // namespace
+
+MendedSurface combined(CombineOperation operation, const std::vector<TriangleSolid>& parts, const std::string& place) {
+  Mesh sum = mesh_of(parts.front());
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    Mesh next = mesh_of(parts[i]), result;
+    if (!combine(operation, sum, next, result))
+      throw InputError(place, "its parts touch in a line or a point alone", "move one of them a little");
+    result.collect_garbage();
+    sum = std::move(result);
+    if (sum.number_of_faces() == 0)
+      throw InputError(place, "nothing is left of it", "move its parts so that they share rock");
+  }
+  return mended(soup_of(sum));
+}
+
+}  // namespace talus

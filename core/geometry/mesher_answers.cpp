@@ -1,0 +1,33 @@
+#include "geometry/mesher_answers.hpp"
+
+#include <stdexcept>
+
+#include "base/error.hpp"
+
+namespace talus {
+
+MesherProcess::Message MesherAnswers::next() {
+  constexpr int patience = 50;  // ms, how long a cancelled wait may last
+  for (;;) {
+    const bool come = mesher_.wait(patience);
+    if (progress_.cancelled()) throw Cancelled{};
+    if (!come) continue;
+    auto message = mesher_.receive();
+    if (!message) throw InputError("geometry", "the mesher crashed while " + last_words_, remedy_);
+    if (message->kind == MessageKind::progress) {
+      const auto told = from_bytes<MesherProgress>(message->bytes);
+      last_words_ = told.what;
+      progress_.report(told.fraction, told.what);
+    } else if (message->kind == MessageKind::error) {
+      const auto error = from_bytes<MesherError>(message->bytes);
+      throw InputError(error.place, error.problem, error.remedy);
+    } else if (message->kind == MessageKind::fault) {
+      throw std::runtime_error("the mesher failed while " + last_words_ + ": " +
+                               from_bytes<MesherFault>(message->bytes).what);
+    } else {
+      return std::move(*message);
+    }
+  }
+}
+
+}  // namespace talus
