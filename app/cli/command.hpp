@@ -22,6 +22,7 @@ struct Invocation {
 
 // One file a command. Each adds its command to the program and sets `invocation.run` when it is chosen.
 void add_new(CLI::App& program, Invocation& invocation);
+void add_inspect(CLI::App& program, Invocation& invocation);
 void add_blocks(CLI::App& program, Invocation& invocation);
 void add_mesh(CLI::App& program, Invocation& invocation);
 void add_solve(CLI::App& program, Invocation& invocation);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -107,6 +108,33 @@ TEST_F(Commands, MeshTellsBlocks) {
   EXPECT_GT(mesh["blocks"][1]["quality"]["worst"], 0.05);
   EXPECT_LE(mesh["blocks"][1]["quality"]["mean"], 1.0);
   EXPECT_THAT(talus_cli({"mesh", sample("incline_slide")}).out, HasSubstr("Volume [m³]"));
+}
+
+TEST_F(Commands, InspectSaysWhatTheSolidsAre) {
+  const Ending ending = talus_cli({"inspect", sample("incline_slide"), "--json"});
+  ASSERT_EQ(ending.exit_code, 0) << ending.err;
+  const Json solids = Json::parse(ending.out)["solids"];
+  ASSERT_EQ(solids.size(), 2U);
+  EXPECT_EQ(solids[1]["name"], "block");
+  EXPECT_NEAR(solids[1]["volume"].get<double>(), 0.5, 1e-9);
+  EXPECT_EQ(solids[1]["closed"], true);
+  EXPECT_EQ(solids[1]["findings"], Json::array());
+  EXPECT_THAT(talus_cli({"inspect", sample("incline_slide")}).out, HasSubstr("Closed"));
+}
+
+TEST_F(Commands, InspectFailsForASurfaceThatIsOpen) {
+  const std::filesystem::path project = *folder / "open.talus";
+  std::ofstream(*folder / "open.stl") << "solid s\n"
+                                         "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\n"
+                                         "endloop\nendfacet\n"
+                                         "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\n"
+                                         "endloop\nendfacet\nendsolid s\n";
+  std::ofstream(project) << R"({"talus": 1, "name": "open",
+    "materials": [{"name": "rock", "density": 2600, "young": 1e10, "poisson": 0.2}],
+    "solids": [{"name": "rock", "file": "open.stl", "material": "rock"}]})";
+  const Ending ending = talus_cli({"inspect", project.string()});
+  EXPECT_EQ(ending.exit_code, 1) << ending.err;
+  EXPECT_THAT(ending.out, HasSubstr("rock: 1 hole: close the surface"));
 }
 
 /// A block on a plane of 30°: F = tan 15° / tan 30°.
