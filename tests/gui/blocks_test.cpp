@@ -338,12 +338,14 @@ TEST_F(BlocksPage, HistogramCountsEveryTetrahedronOnceAndTheWorstAreShownInTheVi
 }
 
 TEST_F(BlocksPage, NoEventWaitsATenthOfASecondWithAThousandBlocks) {
+  Watchdog watchdog;
+  rest(30);
   cut(10);
+  const double arriving = watchdog.longestWork();
+  watchdog.restart();
   ASSERT_EQ(session->project.system()->blocks.size(), 1001u);
   Selection& selection = session->project.selection();
   // What the threads that draw in software take is the machine's; the window's own thread must stay free.
-  Watchdog watchdog;
-  rest(30);
   for (const int key : {Qt::Key_A, Qt::Key_I, Qt::Key_A}) {
     QTest::keyClick(window.get(), static_cast<Qt::Key>(key), Qt::ControlModifier);
     rest(50);
@@ -360,8 +362,10 @@ TEST_F(BlocksPage, NoEventWaitsATenthOfASecondWithAThousandBlocks) {
     session->display.goTo(page);
     rest(50);
   }
+  EXPECT_LT(arriving, 100);
   EXPECT_LT(watchdog.longestWork(), 100);
-  std::printf("longest work %.1f ms, longest wait %.1f ms\n", watchdog.longestWork(), watchdog.longestWait());
+  std::printf("when they come %.1f ms, later %.1f ms; longest wait %.1f ms\n", arriving, watchdog.longestWork(),
+              watchdog.longestWait());
 }
 
 TEST_F(BlocksPage, AThousandBlocksAreExcavatedAndNamedWithoutHoldingTheWindowUp) {

@@ -1,18 +1,18 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
-#include <unordered_map>
 
 #include "render/scene/block_surface.hpp"
 
 namespace talus {
 namespace {
 
+using Box = Eigen::AlignedBox3d;
+
 struct Facet {
   Vec3 a, b, c;
-  int block;
+  Box box;
 };
 
 bool holds(const Facet& facet, const Vec3& point, double tolerance) {
@@ -25,67 +25,76 @@ bool holds(const Facet& facet, const Vec3& point, double tolerance) {
   return inside(facet.a, facet.b) && inside(facet.b, facet.c) && inside(facet.c, facet.a);
 }
 
-/// Facets by the cells of a coarse grid that their boxes meet.
-class FacetGrid {
- public:
-  FacetGrid(const std::vector<Facet>& facets, double cell) : facets_(facets), cell_(cell) {
-    for (std::size_t i = 0; i < facets.size(); ++i) {
-      const Facet& f = facets[i];
-      const Eigen::Vector3i low = cell_of(f.a.cwiseMin(f.b).cwiseMin(f.c).array() - cell_ * 1e-3);
-      const Eigen::Vector3i high = cell_of(f.a.cwiseMax(f.b).cwiseMax(f.c).array() + cell_ * 1e-3);
-      for (int x = low.x(); x <= high.x(); ++x)
-        for (int y = low.y(); y <= high.y(); ++y)
-          for (int z = low.z(); z <= high.z(); ++z) cells_[{x, y, z}].push_back(i);
-    }
-  }
-
-  template <class Visit>
-  void visit_near(const Vec3& point, Visit visit) const {
-    const Eigen::Vector3i cell = cell_of(point);
-    const auto found = cells_.find({cell.x(), cell.y(), cell.z()});
-    if (found == cells_.end()) return;
-    for (const std::size_t i : found->second) visit(facets_[i]);
-  }
-
- private:
-  Eigen::Vector3i cell_of(const Vec3& point) const { return (point / cell_).array().floor().cast<int>(); }
-
-  const std::vector<Facet>& facets_;
-  double cell_;
-  std::map<std::array<int, 3>, std::vector<std::size_t>> cells_;
+/// A block's surface.
+struct Shell {
+  std::vector<Facet> facets;
+  Box box;
 };
 
-std::vector<Facet> all_facets(const BlockSystem& system, Vec3 origin) {
-  std::vector<Facet> facets;
-  for (std::size_t b = 0; b < system.blocks.size(); ++b) {
-    const auto& nodes = system.blocks[b].mesh.nodes;
-    for (const SurfaceTriangle& t : system.blocks[b].surface)
-      facets.push_back(
-          {nodes[t.nodes[0]] - origin, nodes[t.nodes[1]] - origin, nodes[t.nodes[2]] - origin, static_cast<int>(b)});
+Box widened(const Box& box, double by) { return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)}; }
+
+std::vector<Shell> shells_of(const BlockSystem& system, const Vec3& origin, double tolerance) {
+  std::vector<Shell> shells;
+  for (const Block& block : system.blocks) {
+    Shell& shell = shells.emplace_back();
+    for (const SurfaceTriangle& t : block.surface) {
+      const auto at = [&](int i) -> Vec3 { return block.mesh.nodes[t.nodes[i]] - origin; };
+      Facet facet{at(0), at(1), at(2), {}};
+      for (const Vec3& corner : {facet.a, facet.b, facet.c}) facet.box.extend(corner);
+      facet.box = widened(facet.box, tolerance);
+      shell.box.extend(facet.box);
+      shell.facets.push_back(facet);
+    }
   }
-  return facets;
+  return shells;
+}
+
+std::vector<const Facet*> facets_in(const Shell& shell, const Box& box) {
+  std::vector<const Facet*> found;
+  for (const Facet& facet : shell.facets)
+    if (facet.box.intersects(box)) found.push_back(&facet);
+  return found;
+}
+
+/// Whether a point that is strictly inside a facet of one lies on the other: blocks that meet along an edge alone do
+/// not touch.
+bool lie_on(const std::vector<const Facet*>& one, const std::vector<const Facet*>& other, double tolerance) {
+  for (const Facet* facet : one) {
+    const Vec3 centre = (facet->a + facet->b + facet->c) / 3;
+    for (const Vec3& point : {centre, Vec3(0.1 * centre + 0.9 * facet->a), Vec3(0.1 * centre + 0.9 * facet->b),
+                              Vec3(0.1 * centre + 0.9 * facet->c)})
+      for (const Facet* under : other)
+        if (under->box.contains(point) && holds(*under, point, tolerance)) return true;
+  }
+  return false;
+}
+
+bool touch(const Shell& one, const Shell& other, double tolerance) {
+  const Box common = one.box.intersection(other.box);
+  const auto here = facets_in(one, common), there = facets_in(other, common);
+  return lie_on(here, there, tolerance) || lie_on(there, here, tolerance);
 }
 
 }  // namespace
 
 std::vector<std::array<int, 2>> touching_blocks(const BlockSystem& system) {
-  const Eigen::AlignedBox3d box = bounds(system);
+  const Box box = bounds(system);
   if (box.isEmpty()) return {};
-  const double size = box.diagonal().norm();
-  const double tolerance = 1e-5 * size;
-  const std::vector<Facet> facets = all_facets(system, box.min());
-  const FacetGrid grid(facets, size / 40);
+  const double tolerance = 1e-5 * box.diagonal().norm();
+  const std::vector<Shell> shells = shells_of(system, box.min(), tolerance);
+  // Boxes that overlap are found by a sweep along x.
+  std::vector<int> order(shells.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return shells[a].box.min().x() < shells[b].box.min().x(); });
   std::set<std::array<int, 2>> pairs;
-  for (const Facet& facet : facets) {
-    const Vec3 centre = (facet.a + facet.b + facet.c) / 3;
-    // Points strictly inside the facet: blocks that meet along an edge alone do not count.
-    for (const Vec3& point : {centre, Vec3(0.1 * centre + 0.9 * facet.a), Vec3(0.1 * centre + 0.9 * facet.b),
-                              Vec3(0.1 * centre + 0.9 * facet.c)})
-      grid.visit_near(point, [&](const Facet& other) {
-        if (other.block != facet.block && holds(other, point, tolerance))
-          pairs.insert({std::min(facet.block, other.block), std::max(facet.block, other.block)});
-      });
-  }
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t k = i + 1; k < order.size(); ++k) {
+      const int a = order[i], b = order[k];
+      if (shells[b].box.min().x() > shells[a].box.max().x()) break;
+      if (shells[a].box.intersects(shells[b].box) && touch(shells[a], shells[b], tolerance))
+        pairs.insert({std::min(a, b), std::max(a, b)});
+    }
   return {pairs.begin(), pairs.end()};
 }
 

@@ -145,6 +145,7 @@ void ProjectTree::rebuild() {
   for (const auto& [page, group] : groups_) unfolded[page] = group->isExpanded();
   clear();
   groups_.clear();
+  blockRows_.clear();
   if (!project_.document().isOpen()) return;
   const Project& project = project_.document().project();
   const auto& system = project_.system();
@@ -249,6 +250,7 @@ void ProjectTree::addBlocks(QTreeWidgetItem* group) {
     auto* row = addRow(group, {Item::Kind::block, static_cast<int>(i)}, text(blocks[i].name),
                        fixed ? tr("fixed") : tr("%1 m³").arg(numbers::significant(blocks[i].volume)));
     row->setIcon(0, theme::icon(fixed ? QStringLiteral("fixed") : QStringLiteral("blocks")));
+    blockRows_.push_back(row);
   }
   leadToTable(blocks.size());
 }
@@ -297,9 +299,8 @@ void ProjectTree::showSelection() {
   QTreeWidgetItem* row = rowOf(current);
   if (!row) return;
   setCurrentItem(row);
-  for (int block : project_.selection().blocks())
-    if (auto* also = block < static_cast<int>(most_blocks) ? rowOf({Item::Kind::block, block}) : nullptr)
-      also->setSelected(true);
+  for (const int block : project_.selection().blocks())
+    if (block < static_cast<int>(blockRows_.size())) blockRows_[static_cast<size_t>(block)]->setSelected(true);
   scrollToItem(row);
 }
 

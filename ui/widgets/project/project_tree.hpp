@@ -2,6 +2,7 @@
 
 #include <QTreeWidget>
 #include <map>
+#include <vector>
 
 #include "document/selection.hpp"
 #include "session/workflow_page.hpp"
@@ -41,6 +42,7 @@ class ProjectTree : public QTreeWidget {
   Display& display_;
   Messages& messages_;
   std::map<WorkflowPage, QTreeWidgetItem*> groups_;
+  std::vector<QTreeWidgetItem*> blockRows_;  ///< of the first blocks, as many as are listed
 };
 
 }  // namespace talus
