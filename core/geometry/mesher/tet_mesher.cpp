@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <sstream>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 
 namespace talus {
@@ -39,22 +39,52 @@ InputError not_meshed(const std::string& place, const std::string& why) {
                     "try another mesh_size, or move a cut that makes it thin");
 }
 
-/// Makes the surface gmsh's current model; node k of the surface has tag k + 1.
+/// Nodes and triangles of a closed part of a surface: its outside, or a cavity's.
+struct ClosedPart {
+  std::vector<std::size_t> node_tags, triangle_tags, named;
+  std::vector<double> coordinates;
+};
+
+/// Node k of the surface has tag k + 1.
+std::vector<ClosedPart> closed_parts_of(const SurfaceMesh& surface) {
+  DisjointSets joined;
+  joined.reset(static_cast<int>(surface.nodes.size()));
+  for (const auto& [a, b, c] : surface.triangles) {
+    joined.join(a, b);
+    joined.join(b, c);
+  }
+  std::map<int, std::size_t> number;
+  std::vector<ClosedPart> parts;
+  const auto part_with = [&](int node) -> ClosedPart& {
+    const auto [known, fresh] = number.try_emplace(joined.first_of(node), parts.size());
+    if (fresh) parts.emplace_back();
+    return parts[known->second];
+  };
+  for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
+    ClosedPart& part = part_with(static_cast<int>(k));
+    part.node_tags.push_back(k + 1);
+    part.coordinates.insert(part.coordinates.end(), surface.nodes[k].begin(), surface.nodes[k].end());
+  }
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    ClosedPart& part = part_with(surface.triangles[i][0]);
+    part.triangle_tags.push_back(i + 1);
+    for (const int node : surface.triangles[i]) part.named.push_back(static_cast<std::size_t>(node) + 1);
+  }
+  return parts;
+}
+
+/// Makes the surface gmsh's current model. Each closed part is a face of its own: gmsh would fill cavities too.
 void add_surface(const SurfaceMesh& surface) {
   gmsh::model::add("block");
-  gmsh::model::addDiscreteEntity(2, 1);
-  std::vector<std::size_t> node_tags(surface.nodes.size()), triangle_tags(surface.triangles.size()), named;
-  std::iota(node_tags.begin(), node_tags.end(), 1);
-  std::iota(triangle_tags.begin(), triangle_tags.end(), 1);
-  std::vector<double> coordinates;
-  for (const Vec3& node : surface.nodes) coordinates.insert(coordinates.end(), node.begin(), node.end());
-  for (const auto& triangle : surface.triangles) {
-    for (int node : triangle) named.push_back(static_cast<std::size_t>(node) + 1);
+  std::vector<int> loops;
+  for (const ClosedPart& part : closed_parts_of(surface)) {
+    const int face = static_cast<int>(loops.size()) + 1;
+    gmsh::model::addDiscreteEntity(2, face);
+    mesh_api::addNodes(2, face, part.node_tags, part.coordinates);
+    mesh_api::addElementsByType(face, gmsh_triangle, part.triangle_tags, part.named);
+    loops.push_back(gmsh::model::geo::addSurfaceLoop({face}, face));
   }
-  mesh_api::addNodes(2, 1, node_tags, coordinates);
-  mesh_api::addElementsByType(1, gmsh_triangle, triangle_tags, named);
-  gmsh::model::geo::addSurfaceLoop({1}, 1);
-  gmsh::model::geo::addVolume({1}, 1);
+  gmsh::model::geo::addVolume(loops, 1);
   gmsh::model::geo::synchronize();
 }
 

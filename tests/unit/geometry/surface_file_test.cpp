@@ -145,6 +145,13 @@ TEST_F(SurfaceFiles, OfSeveralBodiesAreBlocksEach) {
   expect_sound(system, 1008);
 }
 
+TEST_F(SurfaceFiles, WithCavitiesAreMeshedAroundThem) {
+  write_stl("hollow.stl", together(cube_surface(), cube_surface({4, 4, 4}, {6, 6, 6})));
+  const BlockSystem system = build(project_of({solid("rock", FileShape{"hollow.stl"}, 5)}), folder());
+  ASSERT_EQ(system.blocks.size(), 1u);
+  expect_sound(system, 992);
+}
+
 TEST_F(SurfaceFiles, AreTurnedAndMoved) {
   write_stl("bar.stl", cube_surface({0, 0, 0}, {4, 2, 1}));
   Solid bar = solid("bar", FileShape{"bar.stl", 0.5});
