@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -40,7 +41,9 @@ Json json_of(const SolidSurface& surface) {
 void print(const std::vector<SolidSurface>& surfaces) {
   Table table({"Solid", "Volume [m³]", "x [m]", "y [m]", "z [m]", "Triangles", "Closed"}, "lrrrrrl");
   for (const SolidSurface& surface : surfaces) {
-    const auto extent = [&](int axis) { return number(surface.min[axis], 6) + " … " + number(surface.max[axis], 6); };
+    const double rounding = 1e-12 * (surface.max - surface.min).norm();
+    const auto bound = [&](double value) { return number(std::abs(value) < rounding ? 0 : value, 6); };
+    const auto extent = [&](int axis) { return bound(surface.min[axis]) + " … " + bound(surface.max[axis]); };
     table.add({surface.name + (surface.is_part ? " *" : ""), surface.closed ? number(surface.volume, 6) : "-",
                extent(0), extent(1), extent(2), std::to_string(surface.triangles.size()),
                surface.closed ? "yes" : "no"});
@@ -61,8 +64,9 @@ bool are_sound(const std::vector<SolidSurface>& surfaces) {
   return true;
 }
 
-ExitCode inspect(const ProjectChoice& choice, bool json) {
+ExitCode inspect(ProjectChoice choice, bool json) {
   catch_interrupts();
+  choice.reading.unfinished = true;  // solids are looked at before the rest of a project is there
   const Project project = read(choice);
   const std::vector<SolidSurface> surfaces = about(choice.file, [&] {
     TerminalProgress progress;

@@ -130,7 +130,7 @@ TEST_F(Commands, InspectFailsForASurfaceThatIsOpen) {
                                          "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\n"
                                          "endloop\nendfacet\nendsolid s\n";
   std::ofstream(project) << R"({"talus": 1, "name": "open",
-    "materials": [{"name": "rock", "density": 2600, "young": 1e10, "poisson": 0.2}],
+    "materials": {"rock": {"density": 2600, "young": 1e10, "poisson": 0.2}},
     "solids": [{"name": "rock", "file": "open.stl", "material": "rock"}]})";
   const Ending ending = talus_cli({"inspect", project.string()});
   EXPECT_EQ(ending.exit_code, 1) << ending.err;
