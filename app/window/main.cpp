@@ -1,5 +1,6 @@
 // talus [PROJECT|RESULTS]: the window.
-// talus --screenshot OUT.png [--size WxH] [--theme light|dark] [--page PAGE] [--field FIELD] [--time SECONDS]
+// talus --screenshot OUT.png [--size WxH] [--theme light|dark] [--language en|de] [--page PAGE] [--field FIELD] [--time
+// SECONDS]
 // [--select PLACE] [--new TEMPLATE] [PROJECT|RESULTS]: a picture of the window and out, for regression tests; with
 // QT_QPA_PLATFORM=offscreen it needs no display.
 #include <QApplication>
@@ -8,6 +9,7 @@
 #include <cstdio>
 
 #include "screenshot.hpp"
+#include "widgets/kit/language.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/window/main_window.hpp"
@@ -56,8 +58,11 @@ int main(int argc, char** argv) {
   const QCommandLineOption newOption(
       QStringLiteral("new"), QStringLiteral("Begins a project from this template; talus-cli new --list names them"),
       QStringLiteral("template"));
-  parser.addOptions({newOption, themeOption, pageOption, sizeOption, fieldOption, timeOption, selectOption,
-                     screenshotOption});
+  const QCommandLineOption languageOption(QStringLiteral("language"),
+                                          QStringLiteral("en or de; without it, as chosen or as the system has it"),
+                                          QStringLiteral("code"));
+  parser.addOptions({newOption, languageOption, themeOption, pageOption, sizeOption, fieldOption, timeOption,
+                     selectOption, screenshotOption});
   parser.process(app);
 
   QSettings settings;
@@ -65,6 +70,8 @@ int main(int argc, char** argv) {
   if (parser.isSet(themeOption)) themeName = parser.value(themeOption);
   if (themeName != QLatin1String("light") && themeName != QLatin1String("dark"))
     return complain(QStringLiteral("--theme: there is no theme \"%1\"; give light or dark").arg(themeName));
+  if (const QString code = parser.value(languageOption); !talus::language::install(code) && !code.isEmpty())
+    return complain(QStringLiteral("--language: \"%1\" is not spoken; give en or de").arg(code));
   if (parser.positionalArguments().size() > 1) return complain(QStringLiteral("one file at a time; see talus --help"));
   talus::theme::install(themeName == QLatin1String("dark"));
 

@@ -20,6 +20,7 @@ namespace {
 constexpr int bad_input = 2, our_fault = 3;
 constexpr int rest_ms = 600;  // the fine drawing comes when the camera has rested
 constexpr int patience_ms = 600000;
+constexpr int smallest_file = 0;  // of a PNG's "quality"
 
 int complain(int code, const QString& sentence) {
   std::fprintf(stderr, "talus: %s\n", qPrintable(sentence));
@@ -123,7 +124,7 @@ int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
     waitFor([&] { return window.findChild<ProjectPreview*>()->isUpToDate(); }, patience_ms);
   }
   rest(rest_ms);
-  if (!pictureOf(window).save(request.out))
+  if (!pictureOf(window).save(request.out, nullptr, smallest_file))
     return complain(bad_input, QStringLiteral("%1: cannot be written; choose another place").arg(request.out));
   return session.messages.problems().empty() ? 0 : our_fault;
 }

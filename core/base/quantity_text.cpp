@@ -66,6 +66,7 @@ struct Measure {
 constexpr Measure measures[] = {
     {{0, 0, 0, 0}, "a pure number", "no unit, or %"},
     {{1, 0, 0, 0}, "a length", "m, cm, mm, km, ft or in"},
+    {{-1, 0, 0, 0}, "an area per volume", "m²/m³ or 1/m"},
     {{2, 0, 0, 0}, "an area", "m²"},
     {{3, 0, 0, 0}, "a volume", "m³"},
     {{0, 1, 0, 0}, "a mass", "kg or t"},

@@ -47,7 +47,8 @@ class PropertyPanelTest : public DrivenWindow {
   }
 
   Session session;
-  PropertyPanel panel{session.project, session.survey, session.playback, session.messages, session.display};
+  PropertyPanel panel{session.project,  session.survey,  session.playback,
+                      session.messages, session.display, session.picking};
 };
 
 void expectWords(const std::string& shown, std::initializer_list<const char*> expected) {

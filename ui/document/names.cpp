@@ -141,13 +141,13 @@ void rename(Json& project, const Place& thing, const std::string& to) {
 QString described(const Place& place, const Json& project) {
   const Place parent = place.parent_pointer();
   if (place.empty() || parent.empty()) {
-    const Json rule = schema::ruleOf(place);
-    return QString::fromStdString(rule.value("title", std::string("project"))).toLower();
+    const QString title = schema::words(schema::ruleOf(place), "title");
+    return schema::withinSentence(title.isEmpty() ? QObject::tr("project") : title);
   }
   const Json holder = schema::ruleOf(parent);
   const schema::Kind kind = schema::kindOf(holder);
   if (kind != schema::Kind::list && kind != schema::Kind::named) return described(parent, project);
-  const QString title = QString::fromStdString(schema::ruleOf(place).value("title", std::string())).toLower();
+  const QString title = schema::withinSentence(schema::words(schema::ruleOf(place), "title"));
   QString name = QString::fromStdString(place.back());
   if (kind == schema::Kind::list) {
     name = QString::number(std::stoi(place.back()) + 1);

@@ -1,5 +1,6 @@
 #include "document/schema.hpp"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <stdexcept>
 
@@ -14,11 +15,26 @@ const Json& root() {
 
 Json resolved(const Json& rule) {
   if (!rule.contains("$ref")) return rule;
-  Json whole = root().at(Place(rule.at("$ref").get<std::string>().substr(1)));
-  whole = resolved(whole);
+  const Place definition(rule.at("$ref").get<std::string>().substr(1));
+  Json whole = resolved(root().at(definition));
+  whole["of"] = definition.back();
   for (const auto& [key, value] : rule.items())
     if (key != "$ref") whole[key] = value;
   return whole;
+}
+
+QString words(const Json& rule, const char* key) {
+  const std::string own = rule.value(key, std::string());
+  return own.empty() ? QString() : QCoreApplication::translate("schema", own.c_str());
+}
+
+QString choiceWords(const std::string& word) { return QCoreApplication::translate("choices", word.c_str()); }
+
+QString withinSentence(const QString& title) {
+  // Translators of languages that keep capital letters, as German does, give another word for this one.
+  const char* const rule = QT_TRANSLATE_NOOP("grammar", "lower case");
+  const bool lower = QCoreApplication::translate("grammar", rule) == QLatin1String(rule);
+  return lower ? title.toLower() : title;
 }
 
 Json memberRule(const Json& rule, const std::string& key) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -18,10 +19,18 @@ using Json = nlohmann::ordered_json;
 using Place = Json::json_pointer;
 
 const Json& root();
-/// The rule with what it refers to filled in; its own words go before those.
+/// The rule with what it refers to filled in; its own words go before those. `of` then is the name of the definition
+/// that it refers to: "at" of a place, "block_name" of the name of a block.
 Json resolved(const Json& rule);
 /// The rule of what stands, or may stand, at a place of a project. Throws std::out_of_range where nothing may.
 Json ruleOf(const Place& place);
+/// The title, description or another word of a rule in the user's language; empty where it has none.
+QString words(const Json& rule, const char* key);
+/// A word that the file has, one of some that may stand there, in the user's language.
+QString choiceWords(const std::string& word);
+/// A title within a sentence: with a small letter in languages that have it so.
+QString withinSentence(const QString& title);
+
 /// The rule of a member of what `rule` describes, resolved; null where there is none.
 Json memberRule(const Json& rule, const std::string& key);
 

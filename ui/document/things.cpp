@@ -51,12 +51,11 @@ bool isListed(Item::Kind kind) {
 }
 
 QString titleOf(Item::Kind kind) {
-  const Json rule = schema::memberRule(schema::ruleOf(listOf(kind)), {});
-  return QString::fromStdString(rule.value("title", std::string()));
+  return schema::words(schema::memberRule(schema::ruleOf(listOf(kind)), {}), "title");
 }
 
 void add(Document& document, Item::Kind kind) {
-  change(document, QObject::tr("add %1").arg(titleOf(kind).toLower()), [&](Json& project) {
+  change(document, QObject::tr("add %1").arg(schema::withinSentence(titleOf(kind))), [&](Json& project) {
     const bool first = !project.contains(listKey(kind)) || project.at(listKey(kind)).empty();
     const Place place = edits::add(project, listOf(kind));
     // Contacts on no cut need a joint as soon as there are joints.

@@ -62,7 +62,7 @@ QString shortfallOf(const RunReport& report) {
 /// "1 block", "12 300 blocks".
 QString countOf(const BlockSystem& system) {
   const std::size_t count = system.blocks.size();
-  return QObject::tr(count == 1 ? "%1 block" : "%1 blocks")
+  return (count == 1 ? QObject::tr("%1 block") : QObject::tr("%1 blocks"))
       .arg(QString::fromStdString(format_decimals(static_cast<double>(count), 0)));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QString>
 #include <array>
 
@@ -22,9 +23,12 @@ constexpr const char* pageKey(WorkflowPage page) {
 }
 
 inline QString pageTitle(WorkflowPage page) {
-  QString title = QString::fromLatin1(pageKey(page));
-  title[0] = title[0].toUpper();
-  return title;
+  constexpr std::array titles{QT_TRANSLATE_NOOP("pages", "Geometry"),  QT_TRANSLATE_NOOP("pages", "Joints"),
+                              QT_TRANSLATE_NOOP("pages", "Blocks"),    QT_TRANSLATE_NOOP("pages", "Mesh"),
+                              QT_TRANSLATE_NOOP("pages", "Materials"), QT_TRANSLATE_NOOP("pages", "Loads"),
+                              QT_TRANSLATE_NOOP("pages", "Stages"),    QT_TRANSLATE_NOOP("pages", "Solve"),
+                              QT_TRANSLATE_NOOP("pages", "Results")};
+  return QCoreApplication::translate("pages", titles[static_cast<size_t>(page)]);
 }
 
 }  // namespace talus

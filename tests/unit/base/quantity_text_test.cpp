@@ -35,7 +35,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Typed{"2 GPa/m", "Pa/m", 2e9}, Typed{"3 kN/m³", "Pa/m", 3000}, Typed{"50 Hz", "1/s", 50},
                     Typed{"0.5 1/s", "1/s", 0.5}, Typed{"1 250 000 Pa", "Pa", 1250000}, Typed{"5 %", "", 0.05},
                     Typed{"−3", "m", -3}, Typed{"12\u2009000", "m", 12000}, Typed{"+1e6", "Pa", 1e6},
-                    Typed{" 9.81 m s-2 ", "m/s²", 9.81}, Typed{"1 MN", "N", 1e6}));
+                    Typed{" 9.81 m s-2 ", "m/s²", 9.81}, Typed{"1 MN", "N", 1e6}, Typed{"0.5 m²/m³", "m²/m³", 0.5},
+                    Typed{"2 1/m", "m²/m³", 2}, Typed{"5 cm2/dm3", "m²/m³", 0.5}));
 
 TEST(QuantityText, OfADensityMayBeTheWeight) {
   EXPECT_NEAR(read_quantity("25.506 kN/m3", "kg/m³", "kg/m³"), 2600, 1e-9);

@@ -75,6 +75,28 @@ std::vector<PixelRect> label_places(std::span<const PlaceMark> marks, const Mark
   return places;
 }
 
+namespace {
+
+void paint_cards(Painter& painter, std::span<const PlaceMark> marks, std::span<const PixelRect> places, Rgb frame,
+                 const MarkedPicture& picture) {
+  const ThemeColours& colour = colours(picture.theme);
+  const double em = picture.text_height;
+  for (std::size_t i = marks.size(); i-- > 0;) {
+    const PixelRect& place = places[i];
+    if (place.width() == 0) continue;
+    painter.card(place, 0.3 * em, colour.surface, 0.94, frame, 0.09 * em);
+    painter.text(
+        {place.left + padding * em, (place.bottom + place.top) / 2}, marks[i].label,
+        {.height = label_height * em, .colour = colour.text, .weight = FontWeight::semibold, .y = AlignY::centre});
+  }
+}
+
+}  // namespace
+
+void paint_labels(Painter& painter, std::span<const PlaceMark> marks, const MarkedPicture& picture) {
+  paint_cards(painter, marks, label_places(marks, picture), colours(picture.theme).frame, picture);
+}
+
 void paint_marks(Painter& painter, std::span<const PlaceMark> marks, const MarkedPicture& picture) {
   const ThemeColours& colour = colours(picture.theme);
   const double em = picture.text_height;
@@ -84,14 +106,7 @@ void paint_marks(Painter& painter, std::span<const PlaceMark> marks, const Marke
     paint_glyph(painter, marks[i].at, em, halo * em, colour.surface);
     paint_glyph(painter, marks[i].at, em, stroke * em, colour.warn);
   }
-  for (std::size_t i = marks.size(); i-- > 0;) {
-    const PixelRect& place = places[i];
-    if (place.width() == 0) continue;
-    painter.card(place, 0.3 * em, colour.surface, 0.94, colour.warn, 0.09 * em);
-    painter.text(
-        {place.left + padding * em, (place.bottom + place.top) / 2}, marks[i].label,
-        {.height = label_height * em, .colour = colour.text, .weight = FontWeight::semibold, .y = AlignY::centre});
-  }
+  paint_cards(painter, marks, places, colour.warn, picture);
 }
 
 }  // namespace talus

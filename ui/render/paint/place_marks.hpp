@@ -27,6 +27,9 @@ struct MarkedPicture {
 /// empty place and are not painted.
 std::vector<PixelRect> label_places(std::span<const PlaceMark> marks, const MarkedPicture& picture);
 
+/// The labels alone, each on a card beside its place; the first one is painted last, so that it lies on top.
+void paint_labels(Painter& painter, std::span<const PlaceMark> marks, const MarkedPicture& picture);
+
 /// A ring with a cross in the theme's warning colour at each place, and its label on a card; the first one is painted
 /// last, so that it lies on top.
 void paint_marks(Painter& painter, std::span<const PlaceMark> marks, const MarkedPicture& picture);

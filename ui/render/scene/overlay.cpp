@@ -181,7 +181,7 @@ void paint_key(Painter& painter, const Overlay& overlay, const OverlayView& view
     painter.text({x, y}, text, words);
     x += text_width(text, 0.9 * em) + 0.8 * em;
   };
-  write("contacts");
+  if (!overlay.key_title.empty()) write(overlay.key_title);
   for (const KeyEntry& entry : overlay.key) {
     painter.disc({x + 0.3 * em, y + 0.35 * em}, 0.28 * em, entry.colour);
     x += 0.85 * em;

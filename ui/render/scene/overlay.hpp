@@ -34,7 +34,8 @@ struct Overlay {
   std::string remarks;  ///< beside the time: stage, exaggeration
   std::optional<Legend> legend;
   std::optional<ColourKey> colour_key{};  ///< in the legend's place
-  std::vector<KeyEntry> key{};            ///< of contact points; empty: none are drawn
+  std::string key_title{};                ///< "contacts"
+  std::vector<KeyEntry> key{};            ///< of contact points and of what acts on the rock
   bool triad = true, scale_bar = true;
 };
 

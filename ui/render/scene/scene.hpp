@@ -10,6 +10,7 @@
 
 #include "mesh/block.hpp"
 #include "render/paint/theme.hpp"
+#include "render/scene/action_glyphs.hpp"
 #include "render/scene/block_colours.hpp"
 #include "render/scene/field_range.hpp"
 #include "render/scene/joint_face.hpp"
@@ -41,6 +42,7 @@ struct SceneSettings {
   bool contacts = false;         ///< contact points, coloured open grey, stick blue, slip orange
   bool troubles = true;          ///< where the run has trouble to converge, as far as it was told
   double rock_opacity = 1;       ///< below 1 joints inside the rock are seen through it
+  bool actions = true;           ///< what acts on the rock and watches it, as far as it was told
   bool parallel_projection = false;
   bool fine = true;  ///< ambient occlusion and smooth edges; off while the user drags
   /// Smooths outlines of pictures that are drawn at their own size. On a screen it would break thin edges into dashes.
@@ -130,6 +132,11 @@ class Scene {
   CameraPose pose_at(const ConvergenceTrouble& trouble) const;
   /// The same of a marked place.
   CameraPose pose_at(const MarkedPlace& place) const;
+
+  /// Loads, supports, velocities, stress in situ and monitors, in front of everything and of one size on the screen.
+  void set_actions(std::vector<ActionGlyph> glyphs);
+  /// The one of them under a pixel counted from the picture's upper left corner. Needs what `pick` needs.
+  std::optional<ActionGlyph> action_at(double x, double y) const;
 
   /// The visible surface under a pixel counted from the picture's upper left corner; empty over the background.
   /// Needs a renderer that is in a window of known size, but no GL context.

@@ -1,7 +1,4 @@
 // Places that are marked in the picture: where a run has trouble to converge, and those that were asked for.
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

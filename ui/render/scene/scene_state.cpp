@@ -10,6 +10,7 @@
 #include <vtkRenderer.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -112,6 +113,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
   face.add_to(*renderer);
   joints.add_to(*renderer);
   contacts.add_to(*renderer);
+  action_shapes.add_to(*renderer);
   backdrop.add_to(*renderer);
   add_lights(*renderer);
 
@@ -126,11 +128,9 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
     const Vec3 towards_viewer = (camera.position - camera.focal_point).normalized();
     const Vec3 right = camera.view_up.cross(towards_viewer).normalized();
     const auto [width, height] = size();
-    const double distance = (camera.position - camera.focal_point).norm();
-    const double half_height =
-        camera.parallel ? camera.parallel_scale : distance * std::tan(radians(camera.view_angle) / 2);
     talus::paint(painter, overlay,
-                 {width, height, right, towards_viewer.cross(right), towards_viewer, 2 * half_height / height});
+                 {width, height, right, towards_viewer.cross(right), towards_viewer, metres_per_pixel()});
+    paint_actions(painter);
     paint_marks(painter);
   };
   vtkNew<vtkContextActor> context;
@@ -256,12 +256,18 @@ void Scene::State::make_overlay() {
   if (frame && settings.deformation_scale != 1)
     overlay.remarks += (overlay.remarks.empty() ? "" : ", ") + std::string("displacements \u00d7 ") +
                        format_decimals(settings.deformation_scale, whole ? 0 : 2);
-  if (settings.legend && settings.contacts && frame)
+  if (settings.legend && settings.contacts && frame) {
+    overlay.key_title = "contacts";
     overlay.key = {{state_colour(ContactState::open), "open"},
                    {state_colour(ContactState::stick), "stick"},
                    {state_colour(ContactState::slip), "slip"}};
+  }
   if (const BlockColours* chosen = chosen_colours(); settings.legend && chosen && !chosen->key.empty())
     overlay.colour_key = ColourKey{chosen->title, chosen->key};
+  using Kind = ActionGlyph::Kind;
+  for (const Kind kind : {Kind::load, Kind::support, Kind::velocity, Kind::stress, Kind::monitor})
+    if (settings.legend && settings.actions && std::ranges::find(actions, kind, &ActionGlyph::kind) != actions.end())
+      overlay.key.push_back({action_colour(kind, settings.theme), action_meaning(kind, largest_of(actions, kind))});
   if (settings.legend && !field_values.empty()) {
     const ValueRange range = colour_range();
     const DisplayUnit unit = display_unit(settings.field->unit, std::max(std::abs(range.low), std::abs(range.high)));
@@ -285,6 +291,7 @@ void Scene::State::prepare_drawing() {
   renderer->SetUseFXAA(settings.fine && settings.smooth_outlines && pixel_scale == 1);
   overlay.text_height = text_height();
   apply_lines();
+  shape_actions();
   const auto [width, height] = size();
   const PixelRect area = free_area(overlay, width, height);
   // The camera looks at the middle of the free part, not of the picture.
@@ -308,7 +315,13 @@ void Scene::State::look_from(double azimuth, double elevation) {
 
 void Scene::State::fit_to(double width, double height) {
   overlay.text_height = text_height();
-  const PixelRect area = free_area(overlay, width, height);
+  PixelRect area = free_area(overlay, width, height);
+  if (settings.actions && !actions.empty()) {  // arrows stand out from the rock
+    constexpr double above = 4, beside = 2;    // text heights
+    area.top -= above * text_height();
+    area.left += beside * text_height();
+    area.right -= beside * text_height();
+  }
   const std::vector<bool> unseen = flags(hidden);
   ViewExtent wanted = hidden.empty() ? extent : ViewExtent();
   for (const BlockActors* part : parts())

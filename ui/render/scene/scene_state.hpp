@@ -11,8 +11,13 @@
 #include "render/scene/joint_actors.hpp"
 #include "render/scene/overlay.hpp"
 #include "render/scene/scene.hpp"
+#include "render/scene/solid_shapes.hpp"
 
 namespace talus {
+
+/// The colour of the glyphs of a kind, and what the key says of them.
+Rgb action_colour(ActionGlyph::Kind kind, Theme theme);
+std::string action_meaning(ActionGlyph::Kind kind, double largest);
 
 /// The inside of Scene; OffscreenView sets its size.
 struct Scene::State {
@@ -43,6 +48,18 @@ struct Scene::State {
   /// The chosen colours; null where there are none of these blocks.
   const BlockColours* chosen_colours() const;
   Rgb colour_of(int block) const;
+  void set_actions(std::vector<ActionGlyph> glyphs);
+  /// Where a glyph lies in the frame that is shown [m].
+  Vec3 place_of_action(std::size_t i) const;
+  /// From where to where its arrow goes [m from the origin]; twice its place for one without.
+  std::array<Vec3, 2> arrow_of(std::size_t i) const;
+  void shape_actions();
+  void add_arrow(const Vec3& from, const Vec3& to, int heads, Rgb colour);
+  void add_cross(std::size_t i);
+  void paint_actions(Painter& painter) const;
+  std::optional<ActionGlyph> action_at(const PixelPoint& pixel) const;
+  /// At the depth of the focal point.
+  double metres_per_pixel() const;
   void reset_extent();
   /// Corners are shaded: where nothing moves, and nothing is seen through.
   bool occludes() const { return settings.fine && settings.rock_opacity == 1; }
@@ -74,6 +91,14 @@ struct Scene::State {
   std::optional<int> hovered;
   std::optional<Pick> marked_face;
   std::vector<ConvergenceTrouble> troubles;
+  std::vector<ActionGlyph> actions;
+  /// The vertex that each glyph goes with; none where it has no block.
+  struct Anchor {
+    const BlockActors* part = nullptr;
+    int vertex = 0;
+  };
+  std::vector<Anchor> action_anchors;
+  SolidShapes action_shapes;
 
   std::shared_ptr<const Frame> frame;
   std::vector<Vec3> contact_dots;    ///< where the frame's contact points are drawn, m; none where they are not

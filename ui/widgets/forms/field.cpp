@@ -30,11 +30,18 @@ const Json* FieldSite::value() const {
   return project.contains(place) ? &project.at(place) : nullptr;
 }
 
-QString FieldSite::word(const char* key) const { return text(rule.value(key, std::string())); }
+QString FieldSite::word(const char* key) const { return schema::words(rule, key); }
 
 QString FieldSite::title() const { return word("title"); }
 
 QString FieldSite::meaning() const { return word("description"); }
+
+QString FieldSite::tip() const {
+  const QString shown = units::shown(word("unit"), word("shown"));
+  const QString unit =
+      shown.isEmpty() ? QString() : QObject::tr("Shown in %1; any unit of its kind can be typed.").arg(shown);
+  return QStringList{sentenceCase(meaning()), unit}.join(u'\n').trimmed();
+}
 
 QString FieldSite::absent() const {
   if (!optional) return {};
@@ -42,7 +49,7 @@ QString FieldSite::absent() const {
   if (!rule.contains("default")) return QObject::tr("none");
   const Json& usual = rule.at("default");
   if (usual.is_boolean()) return usual.get<bool>() ? QObject::tr("yes") : QObject::tr("no");
-  if (usual.is_string()) return text(usual.get<std::string>());
+  if (usual.is_string()) return schema::choiceWords(usual.get<std::string>());
   const QString kept = word("unit"), shown = units::shown(kept, word("shown"));
   QStringList figures;
   for (const auto& number : usual.is_array() ? usual : Json::array({usual}))
@@ -63,6 +70,7 @@ FormField::FormField(FieldSite site)
   setMargins(column_, 0, 2);
   problem_->hide();
   column_->addWidget(problem_);
+  setToolTip(site_.tip());  // of all that has none of its own in it
 }
 
 void FormField::add(QWidget* editor) {
@@ -98,14 +106,16 @@ bool FormField::change(const QString& what, const std::function<void(Json&)>& ed
 bool FormField::put(const Json& value) {
   const auto& project = site_.context.document.json();
   return change(
-      tr("change %1 of %2").arg(site_.title().toLower(), names::described(site_.place.parent_pointer(), project)),
+      tr("change %1 of %2")
+          .arg(schema::withinSentence(site_.title()), names::described(site_.place.parent_pointer(), project)),
       [&](Json& changed) { edits::set(changed, site_.place, value); });
 }
 
 bool FormField::leaveOut() {
   const auto& project = site_.context.document.json();
   return change(
-      tr("leave out %1 of %2").arg(site_.title().toLower(), names::described(site_.place.parent_pointer(), project)),
+      tr("leave out %1 of %2")
+          .arg(schema::withinSentence(site_.title()), names::described(site_.place.parent_pointer(), project)),
       [&](Json& changed) { edits::clear(changed, site_.place); });
 }
 

@@ -13,12 +13,24 @@ class QVBoxLayout;
 namespace talus {
 
 class Document;
+class Picking;
+
+/// A point of a time table that the user works with: its row and its curve.
+struct TablePoint {
+  schema::Place table = schema::Place();
+  int row = -1, curve = -1;
+};
+
+/// Pixels, of the titles beside the fields.
+inline constexpr int title_width = 116;
 
 /// Where a form stands in the window: the document it changes, and the blocks that were cut, whose names it offers.
 struct FormContext {
   Document& document;
   std::vector<std::string> blocks{};
+  Picking* picking = nullptr;       ///< where places can be picked in the view; null: nowhere
   std::function<void()> refresh{};  ///< makes the form anew: what it shows was chosen otherwise
+  TablePoint chosen{};              ///< to go on with when the form has been made anew
 };
 
 /// One place of the project file, by its rule in the schema. It may be empty: the file leaves it out.
@@ -34,6 +46,8 @@ struct FieldSite {
   QString title() const;
   /// The schema's description, for a tooltip.
   QString meaning() const;
+  /// The same with the unit that is shown.
+  QString tip() const;
   /// What it means that the file leaves it out: "0 MPa", "automatic"; empty where it may not.
   QString absent() const;
   /// The rule says this word; empty where it does not.

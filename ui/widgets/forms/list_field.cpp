@@ -20,9 +20,9 @@ ListField::ListField(const FieldSite& place) : FormField(place) {
     entry.optional = false;
     add(makeEntry(entry));
   }
-  const QString name = schema::memberRule(site().rule, {}).value("title", std::string()).c_str();
+  const QString name = schema::words(schema::memberRule(site().rule, {}), "title");
   auto* more = makeAction(QStringLiteral("plus"), name.isEmpty() ? tr("Add") : name,
-                          tr("Add one to %1").arg(site().title().toLower()));
+                          tr("Add one to %1").arg(schema::withinSentence(site().title())));
   more->setObjectName(text(site().place.to_string()) + QStringLiteral("#add"));
   connect(more, &QToolButton::clicked, this, [this] {
     change(tr("add to %1").arg(names::described(site().place, site().context.document.json())),

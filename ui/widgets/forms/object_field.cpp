@@ -16,17 +16,23 @@ namespace talus {
 
 namespace {
 
-constexpr int title_width = 104;
 const QString depth_key = QStringLiteral("forms/depth");
 
 QLabel* makeTitle(const FieldSite& field) {
   // A number says its unit itself; numbers in a row have it in their title.
   const bool vector = schema::kindOf(field.rule) == schema::Kind::numbers && (field.isSet() || !field.optional);
   const QString unit = vector ? units::shown(field.word("unit"), field.word("shown")) : QString();
-  auto* title = makeLabel(unit.isEmpty() ? field.title() : QObject::tr("%1, %2").arg(field.title(), unit), "muted");
+  auto* title =
+      makeWrappedLabel(unit.isEmpty() ? field.title() : QObject::tr("%1, %2").arg(field.title(), unit), "muted");
   title->setMinimumHeight(theme::now().metrics.control);
-  title->setToolTip(field.meaning());
+  title->setToolTip(field.tip());
   return title;
+}
+
+/// A long word of another language is broken into lines beside its field.
+void narrow(QLabel& title) {
+  title.setFixedWidth(title_width);
+  title.setWordWrap(true);
 }
 
 /// The same whatever the order of keys.
@@ -79,7 +85,8 @@ void ObjectField::addVariantRow() {
     if (chosen == before) return;
     const auto& project = site().context.document.json();
     const QString what =
-        tr("change %1 of %2").arg(site().word("variant").toLower(), names::described(site().place, project));
+        tr("change %1 of %2")
+            .arg(schema::withinSentence(site().word("variant")), names::described(site().place, project));
     const auto edit = [&](Json& changed) {
       edits::setVariant(changed, site().place, choices[static_cast<std::size_t>(chosen)]);
     };
@@ -89,7 +96,7 @@ void ObjectField::addVariantRow() {
   auto* layout = new QHBoxLayout(row);
   setMargins(layout, 0, 8);
   auto* title = makeLabel(site().word("variant"), "muted");
-  title->setFixedWidth(title_width);
+  narrow(*title);
   layout->addWidget(title);
   layout->addWidget(box, 1);
   add(row);
@@ -102,10 +109,10 @@ QWidget* ObjectField::makeUnset(const FieldSite& field) {
   layout->addWidget(new ElidedLabel(field.absent(), "faint"), 1);
   auto* button = makeButton(tr("Set"), "link");
   button->setObjectName(text(field.place.to_string()) + QStringLiteral("#set"));
-  button->setAccessibleName(tr("Set %1").arg(field.title().toLower()));
+  button->setAccessibleName(tr("Set %1").arg(schema::withinSentence(field.title())));
   connect(button, &QPushButton::clicked, this, [this, field] {
     const auto& project = site().context.document.json();
-    change(tr("set %1 of %2").arg(field.title().toLower(), names::described(site().place, project)),
+    change(tr("set %1 of %2").arg(schema::withinSentence(field.title()), names::described(site().place, project)),
            [&](Json& changed) { edits::set(changed, field.place, edits::startOf(field.rule, changed)); });
   });
   layout->addWidget(button);
@@ -117,7 +124,7 @@ QWidget* ObjectField::makeClear(const FieldSite& field) {
   button->setObjectName(text(field.place.to_string()) + QStringLiteral("#clear"));
   connect(button, &QToolButton::clicked, this, [this, field] {
     const auto& project = site().context.document.json();
-    change(tr("leave out %1 of %2").arg(field.title().toLower(), names::described(site().place, project)),
+    change(tr("leave out %1 of %2").arg(schema::withinSentence(field.title()), names::described(site().place, project)),
            [&](Json& changed) { edits::clear(changed, field.place); });
   });
   return button;
@@ -131,13 +138,13 @@ void ObjectField::addRow(const FieldSite& field) {
   layout->addWidget(title, 0, Qt::AlignTop);
   const bool mayBeCleared = field.optional && field.isSet();
   if (!isWide(field.rule)) {
-    title->setFixedWidth(title_width);
+    narrow(*title);
     layout->addWidget(makeField(field), 1);
     if (mayBeCleared) layout->addWidget(makeClear(field), 0, Qt::AlignTop);
     return add(row);
   }
   const bool unset = field.optional && !field.isSet();
-  if (unset) title->setFixedWidth(title_width);
+  if (unset) narrow(*title);
   layout->addWidget(unset ? makeUnset(field) : new QWidget, 1);
   if (mayBeCleared) layout->addWidget(makeClear(field));
   add(row);
@@ -156,8 +163,11 @@ ObjectField::Depth ObjectField::addPresets() {
   const Json present = site().isSet() ? *site().value() : Json::object();
   auto* choice = makeCombo({}, tr("Settings"));
   choice->setObjectName(text(site().place.to_string()) + QStringLiteral("#preset"));
+  choice->setToolTip(
+      tr("Draft: steps as long as loose limits allow. Standard: what the program takes of itself. "
+         "Reference: tight limits, no block sleeps."));
   for (const auto& [name, values] : presets.items()) {
-    choice->addItem(text(name));
+    choice->addItem(schema::choiceWords(name));
     if (sayTheSame(values, present)) choice->setCurrentIndex(choice->count() - 1);
   }
   const bool own =
@@ -169,12 +179,16 @@ ObjectField::Depth ObjectField::addPresets() {
   connect(choice, &QComboBox::activated, this, [this, presets](int chosen) {
     const auto preset = std::next(presets.begin(), chosen);
     if (preset == presets.end()) return;
-    change(tr("use the %1 settings of %2").arg(text(preset.key()), site().title().toLower()), [&](Json& changed) {
-      preset.value().empty() ? edits::clear(changed, site().place) : edits::set(changed, site().place, preset.value());
-    });
+    change(
+        tr("use the %1 settings of %2").arg(schema::choiceWords(preset.key()), schema::withinSentence(site().title())),
+        [&](Json& changed) {
+          preset.value().empty() ? edits::clear(changed, site().place)
+                                 : edits::set(changed, site().place, preset.value());
+        });
   });
   auto* depth = makeCombo({tr("all fields"), tr("what the file says"), tr("nothing more")}, tr("Show"));
   depth->setObjectName(text(site().place.to_string()) + QStringLiteral("#depth"));
+  depth->setToolTip(tr("How many of the fields are listed below"));
   depth->setCurrentIndex(QSettings().value(depth_key, 0).toInt());
   connect(depth, &QComboBox::activated, this, [this](int chosen) {
     QSettings().setValue(depth_key, chosen);
@@ -185,7 +199,7 @@ ObjectField::Depth ObjectField::addPresets() {
     auto* layout = new QHBoxLayout(row);
     setMargins(layout, 0, 8);
     auto* title = makeLabel(box->accessibleName(), "muted");
-    title->setFixedWidth(title_width);
+    narrow(*title);
     layout->addWidget(title);
     layout->addWidget(box, 1);
     add(row);

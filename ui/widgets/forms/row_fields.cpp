@@ -2,9 +2,13 @@
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QPointer>
+#include <cmath>
 
 #include "document/document.hpp"
 #include "document/edits.hpp"
+#include "document/names.hpp"
+#include "session/picking.hpp"
 #include "widgets/forms/scalar_fields.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/kit/parts.hpp"
@@ -15,6 +19,16 @@ namespace talus {
 namespace {
 
 constexpr int in_a_row = 3;
+constexpr double beneath = 1e-3;  // m, under the surface that was picked: a point inside the block
+
+/// The thing has its place inside a block that it names by it: it would be in doubt on a surface.
+bool liesInside(const schema::Place& place) {
+  const std::string list = schema::Place(place.parent_pointer().parent_pointer()).to_string();
+  return list == "/blocks" || list == "/merges";
+}
+
+/// To the micrometre: a hand is no finer, and digits of rounding say nothing.
+double rounded(double metres) { return std::round(metres * 1e6) / 1e6; }
 
 /// A grid with a faint caption over each editor.
 QWidget* makeGrid(const std::vector<QWidget*>& editors, const schema::Json& rule) {
@@ -25,7 +39,8 @@ QWidget* makeGrid(const std::vector<QWidget*>& editors, const schema::Json& rule
   const schema::Json columns = rule.value("columns", schema::Json::array());
   for (std::size_t i = 0; i < editors.size(); ++i) {
     const int row = static_cast<int>(i) / in_a_row * 2, column = static_cast<int>(i) % in_a_row;
-    if (i < columns.size()) layout->addWidget(makeLabel(text(columns.at(i).get<std::string>()), "faint"), row, column);
+    if (i < columns.size())
+      layout->addWidget(makeLabel(schema::choiceWords(columns.at(i).get<std::string>()), "faint"), row, column);
     layout->addWidget(editors[i], row + 1, column);
     layout->setColumnStretch(column, 1);
   }
@@ -54,7 +69,44 @@ VectorField::VectorField(const FieldSite& place) : FormField(place) {
     connect(entry, &NumberField::cleared, this, [putOne] { putOne(nullptr); });
     entries.push_back(entry);
   }
-  add(makeGrid(entries, site().rule));
+  QWidget* grid = makeGrid(entries, site().rule);
+  if (site().context.picking && site().rule.value("of", std::string()) == "at")
+    static_cast<QGridLayout*>(grid->layout())->addWidget(makePickButton(), 1, in_a_row);
+  add(grid);
+}
+
+QWidget* VectorField::makePickButton() {
+  auto* button = makeTool(QStringLiteral("point"), tr("Pick it in the view"));
+  button->setObjectName(text(site().place.to_string()) + QStringLiteral("#pick"));
+  connect(button, &QToolButton::clicked, this, [this] { askForPlace(*site().context.picking); });
+  return button;
+}
+
+void VectorField::askForPlace(Picking& picking) {
+  const QString prompt = tr("Click the place of: %1").arg(schema::withinSentence(site().title()));
+  picking.ask(prompt, 1, [field = QPointer(this)](const std::vector<PickedPlace>& places) {
+    if (field) field->takePlace(places.at(0));
+  });
+  connect(this, &QObject::destroyed, &picking, [&picking, prompt] {
+    if (picking.prompt() == prompt) picking.cancel();
+  });
+}
+
+void VectorField::takePlace(const PickedPlace& picked) {
+  const schema::Place& place = site().place;
+  const Vec3 point = liesInside(place) ? Vec3(picked.point - beneath * picked.normal) : picked.point;
+  const schema::Place block = place.parent_pointer() / "block";
+  const Json blockRule = schema::memberRule(schema::ruleOf(place.parent_pointer()), "block");
+  const auto& blocks = site().context.blocks;
+  const bool takesBlock = blockRule.is_object() && blockRule.value("of", std::string()) == "block_name" &&
+                          picked.block >= 0 && picked.block < static_cast<int>(blocks.size());
+  change(tr("pick %1 of %2")
+             .arg(schema::withinSentence(site().title()),
+                  names::described(place.parent_pointer(), site().context.document.json())),
+         [&](Json& project) {
+           edits::set(project, place, {rounded(point.x()), rounded(point.y()), rounded(point.z())});
+           if (takesBlock) edits::set(project, block, blocks[static_cast<std::size_t>(picked.block)]);
+         });
 }
 
 NamesField::NamesField(const FieldSite& place) : FormField(place) {

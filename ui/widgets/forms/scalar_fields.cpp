@@ -63,7 +63,7 @@ ChoiceField::ChoiceField(const FieldSite& place) : FormField(place) {
   if (site().optional) box->addItem(usualWords(site()));
   const int first = box->count();
   for (const auto& value : values)
-    box->addItem(boolean ? (value.get<bool>() ? tr("yes") : tr("no")) : text(value.get<std::string>()));
+    box->addItem(boolean ? (value.get<bool>() ? tr("yes") : tr("no")) : schema::choiceWords(value.get<std::string>()));
   const Json* present = site().value();
   const auto at = present ? std::find(values.begin(), values.end(), *present) : values.end();
   box->setCurrentIndex(at == values.end() ? 0 : first + static_cast<int>(at - values.begin()));

@@ -11,6 +11,7 @@
 #include "base/quantity_text.hpp"
 #include "document/document.hpp"
 #include "document/edits.hpp"
+#include "widgets/forms/curve_editor.hpp"
 #include "widgets/forms/scalar_fields.hpp"
 #include "widgets/kit/display_units.hpp"
 #include "widgets/kit/numbers.hpp"
@@ -53,7 +54,8 @@ void TableField::makeColumns() {
   for (std::size_t i = 0; i < row.at("columns").size(); ++i) {
     const QString kept = text(i < units.size() ? units.at(i).get<std::string>() : row.value("unit", std::string()));
     const QString usual = i < shown.size() ? text(shown.at(i).get<std::string>()) : QString();
-    columns_.push_back({text(row.at("columns").at(i).get<std::string>()), kept, units::shown(kept, usual)});
+    columns_.push_back(
+        {schema::choiceWords(row.at("columns").at(i).get<std::string>()), kept, units::shown(kept, usual)});
   }
 }
 
@@ -105,16 +107,14 @@ QWidget* TableField::makeTools() {
     layout->addWidget(button);
   };
   tool("plus", tr("Row"), tr("Add a row behind the one with the cursor"), "#add", &TableField::addRow);
-  tool("dash", tr("Row"), tr("Take the row with the cursor away"), "#remove", &TableField::removeRow);
+  tool("dash", tr("Row"), tr("Take the row with the cursor away"), "#remove", [this] { removeRow(presentRow()); });
   tool("paste", tr("Paste"), tr("Replace all rows by those of the clipboard, copied from a spreadsheet or text"),
        "#paste", &TableField::paste);
   layout->addStretch();
   return tools;
 }
 
-QWidget* TableField::makePlot() const {
-  auto* plot = new Plot(site().title());
-  plot->setFixedHeight(plot_height);
+std::vector<Curve> TableField::curves() const {
   std::vector<Curve> curves;
   for (std::size_t j = 1; j < columns_.size(); ++j) {
     Curve curve{columns_[j].title, static_cast<int>(j) - 1, {}, {}};
@@ -124,11 +124,53 @@ QWidget* TableField::makePlot() const {
       curve.y.push_back(
           converted(row.at(j).get<double>(), columns_[j].kept.toStdString(), columns_[j].shown.toStdString()));
     }
-    if (!curve.x.empty()) curves.push_back(std::move(curve));
+    if (curve.x.size() == rows_.size()) curves.push_back(std::move(curve));
   }
-  plot->setCurves(std::move(curves), columns_.back().shown);
-  return plot;
+  return curves;
 }
+
+QWidget* TableField::makePlot() {
+  plot_ = new CurveEditor(site().title());
+  plot_->setObjectName(text(site().place.to_string()) + QStringLiteral("#plot"));
+  plot_->setFixedHeight(plot_height);
+  plot_->setCurves(curves(), columns_.back().shown);
+  connect(plot_, &CurveEditor::chosen, this, &TableField::choosePoint);
+  connect(plot_, &CurveEditor::inserted, this, &TableField::insertRow);
+  connect(plot_, &CurveEditor::removed, this, &TableField::removeRow);
+  connect(plot_, &CurveEditor::pasteWanted, this, &TableField::paste);
+  connect(plot_, &CurveEditor::dragged, this, [this](int row, int curve, double time, double value) {
+    const QSignalBlocker silent(table_);  // the table follows; the project does when the hand lets go
+    const Json moved = movedRow(row, curve, time, value);
+    for (int j = 0; j < table_->columnCount(); ++j)
+      table_->item(row, j)->setText(
+          cellText(moved.at(static_cast<std::size_t>(j)), columns_[static_cast<std::size_t>(j)]));
+  });
+  connect(plot_, &CurveEditor::moved, this, [this](int row, int curve, double time, double value) {
+    Json changed = rows_;
+    changed[static_cast<std::size_t>(row)] = movedRow(row, curve, time, value);
+    put(changed);
+  });
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int column) {
+    const QSignalBlocker silent(plot_);
+    plot_->choose(row, std::max(0, column - 1));
+    site().context.chosen = {site().place, row, std::max(0, column - 1)};
+  });
+  const TablePoint& before = site().context.chosen;
+  if (before.table == site().place && before.row >= 0 && before.row < table_->rowCount())
+    table_->setCurrentCell(before.row, before.curve + 1);
+  return plot_;
+}
+
+schema::Json TableField::movedRow(int row, int curve, double time, double value) const {
+  const Column& column = columns_[static_cast<std::size_t>(curve) + 1];
+  Json moved = rows_.at(static_cast<std::size_t>(row));
+  moved[0] = jsonOf(time);
+  moved[static_cast<std::size_t>(curve) + 1] =
+      jsonOf(converted(value, column.shown.toStdString(), column.kept.toStdString()));
+  return moved;
+}
+
+void TableField::choosePoint(int row, int curve) { table_->setCurrentCell(row, curve + 1); }
 
 schema::Json TableField::cellValue(const QString& typed, const Column& column) const {
   const FieldSite cell = site().element(0).element(0);
@@ -183,26 +225,45 @@ void TableField::paste() {
   put(pasted);
 }
 
+int TableField::presentRow() const { return table_->currentRow() < 0 ? table_->rowCount() - 1 : table_->currentRow(); }
+
 void TableField::addRow() {
-  const int present = table_->currentRow() < 0 ? table_->rowCount() - 1 : table_->currentRow();
-  Json changed = rows_;
-  Json row = rows_.empty() ? edits::startOf(site().element(0).rule, site().context.document.json())
-                           : rows_.at(static_cast<std::size_t>(present));
+  const int present = presentRow();
   // A time table goes on with the next moment: rows must ascend.
-  if (site().element(0).rule.contains("units") && !rows_.empty()) {
-    const bool last = present + 1 == static_cast<int>(rows_.size());
-    const double here = row.at(0).get<double>();
-    row[0] = jsonOf(last ? here + 1 : (here + rows_.at(static_cast<std::size_t>(present) + 1).at(0).get<double>()) / 2);
+  if (plot_) {
+    const auto time = [&](int row) { return rows_.at(static_cast<std::size_t>(row)).at(0).get<double>(); };
+    const bool last = present + 1 == table_->rowCount();
+    return insertRow(last ? time(present) + 1 : (time(present) + time(present + 1)) / 2);
   }
-  changed.insert(changed.begin() + present + 1, row);
+  Json changed = rows_;
+  changed.insert(changed.begin() + present + 1,
+                 rows_.empty() ? edits::startOf(site().element(0).rule, site().context.document.json())
+                               : rows_.at(static_cast<std::size_t>(present)));
   put(changed);
 }
 
-void TableField::removeRow() {
-  const int present = table_->currentRow() < 0 ? table_->rowCount() - 1 : table_->currentRow();
-  if (present < 0) return;
+void TableField::insertRow(double time) {
+  std::size_t after = 0;
+  while (after < rows_.size() && rows_.at(after).at(0).get<double>() < time) ++after;
+  Json row = rows_.at(after < rows_.size() ? after : rows_.size() - 1);
+  row[0] = jsonOf(time);
+  for (const Curve& curve : curves()) {
+    const auto value = valueAt(curve, time);
+    if (!value) continue;
+    const Column& column = columns_[static_cast<std::size_t>(curve.colour) + 1];
+    row[static_cast<std::size_t>(curve.colour) + 1] =
+        jsonOf(converted(*value, column.shown.toStdString(), column.kept.toStdString()));
+  }
   Json changed = rows_;
-  changed.erase(static_cast<std::size_t>(present));
+  changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(after), row);
+  site().context.chosen = {site().place, static_cast<int>(after), std::max(0, site().context.chosen.curve)};
+  put(changed);
+}
+
+void TableField::removeRow(int row) {
+  if (row < 0 || row >= static_cast<int>(rows_.size())) return;
+  Json changed = rows_;
+  changed.erase(static_cast<std::size_t>(row));
   put(changed);
 }
 

@@ -13,7 +13,6 @@ namespace talus {
 
 namespace {
 
-constexpr int name_width = 104;  // as the forms have
 constexpr const char* keys[] = {"friction_angle", "residual_friction_angle", "cohesion"};
 
 const schema::Json& strengths() {
@@ -67,7 +66,7 @@ TypicalStrengths::TypicalStrengths(const FieldSite& joint) : FormField(joint) {
   auto* layout = new QHBoxLayout(row);
   setMargins(layout, 0, 8);
   auto* title = makeLabel(tr("Typical"), "muted");
-  title->setFixedWidth(name_width);
+  title->setFixedWidth(title_width);
   title->setToolTip(source);
   layout->addWidget(title);
   layout->addWidget(box, 1);

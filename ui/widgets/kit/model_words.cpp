@@ -80,12 +80,12 @@ QString strength(const JointChange& change) {
 
 /// For a list that a stage puts in the place of the one before.
 QString replaced(const auto& list, const char* noun) {
-  return list.empty() ? QObject::tr("no %1s").arg(QLatin1String(noun)) : numbers::counted(list.size(), noun);
+  return list.empty() ? QObject::tr("no %1").arg(numbers::nounFor(0, noun)) : numbers::counted(list.size(), noun);
 }
 
 }  // namespace
 
-QString changes(const Stage& stage) {
+QStringList changeList(const Stage& stage) {
   QStringList all;
   for (const auto& joint : stage.joints) all << strength(joint);
   if (stage.loads) all << replaced(*stage.loads, "load");
@@ -94,7 +94,9 @@ QString changes(const Stage& stage) {
     all << QObject::tr("%1 %2").arg(text(block.name),
                                     block.body == BodyKind::fixed ? QObject::tr("held") : QObject::tr("let go"));
   if (stage.damping) all << QObject::tr("damping %1 1/s").arg(numbers::figure(*stage.damping, 4));
-  return all.join(QStringLiteral("; "));
+  return all;
 }
+
+QString changes(const Stage& stage) { return changeList(stage).join(QStringLiteral("; ")); }
 
 }  // namespace talus::words

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "model/project.hpp"
 
@@ -16,7 +17,9 @@ QString point(const Vec3& p);
 /// "3 rows, 0 … 2 s"; the table is not empty.
 QString span(const TimeTable& table);
 
-/// What a stage changes: "J1 φ 20°, c 0 MPa; 2 loads; cube held"; empty: nothing.
+/// What a stage changes, thing by thing: "J1 φ 20°, c 0 MPa", "2 loads", "cube held".
+QStringList changeList(const Stage& stage);
+/// The same in one line; empty: nothing.
 QString changes(const Stage& stage);
 
 }  // namespace talus::words

@@ -24,6 +24,11 @@ void NumberField::allowNone(const QString& meaning) {
   setPlaceholderText(meaning);
 }
 
+void NumberField::setMeaning(const QString& sentence) {
+  meaning_ = sentence;
+  setToolTip(sentence);
+}
+
 void NumberField::setValue(std::optional<double> value) {
   value_ = value;
   setProblem({});
@@ -40,7 +45,7 @@ void NumberField::show() {
 
 void NumberField::setProblem(const QString& sentence) {
   setProperty("state", sentence.isEmpty() ? QVariant() : QVariant("error"));
-  setToolTip(sentence);
+  setToolTip(sentence.isEmpty() ? meaning_ : sentence);
   style()->unpolish(this);
   style()->polish(this);
   emit problemChanged(sentence);

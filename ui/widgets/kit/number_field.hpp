@@ -19,6 +19,8 @@ class NumberField : public QLineEdit {
   NumberField(std::optional<double> value, Units units);
   /// It may be left empty, which means this.
   void allowNone(const QString& meaning);
+  /// What its tooltip says while nothing is wrong.
+  void setMeaning(const QString& sentence);
   /// Another value, from now on; no signal.
   void setValue(std::optional<double> value);
   /// Marks what was typed as impossible; an empty sentence takes the mark away.
@@ -42,6 +44,7 @@ class NumberField : public QLineEdit {
   void show();
   std::optional<double> value_;
   Units units_;
+  QString meaning_;
   bool mayBeEmpty_ = false;
 };
 

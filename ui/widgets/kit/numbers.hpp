@@ -8,9 +8,12 @@ namespace talus::numbers {
 
 QString fixed(double value, int decimals);
 QString whole(std::integral auto value) { return fixed(static_cast<double>(value), 0); }
+/// `noun` for so many, in the user's language: "frame", "frames". Those that can be translated are listed in
+/// numbers.cpp.
+QString nounFor(int count, const char* noun);
 /// "1 frame", "201 frames".
 QString counted(std::integral auto count, const char* noun) {
-  return whole(count) + u' ' + QLatin1String(noun) + (count == 1 ? QString() : QStringLiteral("s"));
+  return whole(count) + u' ' + nounFor(static_cast<int>(count), noun);
 }
 QString significant(double value, int figures = 3);
 /// The same without zeros at its end: 2, not 2.000000.

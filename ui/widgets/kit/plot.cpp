@@ -41,6 +41,11 @@ void Plot::setCurves(std::vector<Curve> curves, const QString& unit) {
   update();
 }
 
+void Plot::redraw(std::vector<Curve> curves) {
+  curves_ = std::move(curves);
+  update();
+}
+
 void Plot::setCursor(std::optional<double> x) {
   if (x == cursor_) return;
   cursor_ = x;
@@ -84,6 +89,12 @@ void Plot::resizeEvent(QResizeEvent*) { fitArea(); }
 double Plot::xAt(double time) const { return area_.left() + (time - x_.low) / (x_.high - x_.low) * area_.width(); }
 
 double Plot::yAt(double value) const { return area_.bottom() - (value - y_.low) / (y_.high - y_.low) * area_.height(); }
+
+double Plot::timeAt(double x) const { return x_.low + (x - area_.left()) / area_.width() * (x_.high - x_.low); }
+
+double Plot::valueAtHeight(double y) const {
+  return y_.low + (area_.bottom() - y) / area_.height() * (y_.high - y_.low);
+}
 
 void Plot::paintEvent(QPaintEvent*) {
   QPainter painter(this);

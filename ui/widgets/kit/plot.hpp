@@ -36,13 +36,19 @@ class Plot : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
+  double xAt(double time) const;
+  double yAt(double value) const;
+  double timeAt(double x) const;
+  double valueAtHeight(double y) const;
+  /// Other values on the axes that are there.
+  void redraw(std::vector<Curve> curves);
+  const QRectF& area() const { return area_; }
+
  private:
   struct Range {
     double low = 0, high = 1;
   };
   void fitArea();
-  double xAt(double time) const;
-  double yAt(double value) const;
   void fitRanges();
   void chooseTime(double x);
   void drawHeading(QPainter& painter) const;

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "document/schema.hpp"
 #include "model/stage_length.hpp"
 #include "session/current_project.hpp"
 #include "session/display.hpp"
@@ -49,9 +50,10 @@ PageRows materialRows(const Project& project) {
                    QObject::tr("The project has no material.")};
   for (size_t i = 0; i < project.materials.size(); ++i) {
     const Material& material = project.materials[i];
-    content.rows.push_back({item(Item::Kind::material, i),
-                            {text(material.name), number(material.density, 4), number(material.young / 1e9),
-                             number(material.poisson), number(material.damping), text(to_string(material.law))}});
+    content.rows.push_back(
+        {item(Item::Kind::material, i),
+         {text(material.name), number(material.density, 4), number(material.young / 1e9), number(material.poisson),
+          number(material.damping), schema::choiceWords(std::string(to_string(material.law)))}});
   }
   return content;
 }
@@ -83,6 +85,24 @@ PageRows loadRows(const Project& project) {
     content.rows.push_back({item(Item::Kind::velocity, i),
                             {QObject::tr("velocity, m/s"), text(project.velocities[i].block), none,
                              words::point(project.velocities[i].linear)}});
+  for (size_t i = 0; i < project.in_situ.size(); ++i) {
+    const InSituStress& stress = project.in_situ[i];
+    QStringList names;
+    for (const std::string& name : stress.blocks) names << text(name);
+    const Voigt mpa = stress.stress / 1e6;
+    content.rows.push_back({item(Item::Kind::inSitu, i),
+                            {QObject::tr("stress in situ, MPa"),
+                             names.isEmpty() ? QObject::tr("every block") : names.join(QStringLiteral(", ")),
+                             QObject::tr("z %1").arg(number(stress.level)),
+                             words::point(mpa.head<3>()) + QStringLiteral("; ") + words::point(mpa.tail<3>())}});
+  }
+  for (size_t i = 0; i < project.monitors.size(); ++i) {
+    const Monitor& monitor = project.monitors[i];
+    content.rows.push_back(
+        {item(Item::Kind::monitor, i),
+         {QObject::tr("monitor %1").arg(text(monitor.name)), text(monitor.block), words::point(monitor.at),
+          monitor.stress ? QObject::tr("motion and stress") : QObject::tr("motion")}});
+  }
   return content;
 }
 

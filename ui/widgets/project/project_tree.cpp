@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "document/schema.hpp"
 #include "document/things.hpp"
 #include "model/stage_length.hpp"
 #include "session/current_project.hpp"
@@ -97,8 +98,9 @@ QTreeWidgetItem* ProjectTree::addGroup(WorkflowPage page, const QString& figure)
 }
 
 void ProjectTree::offerNew(QTreeWidgetItem* group, const std::vector<Item::Kind>& kinds) {
-  auto* button = makeTool(QStringLiteral("plus"),
-                          kinds.size() == 1 ? tr("New %1").arg(things::titleOf(kinds[0]).toLower()) : tr("New…"));
+  auto* button =
+      makeTool(QStringLiteral("plus"),
+               kinds.size() == 1 ? tr("New %1").arg(schema::withinSentence(things::titleOf(kinds[0]))) : tr("New…"));
   button->setObjectName(QStringLiteral("new/") +
                         QLatin1String(pageKey(static_cast<WorkflowPage>(group->data(0, page_role).toInt()))));
   const auto add = [this](Item::Kind kind) {
@@ -113,7 +115,7 @@ void ProjectTree::offerNew(QTreeWidgetItem* group, const std::vector<Item::Kind>
     connect(
         button, &QToolButton::clicked, this, [add, kind = kinds[0]] { add(kind); }, Qt::QueuedConnection);
   } else {
-    auto* menu = new QMenu(button);
+    auto* menu = new QMenu(tr("New"), button);
     for (const auto kind : kinds)
       connect(
           menu->addAction(things::titleOf(kind)), &QAction::triggered, this, [add, kind] { add(kind); },
@@ -180,7 +182,8 @@ void ProjectTree::rebuild() {
   for (size_t i = 0; i < project.stages.size(); ++i)
     addRow(stages, {Item::Kind::stage, static_cast<int>(i)}, text(project.stages[i].name),
            stageFigure(project.stages[i]));
-  addRow(stages, {Item::Kind::solver, 0}, tr("solver"), text(to_string(project.solver.time_step_control)))
+  addRow(stages, {Item::Kind::solver, 0}, tr("solver"),
+         schema::choiceWords(std::string(to_string(project.solver.time_step_control))))
       ->setIcon(0, theme::icon(QStringLiteral("settings")));
   addRow(stages, {Item::Kind::output, 0}, tr("output"),
          tr("every %1 s").arg(numbers::significant(project.output.every)))
@@ -240,7 +243,8 @@ void ProjectTree::addBlocks(QTreeWidgetItem* group) {
     addRow(group, {Item::Kind::merge, static_cast<int>(i)}, tr("merge %1").arg(i + 1), words::point(merges[i].at))
         ->setIcon(0, theme::icon(QStringLiteral("plus-set")));
   const Splinters& splinters = project_.document().project().splinters;
-  addRow(group, {Item::Kind::splinters, 0}, tr("splinters"), text(to_string(splinters.rule)))
+  addRow(group, {Item::Kind::splinters, 0}, tr("splinters"),
+         schema::choiceWords(std::string(to_string(splinters.rule))))
       ->setIcon(0, theme::icon(QStringLiteral("settings")));
   offerNew(group, {Item::Kind::blockWish, Item::Kind::merge});
   if (!project_.system()) return;

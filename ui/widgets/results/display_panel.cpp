@@ -28,6 +28,7 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   field->addRow(tr("Component"), field_->componentBox());
   range_ = makeCombo({tr("all frames"), tr("this frame")}, tr("Range of the legend"));
   connect(range_, &QComboBox::activated, this, [this](int index) { display_.setRangeFollowsRun(index == 0); });
+  range_->setToolTip(tr("The legend spans the values of all frames, or those of the one in view"));
   field->addRow(tr("Range"), range_);
   inner->addWidget(field);
   inner->addWidget(makeLine(Qt::Horizontal));
@@ -40,13 +41,15 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
     settings.deformation_scale = deformation_scales[index];
     display_.set(settings);
   });
-  shape->addRow(tr("Deformation"), deformation_, tr("Displacements are drawn this many times as large"));
+  deformation_->setToolTip(tr("Displacements are drawn this many times as large"));
+  shape->addRow(tr("Deformation"), deformation_);
   edges_ = makeCombo({tr("none"), tr("block edges"), tr("mesh")}, tr("Edges"));
   connect(edges_, &QComboBox::activated, this, [this](int index) {
     SceneSettings settings = display_.settings();
     settings.edges = static_cast<Edges>(index);
     display_.set(settings);
   });
+  edges_->setToolTip(tr("Lines along the edges of blocks, of all tetrahedra at the surface, or none"));
   shape->addRow(tr("Edges"), edges_);
   inner->addWidget(shape);
   inner->addWidget(makeLine(Qt::Horizontal));
@@ -56,10 +59,12 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
       ->setToolTip(tr("Open grey, stick blue, slip orange"));
   addSwitch(overlays, tr("Convergence trouble"), &SceneSettings::troubles)
       ->setToolTip(tr("Marks the contacts at which steps were cut or took many iterations"));
-  addSwitch(overlays, tr("Legend"), &SceneSettings::legend);
-  addSwitch(overlays, tr("Time stamp"), &SceneSettings::time_stamp);
-  addSwitch(overlays, tr("Axes"), &SceneSettings::triad);
-  addSwitch(overlays, tr("Scale bar"), &SceneSettings::scale_bar);
+  addSwitch(overlays, tr("Legend"), &SceneSettings::legend)->setToolTip(tr("Which colour stands for which value"));
+  addSwitch(overlays, tr("Time stamp"), &SceneSettings::time_stamp)
+      ->setToolTip(tr("Model time and stage of the frame in view"));
+  addSwitch(overlays, tr("Axes"), &SceneSettings::triad)->setToolTip(tr("Where east, north and up are"));
+  addSwitch(overlays, tr("Scale bar"), &SceneSettings::scale_bar)
+      ->setToolTip(tr("A length at the depth of the middle of the view"));
   inner->addWidget(overlays);
   inner->addWidget(new TroublePanel(run, display));
   inner->addStretch();

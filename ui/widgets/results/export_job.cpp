@@ -79,6 +79,7 @@ void ExportJob::draw(const ExportTask& task) {
   scene.set_stage_names(task.stageNames);
   scene.set_hidden(task.hidden);
   scene.set_troubles(task.troubles);
+  scene.set_actions(task.actions);
   scene.set_pose(task.pose);
   if (task.path.extension() == ".png") {
     if (task.frameCount > 0) scene.set_frame(task.frame(task.firstFrame));

@@ -21,6 +21,7 @@ struct ExportTask {
   CameraPose pose;
   std::vector<int> hidden;
   std::vector<ConvergenceTrouble> troubles;
+  std::vector<ActionGlyph> actions;
   std::vector<std::string> stageNames;
   /// Frames by number, called on the exporting thread.
   std::function<std::shared_ptr<const Frame>(int)> frame;

@@ -1,5 +1,6 @@
 #include "widgets/run/effect_list.hpp"
 
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QPainter>
 #include <QVBoxLayout>
@@ -23,6 +24,24 @@ double dearest(const auto& effects) {
   return most;
 }
 
+/// In the user's language.
+QString effectName(const std::string& name) {
+  static const char* const known[] = {QT_TRANSLATE_NOOP("effects", "elasticity"),
+                                      QT_TRANSLATE_NOOP("effects", "neo-Hookean elasticity"),
+                                      QT_TRANSLATE_NOOP("effects", "initial stress"),
+                                      QT_TRANSLATE_NOOP("effects", "inertia"),
+                                      QT_TRANSLATE_NOOP("effects", "displacement constraint"),
+                                      QT_TRANSLATE_NOOP("effects", "point load"),
+                                      QT_TRANSLATE_NOOP("effects", "body force"),
+                                      QT_TRANSLATE_NOOP("effects", "normal contact"),
+                                      QT_TRANSLATE_NOOP("effects", "shear contact"),
+                                      QT_TRANSLATE_NOOP("effects", "cohesion and tension"),
+                                      QT_TRANSLATE_NOOP("effects", "rebound"),
+                                      QT_TRANSLATE_NOOP("effects", "damping")};  // where translators find them
+  static_cast<void>(known);
+  return sentenceCase(QCoreApplication::translate("effects", name.c_str()));
+}
+
 double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
 }  // namespace
@@ -40,7 +59,7 @@ std::vector<EffectList::Row> EffectList::expected() const {
   const double most = dearest(costs);
   std::vector<Row> rows;
   for (const EffectCost& cost : costs)
-    rows.push_back({sentenceCase(text(std::string(to_string(cost.kind)))), text(cost.reason), text(cost.items),
+    rows.push_back({effectName(std::string(to_string(cost.kind))), text(cost.reason), text(cost.items),
                     cost.active ? tr("%1 ms").arg(numbers::significant(1e3 * cost.seconds, 2)) : tr("off"), cost.active,
                     share(cost.seconds, most)});
   return rows;
@@ -50,7 +69,7 @@ std::vector<EffectList::Row> EffectList::spent() const {
   const double most = dearest(run_.effects());
   std::vector<Row> rows;
   for (const EffectOutcome& effect : run_.effects())
-    rows.push_back({sentenceCase(text(effect.name)),
+    rows.push_back({effectName(effect.name),
                     text(effect.reason),
                     {},
                     effect.active ? tr("%1 s").arg(numbers::significant(effect.seconds, 2)) : tr("off"),

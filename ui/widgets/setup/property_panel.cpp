@@ -29,19 +29,13 @@
 
 namespace talus {
 
-namespace {
-
-constexpr int title_width = 104;  // as the forms have
-
-}  // namespace
-
 PropertyPanel::PropertyPanel(CurrentProject& project, const BlockSurvey& survey, Playback& playback, Messages& messages,
-                             Display& display)
+                             Display& display, Picking& picking)
     : project_(project),
       survey_(survey),
       playback_(playback),
       messages_(messages),
-      context_{project.document(), {}, [this] { QTimer::singleShot(0, this, &PropertyPanel::rebuild); }},
+      context_{project.document(), {}, &picking, [this] { QTimer::singleShot(0, this, &PropertyPanel::rebuild); }},
       duplicate_(makeTool(QStringLiteral("copy"), tr("Duplicate"))),
       up_(makeTool(QStringLiteral("chevron-up"), tr("Move up the list"))),
       down_(makeTool(QStringLiteral("chevron-down"), tr("Move down the list"))),

@@ -16,6 +16,7 @@ class BlockSurvey;
 class CurrentProject;
 class Display;
 class Messages;
+class Picking;
 class Playback;
 struct Block;
 
@@ -25,7 +26,7 @@ class PropertyPanel : public QWidget {
   Q_OBJECT
  public:
   PropertyPanel(CurrentProject& project, const BlockSurvey& survey, Playback& playback, Messages& messages,
-                Display& display);
+                Display& display, Picking& picking);
 
  private:
   void rebuild();

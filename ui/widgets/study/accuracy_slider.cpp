@@ -53,6 +53,7 @@ AccuracySlider::AccuracySlider(CurrentProject& project, CurrentRun& run, Message
   column->addLayout(study);
   slider_->setPageStep(1);
   slider_->setAccessibleName(tr("From the cheapest setting to the most accurate one"));
+  slider_->setToolTip(slider_->accessibleName());
   connect(slider_, &QSlider::valueChanged, this, &AccuracySlider::tell);
   connect(use_, &QPushButton::clicked, this, [this] { project_.useSetting(*project_.study(), best_[position()]); });
   connect(study_, &QPushButton::clicked, this, &AccuracySlider::startOrStop);

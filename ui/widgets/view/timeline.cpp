@@ -163,6 +163,7 @@ Timeline::Timeline(CurrentProject& project, CurrentRun& run, Playback& playback)
   for (double speed : speeds) names << tr("%1×").arg(speed);
   names[real_time] = tr("1× real");
   speed_ = makeCombo(names, tr("Speed of play"));
+  speed_->setToolTip(tr("Model time a second of watching"));
   speed_->setCurrentIndex(real_time);
   speed_->setFixedWidth(84);
   row->addWidget(speed_);

@@ -127,6 +127,9 @@ Viewport::Viewport(Session& session, QWidget* parent)
     stillTimer_.start();
   });
   connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applySelection);
+  connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applyActions);
+  connect(&session_.project.document(), &Document::projectChanged, this, &Viewport::applyActions);
+  connect(&session_.display, &Display::pageChanged, this, &Viewport::applyActions);
   connect(&session_.project.selection(), &Selection::hoverChanged, this, [this] {
     if (!scene_) return;
     scene_->set_hovered(session_.project.selection().hoveredBlock());
@@ -161,6 +164,7 @@ void Viewport::rebuildScene() {
   session_.picking.cancel();  // places that were taken are of blocks that are there no longer
   card_->hide();
   hidden_.clear();
+  actions_.clear();
   if (scene_) {
     surface_->makeContextCurrent();  // the card's memory is freed as the renderer leaves
     surface_->window().RemoveRenderer(scene_->renderer());
@@ -179,6 +183,7 @@ void Viewport::rebuildScene() {
   applySettings();
   applySelection();
   applyTroubles();
+  applyActions();
   showFrame();
   stillTimer_.start();
 }
@@ -365,7 +370,9 @@ void Viewport::showEmptyState() {
     emptyButton_->setText(tr("Cut and mesh"));
     emptyText_->setText(tr("There are no blocks yet: cut the rock along its joints and mesh it to see them."));
     emptyButton_->setEnabled(session_.run.whyNotMesh().isEmpty());
-    emptyButton_->setToolTip(session_.run.whyNotMesh());
+    const QString whyNot = session_.run.whyNotMesh();
+    emptyButton_->setToolTip(whyNot.isEmpty() ? tr("Divides the rock along its cuts into blocks and meshes each (F4)")
+                                              : whyNot);
   }
   placeOverlays();
 }

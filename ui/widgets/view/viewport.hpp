@@ -51,6 +51,10 @@ class Viewport : public QWidget {
   /// The camera is on its way to a place that was asked for.
   bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
   const std::vector<int>& hiddenBlocks() const { return hidden_; }
+  /// Loads, supports, velocities, stress in situ and monitors that are shown on this page.
+  const std::vector<ActionGlyph>& actions() const { return actions_; }
+  /// The one of them that is drawn at a point of the view.
+  std::optional<ActionGlyph> actionAt(QPointF point) const;
   /// What lies under a point of the view, logical pixels from its upper left corner.
   std::optional<Pick> pickAt(QPointF point) const;
   /// The place of a pick on the rock at rest.
@@ -85,6 +89,9 @@ class Viewport : public QWidget {
   void applySettings();
   void applySelection();
   void applyTroubles();
+  void applyActions();
+  /// Selects the load, support or monitor whose glyph is there; false where there is none.
+  bool selectActionAt(QPointF point);
   void flyTo(const CameraPose& pose);
   void leaveRoomForTools();
   void moveCamera(const CameraPose& pose);
@@ -111,6 +118,7 @@ class Viewport : public QWidget {
   std::unique_ptr<Scene> scene_;
   bool fitted_ = false;  ///< the camera has been placed since the blocks came
   std::vector<int> hidden_;
+  std::vector<ActionGlyph> actions_;  ///< that the scene was told of
 
   enum class Drag { none, turn, pan, box, lasso, tool };
   Drag dragOf(const QMouseEvent& event) const;

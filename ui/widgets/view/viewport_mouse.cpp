@@ -172,6 +172,7 @@ void Viewport::selectIn(const QPolygonF& outline, bool touched, bool added) {
 }
 
 void Viewport::selectAt(QPointF point, Qt::KeyboardModifiers modifiers) {
+  if (selectActionAt(point)) return;
   const auto pick = pickAt(point);
   if (!pick || pick->block < 0) {
     session_.project.selection().clear();

@@ -6,9 +6,11 @@
 #include <QTime>
 
 #include "session/session.hpp"
+#include "widgets/actions/stage_strip.hpp"
 #include "widgets/blocks/block_actions.hpp"
 #include "widgets/blocks/blocks_panel.hpp"
 #include "widgets/blocks/mesh_panel.hpp"
+#include "widgets/kit/parts.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/project/page_table.hpp"
 #include "widgets/project/problem_list.hpp"
@@ -21,6 +23,12 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   setDocumentMode(true);
   tabBar()->setExpanding(false);
   table_ = new PageTable(session.project, session.playback, session.display);
+  strip_ = new StageStrip(session.project, session.messages, session.display);
+  page_ = new QWidget;
+  auto* column = new QVBoxLayout(page_);
+  setMargins(column, 0, 0);
+  column->addWidget(strip_);
+  column->addWidget(table_, 1);
   QList<QToolButton*> tools{makeActionButton(actions.blocks->byRule, true)};
   for (auto* action :
        {actions.blocks->everyOne, actions.blocks->others, actions.blocks->neighbours, actions.blocks->lasso})
@@ -29,7 +37,7 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
                             {actions.hide, actions.isolate, actions.showAll, actions.blocks->neighbours,
                              actions.blocks->excavate, actions.blocks->merge});
   mesh_ = new MeshPanel(session.project, session.survey, session.display);
-  for (QWidget* table : std::initializer_list<QWidget*>{table_, blocks_, mesh_}) tables_->addWidget(table);
+  for (QWidget* table : std::initializer_list<QWidget*>{page_, blocks_, mesh_}) tables_->addWidget(table);
   histories_ = new HistoryPanel(session.run, session.playback, session.display);
   problems_ = new ProblemList(session.project, session.messages, session.display);
   log_ = new QPlainTextEdit;
@@ -52,17 +60,18 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
     log_->appendPlainText(QTime::currentTime().toString(QStringLiteral("HH:mm:ss  ")) + line);
   });
   countProblems();
-  showTitle();
+  showPage();
 }
 
 void BottomPanel::showPage() {
   const WorkflowPage page = session_.display.page();
+  strip_->setVisible(page == WorkflowPage::stages);
   if (page == WorkflowPage::blocks)
     tables_->setCurrentWidget(blocks_);
   else if (page == WorkflowPage::mesh)
     tables_->setCurrentWidget(mesh_);
   else
-    tables_->setCurrentWidget(table_);
+    tables_->setCurrentWidget(page_);
   showTitle();
   setCurrentWidget(isSetUp(page) ? static_cast<QWidget*>(tables_) : histories_);
 }

@@ -4,6 +4,7 @@
 
 class QPlainTextEdit;
 class QStackedWidget;
+class QWidget;
 
 namespace talus {
 
@@ -27,6 +28,8 @@ class BottomPanel : public QTabWidget {
   void countProblems();
   Session& session_;
   QStackedWidget* tables_;  ///< one of these three
+  QWidget* page_;           ///< the strip of stages, on their page, and the table
+  QWidget* strip_;
   PageTable* table_;
   BlocksPanel* blocks_;
   MeshPanel* mesh_;

@@ -28,6 +28,7 @@
 #include "widgets/view/timeline.hpp"
 #include "widgets/view/viewport.hpp"
 #include "widgets/window/bottom_panel.hpp"
+#include "widgets/window/command_search.hpp"
 #include "widgets/window/guards.hpp"
 #include "widgets/window/rail.hpp"
 #include "widgets/window/top_bar.hpp"
@@ -98,7 +99,7 @@ void MainWindow::makeBars() {
   addToolBar(Qt::TopToolBarArea, bars_[0]);
   addToolBar(Qt::LeftToolBarArea, bars_[1]);
   auto* search = new QShortcut(QKeySequence(tr("Ctrl+K")), this);
-  connect(search, &QShortcut::activated, topBar_, &TopBar::focusSearch);
+  connect(search, &QShortcut::activated, &topBar_->search(), &CommandSearch::begin);
 }
 
 void MainWindow::makeCentre() {
@@ -148,8 +149,8 @@ void MainWindow::makeDocks() {
   project->setMinimumWidth(tree_width);
   left_ = addDock(Qt::LeftDockWidgetArea, QStringLiteral("project"), project);
   rightPages_ = new QStackedWidget;
-  rightPages_->addWidget(
-      new PropertyPanel(session_.project, session_.survey, session_.playback, session_.messages, session_.display));
+  rightPages_->addWidget(new PropertyPanel(session_.project, session_.survey, session_.playback, session_.messages,
+                                           session_.display, session_.picking));
   rightPages_->addWidget(new RunPanel(session_));
   rightPages_->addWidget(new DisplayPanel(session_.display, session_.run));
   auto* right = makePlane("surface");
@@ -190,8 +191,8 @@ void MainWindow::makeStatusBar() {
 
 void MainWindow::makeViewTools() {
   auto* column = static_cast<QVBoxLayout*>(viewport_->tools()->layout());
-  for (auto* action :
-       {actions_->fit, actions_->iso, actions_->projection, actions_->isolate, actions_->hide, actions_->savePicture})
+  for (auto* action : {actions_->fit, actions_->iso, actions_->projection, actions_->isolate, actions_->hide,
+                       actions_->showActions, actions_->savePicture})
     column->addWidget(makeActionButton(action, false));
 }
 
@@ -262,6 +263,7 @@ ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) 
   task.pose = *viewport_->pose();
   task.hidden = viewport_->hiddenBlocks();
   task.troubles = session_.run.troubles();
+  task.actions = viewport_->actions();
   task.stageNames = session_.run.stageNames();
   task.path = path;
   task.film.width = width;

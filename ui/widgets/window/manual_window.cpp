@@ -7,6 +7,7 @@
 #include <QTextTable>
 #include <QVBoxLayout>
 #include <array>
+#include <map>
 
 #include "widgets/kit/parts.hpp"
 
@@ -42,18 +43,29 @@ void spaceOut(QTextDocument& document) {
 }  // namespace
 
 QString manualHeading(WorkflowPage page, Item::Kind selected) {
-  switch (selected) {
-    case Item::Kind::cut:
-      return QStringLiteral("Cuts");
-    case Item::Kind::constraint:
-      return QStringLiteral("Constraints");
-    case Item::Kind::velocity:
-      return QStringLiteral("Velocities");
-    case Item::Kind::monitor:
-      return QStringLiteral("Monitors");
-    default:
-      break;
-  }
+  static const std::map<Item::Kind, const char*> of_things{{Item::Kind::solid, "Solids"},
+                                                           {Item::Kind::cut, "Cuts"},
+                                                           {Item::Kind::joint, "Joints"},
+                                                           {Item::Kind::block, "Blocks"},
+                                                           {Item::Kind::blockWish, "Blocks"},
+                                                           {Item::Kind::merge, "Blocks"},
+                                                           {Item::Kind::splinters, "Blocks"},
+                                                           {Item::Kind::mesh, "Mesh"},
+                                                           {Item::Kind::interface, "Interfaces"},
+                                                           {Item::Kind::material, "Materials"},
+                                                           {Item::Kind::load, "Loads"},
+                                                           {Item::Kind::constraint, "Constraints"},
+                                                           {Item::Kind::velocity, "Velocities"},
+                                                           {Item::Kind::inSitu, "Stress in situ"},
+                                                           {Item::Kind::stage, "Stages"},
+                                                           {Item::Kind::monitor, "Monitors"},
+                                                           {Item::Kind::expectation, "Expectations"},
+                                                           {Item::Kind::solver, "Solver"},
+                                                           {Item::Kind::output, "Output"}};
+  // On a page of results the block that is selected is looked at for how it moves.
+  const bool sets_up = isSetUp(page) || selected != Item::Kind::block;
+  if (const auto found = of_things.find(selected); found != of_things.end() && sets_up)
+    return QLatin1String(found->second);
   constexpr std::array headings{"Solids",
                                 "Joints",
                                 "Blocks and mesh in the window",

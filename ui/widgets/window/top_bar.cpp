@@ -1,18 +1,14 @@
 #include "widgets/window/top_bar.hpp"
 
-#include <QAbstractItemView>
-#include <QCompleter>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
-#include <QShortcut>
-#include <QTimer>
 #include <QToolButton>
 
 #include "document/document.hpp"
 #include "session/display.hpp"
 #include "widgets/kit/parts.hpp"
+#include "widgets/window/command_search.hpp"
 
 namespace talus {
 
@@ -21,6 +17,8 @@ QToolButton* makeActionButton(QAction* action, bool worded) {
   auto follow = [button, action, worded] {
     button->setIcon(action->icon());
     button->setEnabled(action->isEnabled());
+    button->setCheckable(action->isCheckable());
+    button->setChecked(action->isChecked());
     button->setToolTip(action->toolTip());
     if (worded) button->setText(QStringLiteral(" ") + action->text().remove(u'…'));
   };
@@ -29,6 +27,19 @@ QToolButton* makeActionButton(QAction* action, bool worded) {
   follow();
   return button;
 }
+
+namespace {
+
+/// A menu bar asks for less than its titles need before it is shown.
+int widthOf(const QMenuBar& menus) {
+  constexpr int around_a_title = 24;  // pixels
+  const QFontMetrics metrics(theme::font(theme::now().type.body));
+  int width = 0;
+  for (const QAction* title : menus.actions()) width += metrics.horizontalAdvance(title->text()) + around_a_title;
+  return width;
+}
+
+}  // namespace
 
 TopBar::TopBar(Document& document, Display& display, WindowActions& actions)
     : document_(document), display_(display), actions_(actions) {
@@ -45,7 +56,7 @@ TopBar::TopBar(Document& document, Display& display, WindowActions& actions)
   recent_ = new QMenu(tr("Recent"), this);
   actions_.fill(*menus, recent_);
   menus->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  menus->setFixedWidth(372);
+  menus->setFixedWidth(widthOf(*menus));
   row->addWidget(menus);
   row->addStretch();
   name_ = new ElidedLabel({}, "strong");
@@ -57,7 +68,7 @@ TopBar::TopBar(Document& document, Display& display, WindowActions& actions)
   row->addWidget(makeActionButton(actions_.undo, false));
   row->addWidget(makeActionButton(actions_.redo, false));
   row->addSpacing(6);
-  search_ = makeSearch();
+  search_ = new CommandSearch;
   row->addWidget(search_);
   row->addSpacing(6);
   theme_ = makeTool(QStringLiteral("moon"), tr("Light or dark (Ctrl+Shift+D)"));
@@ -66,39 +77,6 @@ TopBar::TopBar(Document& document, Display& display, WindowActions& actions)
   connect(&display_, &Display::themeChanged, this, &TopBar::refresh);
   connect(&document_, &Document::savedChanged, this, &TopBar::refresh);
   refresh();
-}
-
-QLineEdit* TopBar::makeSearch() {
-  auto* edit = new QLineEdit;
-  edit->setProperty("kind", "search");
-  edit->setPlaceholderText(tr("Find a command   Ctrl+K"));
-  edit->setAccessibleName(tr("Find a command"));
-  edit->addAction(theme::icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
-  edit->setFixedWidth(208);
-  edit->setFocusPolicy(Qt::ClickFocus);
-  QStringList names;
-  for (auto* action : actions_.all()) names << action->text().remove(u'…');
-  auto* completer = new QCompleter(names, edit);
-  completer->setCaseSensitivity(Qt::CaseInsensitive);
-  completer->setFilterMode(Qt::MatchContains);
-  completer->popup()->setTextElideMode(Qt::ElideRight);
-  edit->setCompleter(completer);
-  connect(completer, qOverload<const QString&>(&QCompleter::activated), this, &TopBar::runCommand);
-  connect(edit, &QLineEdit::returnPressed, this, [this] { runCommand(search_->text()); });
-  return edit;
-}
-
-void TopBar::focusSearch() { search_->setFocus(Qt::ShortcutFocusReason); }
-
-void TopBar::runCommand(const QString& name) {
-  if (name.isEmpty()) return;
-  for (auto* action : actions_.all()) {
-    if (action->text().remove(u'…').compare(name, Qt::CaseInsensitive) != 0) continue;
-    QTimer::singleShot(0, search_, &QLineEdit::clear);  // the completer writes its choice after this
-    search_->clearFocus();
-    action->trigger();
-    return;
-  }
 }
 
 void TopBar::refresh() {

@@ -5,12 +5,12 @@
 #include "widgets/window/window_actions.hpp"
 
 class QLabel;
-class QLineEdit;
 class QMenu;
 class QToolButton;
 
 namespace talus {
 
+class CommandSearch;
 class Display;
 class Document;
 
@@ -20,19 +20,17 @@ class TopBar : public QFrame {
  public:
   TopBar(Document& document, Display& display, WindowActions& actions);
   QMenu* recentMenu() { return recent_; }
-  void focusSearch();
+  CommandSearch& search() { return *search_; }
 
  private:
   void refresh();
-  void runCommand(const QString& name);
-  QLineEdit* makeSearch();
 
   Document& document_;
   Display& display_;
   WindowActions& actions_;
   QMenu* recent_;
   QLabel *name_, *saved_;
-  QLineEdit* search_;
+  CommandSearch* search_;
   QToolButton* theme_;
 };
 

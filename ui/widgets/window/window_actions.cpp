@@ -7,11 +7,13 @@
 
 #include "jobs/solver_job.hpp"
 #include "session/session.hpp"
+#include "widgets/actions/load_actions.hpp"
 #include "widgets/blocks/block_actions.hpp"
 #include "widgets/joints/joint_actions.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/view/timeline.hpp"
 #include "widgets/view/viewport.hpp"
+#include "widgets/window/language_menu.hpp"
 
 namespace talus {
 
@@ -21,6 +23,8 @@ WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&windo
   makeRunActions();
   joints = new JointActions(session_, window_);
   for (auto* action : joints->all()) include(action);
+  loads = new LoadActions(session_, window_);
+  for (auto* action : loads->all()) include(action);
   blocks = new BlockActions(session_, window_);
   for (auto* action : blocks->all()) include(action);
   connect(&session_.project, &CurrentProject::opened, this, &WindowActions::refresh);
@@ -96,6 +100,14 @@ void WindowActions::makeViewActions() {
   isolate = add(tr("Show selected blocks alone"), QStringLiteral("eye"), QKeySequence(Qt::Key_I));
   showAll = add(tr("Show all blocks"), {}, QKeySequence(Qt::Key_A));
   explode = add(tr("Draw blocks apart"), QStringLiteral("blocks"), QKeySequence(Qt::Key_E));
+  showActions = add(tr("Show loads, supports and monitors"), QStringLiteral("vectors"), QKeySequence(Qt::Key_G));
+  showActions->setCheckable(true);
+  showActions->setChecked(session_.display.settings().actions);
+  connect(showActions, &QAction::toggled, this, [this](bool shown) {
+    SceneSettings settings = session_.display.settings();
+    settings.actions = shown;
+    session_.display.set(settings);
+  });
   dark = add(tr("Light or dark"), {}, QKeySequence(tr("Ctrl+Shift+D")));
   viewAlone = add(tr("The view alone"), {}, QKeySequence(Qt::Key_F11));
   viewAlone->setCheckable(true);
@@ -172,12 +184,19 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   file->insertMenu(save, recent);
   auto* edit = menu(tr("Edit"), {undo, redo, nullptr, clearSelection, nullptr});
   for (auto* action : blocks->all()) edit->addAction(action);
-  menu(tr("View"),
-       {fit, iso, front, side, top, projection, nullptr, hide, isolate, showAll, explode, nullptr, dark, viewAlone});
+  auto* view = menu(tr("View"), {fit, iso, front, side, top, projection, nullptr, hide, isolate, showAll, explode,
+                                 showActions, nullptr, dark, viewAlone});
+  view->addMenu(new LanguageMenu(session_.messages, view));
   auto* model = menu(tr("Model"), {});
   for (const auto& [page, action] : pages)
     if (isSetUp(page)) model->addAction(action);
   model->addSeparator();
+  auto* made = model->addMenu(tr("Loads and supports"));
+  made->setToolTipsVisible(true);
+  for (auto* action : loads->all()) {
+    if (action == loads->holdPoint || action == loads->velocity || action == loads->monitor) made->addSeparator();
+    made->addAction(action);
+  }
   model->addActions({stereonet, pasteJoints});
   for (auto* action : joints->all()) model->addAction(action);
   model->addSeparator();
@@ -215,10 +234,11 @@ void WindowActions::refresh() {
   for (auto* action : {saveAs, stereonet, pasteJoints}) allow(action, noProject);
   allow(savePicture, noBlocks);
   allow(saveFilm, noFrames);
-  for (auto* action : {fit, iso, front, side, top, projection, showAll, explode}) allow(action, noBlocks);
+  for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, showActions}) allow(action, noBlocks);
   for (auto* action : {hide, isolate}) allow(action, nothingSelected);
   for (auto* action : blocks->all()) allow(action, blocks->whyNot(action));
   for (auto* action : joints->all()) allow(action, joints->whyNot(action));
+  for (auto* action : loads->all()) allow(action, loads->whyNot());
   allow(mesh, session_.run.whyNotMesh());
   allow(solve, session_.run.whyNotSolve());
   pause->setText(paused ? tr("Resume") : tr("Pause"));

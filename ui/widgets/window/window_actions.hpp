@@ -16,6 +16,7 @@ struct Session;
 
 class BlockActions;
 class JointActions;
+class LoadActions;
 class Viewport;
 class Timeline;
 
@@ -31,7 +32,8 @@ class WindowActions : public QObject {
   // Edit
   QAction *undo, *redo, *clearSelection;
   // View
-  QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *explode, *dark, *viewAlone;
+  QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *explode, *showActions, *dark,
+      *viewAlone;
   JointActions* joints;
   BlockActions* blocks;
   // Model and solve
@@ -41,6 +43,7 @@ class WindowActions : public QObject {
   QAction *play, *previousFrame, *nextFrame, *firstFrame, *lastFrame, *accuracy;
   QAction *manual, *knownAnswers, *hardCases, *about;
   std::map<WorkflowPage, QAction*> pages;
+  LoadActions* loads;
 
   /// Connects what only the view and the timeline can do.
   void drive(Viewport& viewport, Timeline& timeline);

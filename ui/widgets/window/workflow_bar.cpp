@@ -1,6 +1,7 @@
 #include "widgets/window/workflow_bar.hpp"
 
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -9,6 +10,7 @@
 #include "mesh/volume_sum.hpp"
 #include "model/stage_length.hpp"
 #include "session/session.hpp"
+#include "widgets/actions/load_actions.hpp"
 #include "widgets/blocks/block_view_tools.hpp"
 #include "widgets/joints/joint_actions.hpp"
 #include "widgets/kit/numbers.hpp"
@@ -29,6 +31,22 @@ QHBoxLayout* makeRow(QWidget* page) {
   return row;
 }
 
+/// The strip of actions that a page has: its number among them.
+int strip(WorkflowPage page) {
+  switch (page) {
+    case WorkflowPage::solve:
+      return 1;
+    case WorkflowPage::results:
+      return 2;
+    case WorkflowPage::joints:
+      return 3;
+    case WorkflowPage::loads:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
 }  // namespace
 
 WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(session), actions_(actions) {
@@ -47,6 +65,7 @@ WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(se
   pages_->addWidget(makeSolvePage());
   pages_->addWidget(makeResultsPage());
   pages_->addWidget(makeJointsPage());
+  pages_->addWidget(makeLoadsPage());
   row->addWidget(pages_);
   outcome_ = new ElidedLabel({}, "small");
   outcome_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -96,6 +115,31 @@ QWidget* WorkflowBar::makeJointsPage() {
   return page;
 }
 
+QWidget* WorkflowBar::makeLoadsPage() {
+  auto* page = new QWidget;
+  auto* row = makeRow(page);
+  const auto offer = [&](const QString& words, const char* icon, const QString& tip,
+                         const std::vector<QAction*>& made) {
+    auto* button = makeAction(QLatin1String(icon), words, tip);
+    auto* menu = new QMenu(button);
+    menu->setToolTipsVisible(true);
+    for (auto* action : made) menu->addAction(action);
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    row->addWidget(button);
+  };
+  const LoadActions& loads = *actions_.loads;
+  offer(tr("Load"), "loads", tr("A force on a point, a face or a block that is picked in the view"),
+        {loads.loadAtPoint, loads.loadOnFace, loads.loadOnBlock});
+  offer(tr("Support"), "fixed", tr("A point, a face or a block that is held, picked in the view"),
+        {loads.holdPoint, loads.holdFace, loads.holdBlock});
+  offer(tr("Monitor"), "monitor", tr("A point whose history is recorded, picked in the view"),
+        {loads.monitor, loads.stressMonitor});
+  row->addWidget(makeActionButton(loads.velocity, true));
+  row->addStretch();
+  return page;
+}
+
 QWidget* WorkflowBar::makeSolvePage() {
   auto* page = new QWidget;
   auto* row = makeRow(page);
@@ -132,7 +176,7 @@ void WorkflowBar::refresh() {
   const WorkflowPage page = session_.display.page();
   title_->setText(pageTitle(page));
   blockTools_->setVisible(page == WorkflowPage::blocks || page == WorkflowPage::mesh);
-  pages_->setCurrentIndex(page == WorkflowPage::joints ? 3 : isSetUp(page) ? 0 : page == WorkflowPage::solve ? 1 : 2);
+  pages_->setCurrentIndex(strip(page));
   refreshOutcome();
   refreshPrimary();
 }

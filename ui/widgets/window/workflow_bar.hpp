@@ -22,6 +22,7 @@ class WorkflowBar : public QFrame {
  private:
   QWidget* makeSetUpPage();
   QWidget* makeJointsPage();
+  QWidget* makeLoadsPage();
   QWidget* makeSolvePage();
   QWidget* makeResultsPage();
   void refresh();

@@ -1,0 +1,138 @@
+// Loads, supports, velocities, stress in situ and monitors in the picture.
+#include <gtest/gtest.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include "images/compare.hpp"
+#include "images/test_scenes.hpp"
+#include "model/project.hpp"
+#include "render/gl/offscreen_window.hpp"
+#include "render/scene/offscreen.hpp"
+#include "render/scene/scene.hpp"
+
+namespace talus {
+namespace {
+
+using Kind = ActionGlyph::Kind;
+constexpr int picture_width = 800, picture_height = 500;
+
+/// On the slope of test_scenes: 250 and 100 kN, a held point, one that may slip along y, a moved one, a monitor.
+Project acted_on(const BlockSystem& slope) {
+  Project project;
+  const auto& top = [&](int block) -> const Vec3& {
+    return slope.blocks[static_cast<std::size_t>(block)].mesh.nodes.back();
+  };
+  project.loads = {{.block = "B4", .at = top(5), .force = {0, 0, -250e3}},
+                   {.block = "B8", .at = top(9), .force = {-100e3, 0, 0}}};
+  project.constraints = {{.block = "toe", .at = Vec3(-20, 4, 0)},
+                         {.block = "toe", .at = Vec3(-20, 12, 0), .displacement = {0, std::nullopt, 0}},
+                         {.block = "toe", .at = Vec3(-20, 20, 0), .displacement = {0.1, 0, 0}}};
+  project.monitors = {{.name = "P1", .block = "B1", .at = slope.blocks[2].mesh.nodes.back()}};
+  return project;
+}
+
+TEST(ActionImage, LoadsSupportsAndMonitors) {
+  const BlockSystem slope = jointed_slope();
+  Scene scene(slope);
+  const Image plain = draw_image(scene, picture_width, picture_height);
+  auto glyphs = action_glyphs(acted_on(slope), slope);
+  glyphs[1].selected = true;
+  scene.set_actions(glyphs);
+  const Image image = draw_image(scene, picture_width, picture_height);
+  EXPECT_GT(difference(plain, image), 0.01);
+  EXPECT_TRUE(shows_lit(image, curve_palette(Theme::light)[4]));    // loads
+  EXPECT_TRUE(shows_lit(image, curve_palette(Theme::light)[2]));    // supports
+  EXPECT_TRUE(shows_lit(image, colours(Theme::light).pick, 2e-5));  // the one that is selected
+  expect_baseline(image);
+  SceneSettings without = scene.settings();
+  without.actions = false;
+  scene.set_settings(without);
+  EXPECT_LT(difference(plain, draw_image(scene, picture_width, picture_height)), tolerated_difference);
+}
+
+TEST(ActionImage, DarkStressInSituAndVelocities) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings;
+  settings.theme = Theme::dark;
+  Scene scene(slope, settings);
+  Project project;
+  Voigt pressed;
+  pressed << -2e6, -1e6, 0.5e6, 0, 0, 0;
+  Voigt gradient;
+  gradient << 0.05e6, 0.05e6, 0, 0, 0, 0;
+  project.in_situ = {{.blocks = {}, .stress = pressed, .gradient = gradient}};
+  project.velocities = {{.block = "B4", .linear = {-2, 0, -1}},
+                        {.block = "B9", .linear = {0, 0, 0}, .angular = {0, 1, 0}}};
+  scene.set_actions(action_glyphs(project, slope));
+  expect_baseline(draw_image(scene, picture_width, picture_height));
+}
+
+TEST(ActionImage, AClickFindsTheGlyphAndItGoesWithItsBlock) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings;
+  settings.parallel_projection = true;
+  Scene scene(slope, settings);
+  OffscreenWindow window(picture_width, picture_height, 1);
+  window.add(*scene.renderer());
+  scene.look(View::front);
+  scene.set_actions(action_glyphs(acted_on(slope), slope));
+  const auto found = [&] {
+    std::vector<int> kinds(5, 0);
+    for (int y = 0; y < picture_height; y += 2)
+      for (int x = 0; x < picture_width; x += 2)
+        if (const auto glyph = scene.action_at(x, y)) ++kinds[static_cast<std::size_t>(glyph->kind)];
+    return kinds;
+  };
+  const auto kinds = found();
+  for (const Kind kind : {Kind::load, Kind::support, Kind::monitor})
+    EXPECT_GT(kinds[static_cast<std::size_t>(kind)], 10) << static_cast<int>(kind);
+  EXPECT_EQ(kinds[static_cast<std::size_t>(Kind::velocity)], 0);
+  const auto place_of_monitor = [&] {
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    for (int y = 0; y < picture_height; y += 2)
+      for (int x = 0; x < picture_width; x += 2)
+        if (const auto glyph = scene.action_at(x, y); glyph && glyph->kind == Kind::monitor) {
+          sum += Vec3(x, y, 0);
+          ++count;
+        }
+    return Vec3(sum / std::max(count, 1));
+  };
+  const Vec3 before = place_of_monitor();
+  scene.set_frame(slid(slope, 8, 1));
+  const Vec3 after = place_of_monitor();
+  EXPECT_LT(after.x(), before.x() - 10);  // the slope falls to the west
+  EXPECT_GT(after.y(), before.y() + 5);
+  window.remove(*scene.renderer());
+}
+
+TEST(ActionGlyphs, SayTheLargestOfATableAndWhetherALoadPushes) {
+  const BlockSystem boxes = two_boxes();
+  Project project;
+  project.loads = {
+      {.block = "B1", .at = {0.5, 0.5, 1}, .force = {0, 0, 0}, .table = {{0, {0, 0, 0}}, {1, {0, 0, -5e3}}}},
+      {.block = "B2", .at = {1.5, 0.5, 1}, .force = {0, 0, 5e3}}};
+  const auto glyphs = action_glyphs(project, boxes);
+  ASSERT_EQ(glyphs.size(), 2u);
+  EXPECT_EQ(glyphs[0].arrow, Vec3(0, 0, -5e3));
+  EXPECT_EQ(glyphs[0].label, "5 kN");
+  EXPECT_TRUE(glyphs[0].pushes);
+  EXPECT_FALSE(glyphs[1].pushes);
+  EXPECT_EQ(largest_of(glyphs, Kind::load), 5e3);
+}
+
+TEST(ActionGlyphs, StressInSituIsShownByItsPrincipalValues) {
+  const BlockSystem boxes = two_boxes();
+  Project project;
+  Voigt shear = Voigt::Zero();
+  shear[3] = 1e6;  // pure shear in the plane of x and y: ±1 MPa at 45°
+  project.in_situ = {{.blocks = {}, .stress = shear}};
+  const auto glyphs = action_glyphs(project, boxes);
+  ASSERT_EQ(glyphs.size(), 3u);
+  EXPECT_NEAR(glyphs[0].cross[0].value, -1e6, 1);
+  EXPECT_NEAR(glyphs[0].cross[2].value, 1e6, 1);
+  EXPECT_NEAR(std::abs(glyphs[0].cross[2].direction.dot(Vec3(1, 1, 0).normalized())), 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,48 @@
+#include "mesh/picked_face.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace talus {
+namespace {
+
+/// A box 4 × 2 × 1 m whose top is divided into four triangles round its middle.
+Block slab() {
+  Block block;
+  block.mesh.nodes = {{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {0, 2, 0}, {0, 0, 1},
+                      {4, 0, 1}, {4, 2, 1}, {0, 2, 1}, {2, 1, 1}};
+  block.surface = {{{4, 5, 8}}, {{5, 6, 8}}, {{6, 7, 8}}, {{7, 4, 8}}, {{0, 2, 1}}, {{0, 3, 2}}, {{0, 1, 5}},
+                   {{0, 5, 4}}, {{1, 2, 6}}, {{1, 6, 5}}, {{2, 3, 7}}, {{2, 7, 6}}, {{3, 0, 4}}, {{3, 4, 7}}};
+  return block;
+}
+
+bool among(const std::vector<Vec3>& points, const Vec3& wanted) {
+  return std::ranges::any_of(points, [&](const Vec3& point) { return (point - wanted).norm() < 1e-12; });
+}
+
+TEST(PickedFace, HasTheAreaCentroidAndCornersOfAllItsTriangles) {
+  const PickedFace top = face_at(slab(), {0.5, 0.5, 1}, Vec3::UnitZ());
+  EXPECT_NEAR(top.area, 8, 1e-12);
+  EXPECT_NEAR((top.centroid - Vec3(2, 1, 1)).norm(), 0, 1e-12);
+  EXPECT_THAT(top.corners, testing::SizeIs(4));
+  for (const Vec3& corner : {Vec3(0, 0, 1), Vec3(4, 0, 1), Vec3(4, 2, 1), Vec3(0, 2, 1)})
+    EXPECT_TRUE(among(top.corners, corner)) << corner.transpose();
+}
+
+TEST(PickedFace, ANodeWithinAStraightSideIsNoCorner) {
+  Block block = slab();
+  block.mesh.nodes.push_back({2, 0, 1});
+  block.surface[0] = {{4, 9, 8}};
+  block.surface.push_back({{9, 5, 8}});
+  EXPECT_THAT(face_at(block, {0.5, 0.5, 1}, Vec3::UnitZ()).corners, testing::SizeIs(4));
+}
+
+TEST(PickedFace, IsEmptyWhereTheBlockHasNoSuchFace) {
+  EXPECT_EQ(face_at(slab(), {0.5, 0.5, 0.5}, Vec3::UnitZ()).area, 0);
+  EXPECT_EQ(face_at(slab(), {0.5, 0.5, 1}, -Vec3::UnitZ()).area, 0);
+}
+
+}  // namespace
+}  // namespace talus

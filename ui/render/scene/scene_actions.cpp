@@ -1,0 +1,192 @@
+// What acts on the rock, in the picture: arrows, cones, crosses and points of one size on the screen, with labels.
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "render/paint/place_marks.hpp"
+#include "render/scene/scene_state.hpp"
+
+namespace talus {
+
+namespace {
+
+using Kind = ActionGlyph::Kind;
+
+// In text heights.
+constexpr double longest_arrow = 6, shortest_arrow = 1.8, shaft = 0.13, head = 1.1, head_radius = 0.4;
+constexpr double cone = 1.3, cone_radius = 0.5, ball = 0.34, longest_bar = 3, bar = 0.11;
+constexpr double reach = 0.7;  ///< of the hand beside a glyph
+
+Rgb shown_colour(const ActionGlyph& glyph, Theme theme) {
+  return glyph.selected ? colours(theme).pick : action_colour(glyph.kind, theme);
+}
+
+double distance_to_segment(const PixelPoint& p, const PixelPoint& a, const PixelPoint& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy;
+  const double share = length > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length, 0.0, 1.0) : 0;
+  return std::hypot(p.x - a.x - share * dx, p.y - a.y - share * dy);
+}
+
+}  // namespace
+
+Rgb action_colour(Kind kind, Theme theme) {
+  const auto& palette = curve_palette(theme);
+  switch (kind) {
+    case Kind::load:
+      return palette[4];
+    case Kind::support:
+      return palette[2];
+    case Kind::velocity:
+      return palette[5];
+    case Kind::stress:
+      return palette[3];
+    case Kind::monitor:
+      break;
+  }
+  return palette[0];
+}
+
+std::string action_meaning(Kind kind, double largest) {
+  switch (kind) {
+    case Kind::load:
+      return "load, longest " + amount_text(largest, "N");
+    case Kind::support:
+      return "support";
+    case Kind::velocity:
+      return "velocity" + (largest > 0 ? ", longest " + amount_text(largest, "m/s") : std::string());
+    case Kind::stress:
+      return "stress in situ, longest " + amount_text(largest, "Pa");
+    case Kind::monitor:
+      break;
+  }
+  return "monitor";
+}
+
+void Scene::State::set_actions(std::vector<ActionGlyph> glyphs) {
+  actions = std::move(glyphs);
+  action_anchors.assign(actions.size(), {});
+  std::vector<std::vector<std::size_t>> on_block(system.blocks.size());
+  for (std::size_t i = 0; i < actions.size(); ++i)
+    if (actions[i].block >= 0) on_block[static_cast<std::size_t>(actions[i].block)].push_back(i);
+  const auto away = [&](std::size_t i, const Anchor& anchor) {
+    return anchor.part ? (actions[i].at - anchor.part->surface().rest[anchor.vertex]).squaredNorm()
+                       : std::numeric_limits<double>::infinity();
+  };
+  for (const BlockActors* part : parts())
+    for (const auto& triangle : part->surface().triangles)
+      for (const std::size_t i : on_block[static_cast<std::size_t>(triangle.block)])
+        for (const int vertex : triangle.vertices)
+          if (away(i, {part, vertex}) < away(i, action_anchors[i])) action_anchors[i] = {part, vertex};
+  make_overlay();
+}
+
+Vec3 Scene::State::place_of_action(std::size_t i) const {
+  const auto& [part, vertex] = action_anchors[i];
+  if (!part) return actions[i].at;
+  return part->positions()[vertex] + actions[i].at - part->surface().rest[vertex];
+}
+
+double Scene::State::metres_per_pixel() const {
+  const CameraPose camera = pose();
+  const double distance = (camera.position - camera.focal_point).norm();
+  const double half_height =
+      camera.parallel ? camera.parallel_scale : distance * std::tan(radians(camera.view_angle) / 2);
+  return 2 * half_height / size()[1];
+}
+
+std::array<Vec3, 2> Scene::State::arrow_of(std::size_t i) const {
+  const ActionGlyph& glyph = actions[i];
+  const Vec3 at = place_of_action(i) - origin;
+  const double largest = largest_of(actions, glyph.kind), size = glyph.arrow.norm();
+  if (!(size > 0)) return {at, at};
+  const double em = metres_per_pixel() * text_height();
+  const Vec3 along = std::max(longest_arrow * size / largest, shortest_arrow) * em * glyph.arrow / size;
+  return glyph.pushes ? std::array<Vec3, 2>{at - along, at} : std::array<Vec3, 2>{at, at + along};
+}
+
+void Scene::State::add_arrow(const Vec3& from, const Vec3& to, int heads, Rgb colour) {
+  const double em = metres_per_pixel() * text_height();
+  const Vec3 along = (to - from).normalized();
+  for (int k = 0; k < heads; ++k) {
+    const Vec3 tip = to - k * 0.7 * head * em * along;
+    action_shapes.add_bar(tip - head * em * along, tip, head_radius * em, 0, colour);
+  }
+  action_shapes.add_bar(from, to - head * em * along, shaft * em, shaft * em, colour);
+}
+
+void Scene::State::add_cross(std::size_t i) {
+  const double em = metres_per_pixel() * text_height(), largest = largest_of(actions, Kind::stress);
+  const Vec3 at = place_of_action(i) - origin;
+  for (const auto& [direction, value] : actions[i].cross) {
+    const double length = largest > 0 ? longest_bar * std::abs(value) / largest : 0;
+    if (length < 0.3) continue;
+    const Rgb colour = shown_colour(actions[i], settings.theme);
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 outer = at + side * length * em * direction;
+      action_shapes.add_bar(at, outer, bar * em, bar * em, colour);
+      // Heads point inwards where the rock is pressed, outwards where it is pulled.
+      const Vec3 tip = outer + (value > 0 ? side * 0.6 * em : 0) * direction;
+      const Vec3 base = value > 0 ? outer : Vec3(outer + side * 0.6 * em * direction);
+      action_shapes.add_bar(base, tip, 0.3 * em, 0, colour);
+    }
+  }
+}
+
+void Scene::State::shape_actions() {
+  action_shapes.clear();
+  const double em = metres_per_pixel() * text_height();
+  for (std::size_t i = 0; settings.actions && i < actions.size(); ++i) {
+    const ActionGlyph& glyph = actions[i];
+    const Rgb colour = shown_colour(glyph, settings.theme);
+    const Vec3 at = place_of_action(i) - origin;
+    if (const auto [from, to] = arrow_of(i); from != to) add_arrow(from, to, 1, colour);
+    if (!glyph.spin.isZero()) add_arrow(at, at + longest_arrow / 2 * em * glyph.spin.normalized(), 2, colour);
+    for (int axis = 0; axis < 3; ++axis)
+      if (glyph.held[static_cast<std::size_t>(axis)])
+        action_shapes.add_bar(at - cone * em * Vec3::Unit(axis), at, cone_radius * em, 0, colour);
+    if (glyph.kind == Kind::monitor || glyph.kind == Kind::support) action_shapes.add_ball(at, ball * em, colour);
+    if (glyph.kind == Kind::stress) add_cross(i);
+  }
+  action_shapes.finish();
+}
+
+void Scene::State::paint_actions(Painter& painter) const {
+  if (!settings.actions) return;
+  std::vector<PlaceMark> marks;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    if (actions[i].label.empty()) continue;
+    const auto [from, to] = arrow_of(i);
+    if (const auto pixel = pixel_of(actions[i].pushes ? from : to)) marks.push_back({*pixel, actions[i].label});
+  }
+  const auto [width, height] = size();
+  paint_labels(painter, marks, {settings.theme, text_height(), width, height});
+}
+
+std::optional<ActionGlyph> Scene::State::action_at(const PixelPoint& pixel) const {
+  if (!settings.actions) return {};
+  std::optional<ActionGlyph> found;
+  double least = reach * text_height();
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const auto [from, to] = arrow_of(i);
+    const auto a = pixel_of(from), b = pixel_of(to);
+    if (!a || !b) continue;
+    const double away = distance_to_segment(pixel, *a, *b);
+    if (away > least) continue;
+    least = away;
+    found = actions[i];
+  }
+  return found;
+}
+
+void Scene::set_actions(std::vector<ActionGlyph> glyphs) { state_->set_actions(std::move(glyphs)); }
+
+std::optional<ActionGlyph> Scene::action_at(double x, double y) const {
+  if (state_->renderer->GetRenderWindow() == nullptr) return {};
+  return state_->action_at({x, state_->size()[1] - 1 - y});
+}
+
+}  // namespace talus

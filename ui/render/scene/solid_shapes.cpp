@@ -1,0 +1,116 @@
+#include "render/scene/solid_shapes.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace talus {
+
+namespace {
+
+constexpr int sides = 16, rings = 8;
+constexpr double in_front_of_everything = -4e6;  // in steps of a 24-bit depth buffer: a quarter of its range
+
+}  // namespace
+
+SolidShapes::SolidShapes() {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh_);
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, in_front_of_everything);
+  actor_->SetMapper(mapper);
+  actor_->GetProperty()->SetInterpolationToPhong();
+  actor_->GetProperty()->SetAmbient(0.7);
+  actor_->GetProperty()->SetDiffuse(0.4);
+  actor_->VisibilityOff();
+}
+
+void SolidShapes::add_to(vtkRenderer& renderer) { renderer.AddActor(actor_); }
+
+void SolidShapes::clear() {
+  places_.clear();
+  normals_.clear();
+  colours_.clear();
+  triangles_.clear();
+}
+
+int SolidShapes::add_point(const Vec3& place, const Vec3& normal, Rgb colour) {
+  places_.push_back(place);
+  normals_.push_back(normal);
+  colours_.push_back(colour);
+  return static_cast<int>(places_.size()) - 1;
+}
+
+void SolidShapes::add_cap(const Vec3& centre, const Vec3& from, const Vec3& to, const Vec3& normal, Rgb colour) {
+  const int middle = add_point(centre, normal, colour), first = add_point(centre + from, normal, colour);
+  triangles_.push_back({middle, first, add_point(centre + to, normal, colour)});
+}
+
+void SolidShapes::add_bar(const Vec3& start, const Vec3& end, double start_radius, double end_radius, Rgb colour) {
+  const Vec3 axis = (end - start).normalized(), x = axis.unitOrthogonal(), y = axis.cross(x);
+  const double slope = (start_radius - end_radius) / (end - start).norm();
+  for (int i = 0; i < sides; ++i) {
+    const auto around = [&](int k) {
+      const double angle = 2 * std::numbers::pi * k / sides;
+      return Vec3(std::cos(angle) * x + std::sin(angle) * y);
+    };
+    const Vec3 a = around(i), b = around(i + 1);
+    const Vec3 na = (a + slope * axis).normalized(), nb = (b + slope * axis).normalized();
+    const int p = add_point(start + start_radius * a, na, colour), q = add_point(start + start_radius * b, nb, colour);
+    const int r = add_point(end + end_radius * b, nb, colour), s = add_point(end + end_radius * a, na, colour);
+    triangles_.push_back({p, q, r});
+    triangles_.push_back({p, r, s});
+    add_cap(start, start_radius * b, start_radius * a, -axis, colour);
+    add_cap(end, end_radius * a, end_radius * b, axis, colour);
+  }
+}
+
+void SolidShapes::add_ball(const Vec3& centre, double radius, Rgb colour) {
+  const int first = static_cast<int>(places_.size());
+  for (int ring = 0; ring <= rings; ++ring)
+    for (int i = 0; i < sides; ++i) {
+      const double polar = std::numbers::pi * ring / rings, angle = 2 * std::numbers::pi * i / sides;
+      const Vec3 normal(std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar));
+      add_point(centre + radius * normal, normal, colour);
+    }
+  for (int ring = 0; ring < rings; ++ring)
+    for (int i = 0; i < sides; ++i) {
+      const int a = first + ring * sides + i, b = first + ring * sides + (i + 1) % sides;
+      triangles_.push_back({a, a + sides, b + sides});
+      triangles_.push_back({a, b + sides, b});
+    }
+}
+
+void SolidShapes::finish() {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkUnsignedCharArray> colours;
+  normals->SetNumberOfComponents(3);
+  colours->SetNumberOfComponents(3);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    points->InsertNextPoint(places_[i].data());
+    normals->InsertNextTuple(normals_[i].data());
+    const unsigned char tuple[] = {colours_[i].red, colours_[i].green, colours_[i].blue};
+    colours->InsertNextTypedTuple(tuple);
+  }
+  for (const auto& [a, b, c] : triangles_) {
+    const vtkIdType triangle[] = {a, b, c};
+    cells->InsertNextCell(3, triangle);
+  }
+  mesh_->SetPoints(points);
+  mesh_->SetPolys(cells);
+  mesh_->GetPointData()->SetNormals(normals);
+  mesh_->GetPointData()->SetScalars(colours);
+  actor_->SetVisibility(!triangles_.empty());
+}
+
+}  // namespace talus

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <array>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "render/paint/colour.hpp"
+
+class vtkRenderer;
+
+namespace talus {
+
+/// Round bars, cones and balls as one shaded mesh that is drawn in front of everything: signs in the picture, which the
+/// rock does not hide.
+class SolidShapes {
+ public:
+  SolidShapes();
+  void add_to(vtkRenderer& renderer);
+
+  void clear();
+  /// Round about the line from `start` to `end`, m from the scene's origin, of these radii, m; a cone where one is 0.
+  void add_bar(const Vec3& start, const Vec3& end, double start_radius, double end_radius, Rgb colour);
+  void add_ball(const Vec3& centre, double radius, Rgb colour);
+  /// Shows what was added since `clear`.
+  void finish();
+
+ private:
+  /// A triangle of the round end of a bar, counter-clockwise seen from outside.
+  void add_cap(const Vec3& centre, const Vec3& from, const Vec3& to, const Vec3& normal, Rgb colour);
+  int add_point(const Vec3& place, const Vec3& normal, Rgb colour);
+
+  std::vector<Vec3> places_, normals_;
+  std::vector<Rgb> colours_;
+  std::vector<std::array<int, 3>> triangles_;
+  vtkNew<vtkPolyData> mesh_;
+  vtkNew<vtkActor> actor_;
+};
+
+}  // namespace talus
