@@ -1,6 +1,7 @@
 #include "orientation/project_joints.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "orientation/drawn_planes.hpp"
 
@@ -14,7 +15,12 @@ ProjectJoints joints_of(const Project& project, int most) {
       cut.count = most;
       found.complete = false;
     }
-    for (const Cut& plane : is_drawn(cut) ? single_planes(cut) : std::vector{cut}) {
+    std::vector<Cut> planes = is_drawn(cut) ? single_planes(cut) : std::vector{cut};
+    if (std::ssize(planes) > most) {
+      planes.resize(static_cast<std::size_t>(most));
+      found.complete = false;
+    }
+    for (const Cut& plane : planes) {
       found.joints.push_back(
           {upright({plane.dip, plane.dip_direction}), cut.joint, plane.through, cut.spacing, std::nullopt});
       found.cuts.push_back(static_cast<int>(i));

@@ -14,10 +14,10 @@ namespace talus {
 struct ProjectJoints {
   std::vector<MeasuredJoint> joints;
   std::vector<int> cuts;
-  bool complete = true;  ///< no cut has more planes than were asked for
+  bool complete = true;  ///< no cut has more joints than were asked for
 };
 
-/// One for every cut, in their order, and one for every plane of a cut that is drawn by chance; the set is the name of
+/// One for every cut, in their order, and one for every joint of a cut that is drawn by chance; the set is the name of
 /// its joint. Of each cut at most the first `most`.
 ProjectJoints joints_of(const Project& project, int most = std::numeric_limits<int>::max());
 

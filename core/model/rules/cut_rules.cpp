@@ -4,6 +4,7 @@
 
 #include "model/number_text.hpp"
 #include "model/require.hpp"
+#include "model/rock/joint_network.hpp"
 
 namespace talus {
 namespace {
@@ -42,6 +43,11 @@ void check_network(const JointNetwork& network, const Place& place) {
           "leave it out, or take the law lognormal");
   if (network.radius_deviation)
     require_positive(*network.radius_deviation, place / "radius_deviation", "standard deviation", "m");
+  constexpr double most = 20000;
+  const double discs = expected_discs(network);
+  require(!(discs > most), place / "density",
+          "the network would have about " + significant(discs) + " discs, more than " + number_text(most),
+          "lower the density, raise the radius, or make the box smaller");
 }
 
 /// What makes a joint end.

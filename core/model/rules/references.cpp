@@ -120,6 +120,11 @@ void check_expected_quantity(const Project& project, const std::string& text, co
           "name a monitor, and give it \"stress\": true");
 }
 
+bool is_excavated(const Project& project, const std::string& name) {
+  return std::any_of(project.blocks.begin(), project.blocks.end(),
+                     [&](const BlockOverride& block) { return block.removed && block.name == name; });
+}
+
 using BlockVisit = std::function<void(const Place&, const std::string&)>;
 
 void visit_listed_blocks(const Project& project, const BlockVisit& visit) {
@@ -175,6 +180,8 @@ void validate_references(const Project& project) {
     check_expected_quantity(project, project.expect[i].quantity, Place() / "expect" / i / "quantity");
   }
   for_each_block_reference(project, [&](const Place& place, const std::string& name) {
+    require(!is_excavated(project, name), place, "block '" + name + "' is removed before anything happens",
+            "name another block, or take \"removed\" from it");
     if (may_be_block_name(project, name)) return;
     auto names = expected_block_names(project);
     if (place.pointer().starts_with("/expect")) {

@@ -36,6 +36,17 @@ TEST(ProjectJoints, OfACutThatIsDrawnAreAllItsPlanes) {
   EXPECT_EQ(fewer.joints[2], found.joints[2]) << "the first ones are the same";
 }
 
+TEST(ProjectJoints, OfANetworkAreAllItsDiscs) {
+  Project project;
+  Cut cut;
+  cut.joint = "J1";
+  cut.network = JointNetwork{{{0, 0, 0}, {10, 10, 10}}, 1, 1, RadiusLaw::equal, {}};
+  project.cuts = {cut};
+  EXPECT_EQ(joints_of(project).joints.size(), 319u);  // 1000 m² over π
+  EXPECT_EQ(joints_of(project, 20).joints.size(), 20u);
+  EXPECT_FALSE(joints_of(project, 20).complete);
+}
+
 TEST(ProjectJoints, AreAddedWithTheJointsThatTheyName) {
   Project project;
   project.joints.push_back(joint_of("J1", 25));

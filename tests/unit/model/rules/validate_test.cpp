@@ -259,6 +259,13 @@ const std::vector<BadProject> wrong_names{
      "'top'"},
     {"piece of an unknown solid", [](Project& p) { p.monitors[0].block = "hill.1"; }, "/monitors/0/block", "'hill.1'",
      "use one of top, slope"},
+    {"removed block", [](Project& p) { p.blocks[0].removed = true; }, "/interfaces/0/between/0",
+     "block 'top' is removed", "name another block"},
+    {"network of too many discs",
+     [](Project& p) {
+       p.cuts[0].network = JointNetwork{{{0, 0, 0}, {100, 100, 100}}, 1, 0.5, RadiusLaw::exponential, {}};
+     },
+     "/cuts/0/network/density", "about 6.37e+05 discs, more than 20000", "raise the radius"},
     {"expected monitor", [](Project& p) { p.expect[0].quantity = "P2.displacement.z"; }, "/expect/0/quantity", "'P2'",
      "use one of P1, top, slope"},
     {"quantity's grammar", [](Project& p) { p.expect[0].quantity = "P1.stress.z"; }, "/expect/0/quantity",
