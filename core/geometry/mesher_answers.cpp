@@ -3,8 +3,17 @@
 #include <stdexcept>
 
 #include "base/error.hpp"
+#include "geometry/splinters_found.hpp"
 
 namespace talus {
+namespace {
+
+[[noreturn]] void throw_error(const MesherError& error) {
+  if (error.splinters.empty()) throw InputError(error.place, error.problem, error.remedy);
+  throw SplintersFound(error.place, error.problem, error.remedy, {error.splinters.begin(), error.splinters.end()});
+}
+
+}  // namespace
 
 MesherProcess::Message MesherAnswers::next() {
   constexpr int patience = 50;  // ms, how long a cancelled wait may last
@@ -19,8 +28,7 @@ MesherProcess::Message MesherAnswers::next() {
       last_words_ = told.what;
       progress_.report(told.fraction, told.what);
     } else if (message->kind == MessageKind::error) {
-      const auto error = from_bytes<MesherError>(message->bytes);
-      throw InputError(error.place, error.problem, error.remedy);
+      throw_error(from_bytes<MesherError>(message->bytes));
     } else if (message->kind == MessageKind::fault) {
       throw std::runtime_error("the mesher failed while " + last_words_ + ": " +
                                from_bytes<MesherFault>(message->bytes).what);

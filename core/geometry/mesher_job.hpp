@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/byte_stream.hpp"
+#include "mesh/cutting_report.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "model/project.hpp"
 
@@ -67,18 +68,19 @@ struct MesherSolid {
   }
 };
 
-/// A plane that a set of joints has by chance.
-struct MesherPlane {
+/// A joint of a cut that has others than parallel planes without end.
+struct MesherJoint {
   double dip = 0, dip_direction = 0;  ///< degrees
   Vec3 through = Vec3::Zero();
+  std::vector<Vec3> outline;  ///< corners in order, where it ends; empty: without end
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(dip, dip_direction, through);
+    stream(dip, dip_direction, through, outline);
   }
 };
 
-/// `count` planes, `spacing` apart along the upward normal; or those that were drawn, where there are any.
+/// `count` planes, `spacing` apart along the upward normal; or `joints`, where there are any.
 struct MesherCut {
   std::string title;  ///< "cut 3 (J2)"
   int joint = 0;
@@ -86,12 +88,14 @@ struct MesherCut {
   Vec3 through = Vec3::Zero();
   double spacing = 0;  ///< m
   int count = 1;
-  std::vector<MesherPlane> drawn;
+  std::vector<MesherJoint> joints;
   std::vector<int> solids;
+  std::vector<int> ends_at;  ///< joints at whose cuts it ends, as indices into Project::joints
+  bool may_miss = false;     ///< a network is where chance puts it
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(title, joint, dip, dip_direction, through, spacing, count, drawn, solids);
+    stream(title, joint, dip, dip_direction, through, spacing, count, joints, solids, ends_at, may_miss);
   }
 };
 
@@ -99,10 +103,27 @@ struct MesherOverride {
   std::string name;
   Vec3 at = Vec3::Zero();
   std::optional<double> mesh_size;
+  bool removed = false;
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(name, at, mesh_size);
+    stream(name, at, mesh_size, removed);
+  }
+};
+
+struct MesherMerge {
+  Vec3 at = Vec3::Zero(), with = Vec3::Zero();
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(at, with);
+  }
+};
+
+struct MesherRefinement : MeshRefinement {
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(at, radius, size);
   }
 };
 
@@ -110,10 +131,21 @@ struct MesherJob {
   std::vector<MesherSolid> solids;
   std::vector<MesherCut> cuts;
   std::vector<MesherOverride> overrides;
+  std::vector<MesherMerge> merges;
+  std::optional<double> splinter_thickness;  ///< m; 1e-4 of the mesh size when absent
+  SplinterRule splinter_rule = SplinterRule::refuse;
+  std::vector<MesherRefinement> refinements;
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(solids, cuts, overrides);
+    stream(solids, cuts, overrides, merges, splinter_thickness, splinter_rule, refinements);
+  }
+};
+
+struct MesherSplinter : Splinter {
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(solid, where, volume, thickness, fate, merged_into);
   }
 };
 
@@ -124,25 +156,51 @@ struct MesherCutBlock {
   int block_override = -1;   ///< index into MesherJob::overrides; −1: none
   double usual_size = 0;     ///< m, of its mesh: as given, or a tenth of its solid's longest side
   double coarsest_size = 0;  ///< m, at which its corners alone carry the mesh; the usual one where faces are curved
+  bool of_cells = false;     ///< its solid is triangles: it needs no mesh inside unless it deforms
+  double volume = 0;         ///< m³
+  double area = 0;           ///< m², of its surface
+  Vec3 min = Vec3::Zero(), max = Vec3::Zero();  ///< m, corners of the box around it
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(name, solid, block_override, usual_size, coarsest_size);
+    stream(name, solid, block_override, usual_size, coarsest_size, of_cells, volume, area, min, max);
+  }
+};
+
+struct MesherEndings : EndingJoints {
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(cut, joints, dividing);
   }
 };
 
 struct MesherCutModel {
-  Vec3 extent = Vec3::Zero();  ///< m, of the box around all solids
+  Vec3 extent = Vec3::Zero();   ///< m, of the box around all solids
+  double solids_volume = 0;     ///< m³, before cutting
+  double excavated_volume = 0;  ///< m³, of blocks that are left out as the project wants
   std::vector<MesherCutBlock> blocks;
+  std::vector<MesherSplinter> splinters;  ///< left out, or parts of other blocks
+  std::vector<MesherEndings> endings;     ///< of cuts whose joints end
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(extent, blocks);
+    stream(extent, solids_volume, excavated_volume, blocks, splinters, endings);
+  }
+};
+
+/// How finely a block is meshed.
+struct MesherSize {
+  double size = 0;       ///< m
+  bool refined = false;  ///< by the job's refinements, too
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(size, refined);
   }
 };
 
 struct MesherSizes {
-  std::vector<double> sizes;  ///< m, a block, in the order of MesherCutModel::blocks
+  std::vector<MesherSize> sizes;  ///< a block, in the order of MesherCutModel::blocks
 
   template <class Stream>
   void fields(Stream& stream) {
@@ -174,22 +232,20 @@ struct MesherProgress {
   }
 };
 
+/// All that was wanted is done.
 struct MesherEnd {
-  double solids_volume = 0;  ///< m³, before cutting
-
   template <class Stream>
-  void fields(Stream& stream) {
-    stream(solids_volume);
-  }
+  void fields(Stream&) {}
 };
 
-/// An InputError on its way.
+/// An InputError on its way; one that finds splinters tells where they are.
 struct MesherError {
   std::string place, problem, remedy;
+  std::vector<MesherSplinter> splinters;
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(place, problem, remedy);
+    stream(place, problem, remedy, splinters);
   }
 };
 

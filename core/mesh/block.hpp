@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/cutting_report.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "model/project.hpp"
 
@@ -25,6 +26,9 @@ struct BlockSystem {
   std::vector<Block> blocks;
   std::vector<std::string> joint_names;  ///< as Project::joints, for SurfaceTriangle::joint
   double solids_volume = 0;              ///< m³, of the solids before cutting
+  double excavated_volume = 0;           ///< m³, of blocks that are cut and then left out, as the project wants
+  std::vector<Splinter> splinters{};     ///< what was too thin to be a block, and is left out or part of another
+  std::vector<EndingJoints> endings{};   ///< of each cut whose joints end, what they divide
 };
 
 }  // namespace talus

@@ -47,6 +47,12 @@ Facet read_facet(int tag) {
   return facet;
 }
 
+double area_of(int tag) {
+  double area = 0;
+  gmsh::model::occ::getMass(2, tag, area);
+  return area;
+}
+
 std::vector<int> faces_of(const std::vector<int>& volumes) {
   gmsh::vectorpair owners, faces;
   for (int tag : volumes) owners.emplace_back(3, tag);
@@ -67,15 +73,17 @@ bool lies_on(const Plane& plane, const Facet& facet, double reach) {
   return lowest <= reach && highest >= -reach;
 }
 
+Eigen::AlignedBox3d bounds_of_volume(int tag) {
+  Vec3 low, high;
+  gmsh::model::occ::getBoundingBox(3, tag, low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
+  return {low, high};
+}
+
 Measure measure_volume(int tag) {
   Measure measure;
   gmsh::model::occ::getMass(3, tag, measure.volume);
   gmsh::model::occ::getCenterOfMass(3, tag, measure.centroid.x(), measure.centroid.y(), measure.centroid.z());
-  for (int face : faces_of({tag})) {
-    double area = 0;
-    gmsh::model::occ::getMass(2, face, area);
-    measure.area += area;
-  }
+  for (int face : faces_of({tag})) measure.area += area_of(face);
   return measure;
 }
 

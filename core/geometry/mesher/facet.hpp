@@ -18,12 +18,18 @@ struct Facet {
 /// The synchronised face with this gmsh tag.
 Facet read_facet(int tag);
 
+/// m², of a synchronised face.
+double area_of(int tag);
+
 /// The faces that bound a volume, or several volumes, each once.
 std::vector<int> faces_of(const std::vector<int>& volumes);
 
 /// A plane that runs at less than 0.1° to a facet and comes within `reach` of its outline lies on it: cutting along
 /// both would leave a splinter.
 bool lies_on(const Plane& plane, const Facet& facet, double reach);
+
+/// m, of a volume; wider than it by OpenCASCADE's tolerance.
+Eigen::AlignedBox3d bounds_of_volume(int tag);
 
 struct Measure {
   double volume = 0;  ///< m³

@@ -98,16 +98,12 @@ ImportedSolid make_combined(const MesherSolid& solid, const std::vector<MesherSo
   return made;
 }
 
-/// Triangles become a volume that OpenCASCADE can cut, where they lie in few planes.
-void make_volumes(const MesherSolid& solid, ImportedSolid& imported) {
+/// Triangles that lie in few planes become a volume that OpenCASCADE can cut; others are cut as cells.
+void make_volumes(ImportedSolid& imported) {
   constexpr std::size_t most_faces = 300;
   if (!imported.volumes.empty() || imported.triangles.empty()) return;
   imported.volumes = add_flat_bodies(imported.triangles, most_faces);
-  if (imported.volumes.empty())
-    throw InputError(place_of(solid),
-                     "its surface has " + std::to_string(imported.triangles.triangles.size()) +
-                         " triangles in more planes than this version can cut, " + std::to_string(most_faces),
-                     "thin it, for example by a larger tolerance of the terrain");
+  if (imported.volumes.empty()) return;
   imported.triangles = {};
   measure(imported);
 }
@@ -154,7 +150,7 @@ ImportedModel import_solids(const std::vector<MesherSolid>& solids, ImportPurpos
         continue;
       }
       check_sound(solids[i], model.solids[i]);
-      make_volumes(solids[i], model.solids[i]);
+      make_volumes(model.solids[i]);
     }
   }
   occ::synchronize();

@@ -8,6 +8,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/mesher/sizes_in_force.hpp"
+#include "mesh/size_field.hpp"
+
 namespace talus {
 namespace {
 
@@ -16,8 +19,8 @@ namespace mesh_api = gmsh::model::mesh;
 /// A block whose edges are all shorter than the size aimed at needs no nodes but its corners; gmsh's default would
 /// still put one into the middle of each face.
 bool corners_suffice(const CutBlock& block, double size) {
-  for (const auto& [tag, origin] : block.facets) {
-    if (origin.plane < 0) return false;
+  for (const auto& [tag, facet] : block.facets) {
+    if (facet.origin.plane < 0) return false;
     gmsh::vectorpair curves;
     gmsh::model::getBoundary({{2, tag}}, curves, false, false, false);
     for (const auto& [dimension, curve] : curves) {
@@ -33,21 +36,31 @@ bool corners_suffice(const CutBlock& block, double size) {
 /// What blocks that are meshed in one go have in common.
 struct Manner {
   double size = 0;
-  bool corners_only = false;
+  bool corners_only = false, refined = false;
   auto operator<=>(const Manner&) const = default;
 };
 
-void generate(const Manner& manner, const gmsh::vectorpair& volumes) {
+void set_sizes_at_corners(const gmsh::vectorpair& volumes, double size, std::span<const MeshRefinement> refinements) {
+  gmsh::vectorpair corners;
+  gmsh::model::getBoundary(volumes, corners, false, false, true);
+  if (refinements.empty()) return mesh_api::setSize(corners, size);
+  for (const auto& corner : corners) {
+    std::vector<double> at;
+    gmsh::model::getValue(corner.first, corner.second, {}, at);
+    mesh_api::setSize({corner}, size_at({at[0], at[1], at[2]}, size, refinements));
+  }
+}
+
+void generate(const Manner& manner, const gmsh::vectorpair& volumes, std::span<const MeshRefinement> refinements) {
   constexpr double initial_mesh_only = 3, frontal_delaunay = 6;
-  gmsh::vectorpair everything, corners;
+  gmsh::vectorpair everything;
   gmsh::model::getEntities(everything);
   gmsh::model::setVisibility(everything, 0);
   gmsh::model::setVisibility(volumes, 1, true);
   mesh_api::clear();
   // A largest size alone would leave gmsh's own default, a tenth of the whole model, in force.
-  gmsh::model::getBoundary(volumes, corners, false, false, true);
-  mesh_api::setSize(corners, manner.size);
-  gmsh::option::setNumber("Mesh.MeshSizeMax", manner.size);
+  set_sizes_at_corners(volumes, manner.size, refinements);
+  const SizesInForce in_force(manner.size, refinements);
   gmsh::option::setNumber("Mesh.Algorithm", manner.corners_only ? initial_mesh_only : frontal_delaunay);
   gmsh::option::setNumber("Mesh.MeshOnlyVisible", 1);
   mesh_api::generate(2);
@@ -70,7 +83,7 @@ SurfaceMesh take_surface(const CutBlock& block, const std::unordered_map<std::si
   constexpr int gmsh_triangle = 2;
   SurfaceMesh surface;
   std::unordered_map<std::size_t, int> number;
-  for (const auto& [tag, origin] : block.facets) {
+  for (const auto& [tag, facet] : block.facets) {
     // gmsh would take vectors that are not empty as allocated before: they must be new each time.
     std::vector<std::size_t> elements, named;
     mesh_api::getElementsByType(gmsh_triangle, elements, named, tag);
@@ -82,7 +95,7 @@ SurfaceMesh take_surface(const CutBlock& block, const std::unordered_map<std::si
         triangle[k] = node->second;
       }
       surface.triangles.push_back(triangle);
-      surface.origins.push_back(origin);
+      surface.origins.push_back(facet.origin);
     }
   }
   return surface;
@@ -104,20 +117,25 @@ void put_onto_planes(SurfaceMesh& surface, const PlaneTable& planes) {
 
 }  // namespace
 
-std::vector<SurfaceMesh> mesh_surfaces(const CutModel& cut, std::span<const double> sizes) {
+std::vector<SurfaceMesh> mesh_surfaces(std::span<const NamedBlock> blocks, const PlaneTable& planes,
+                                       std::span<const MesherSize> sizes, std::span<const MeshRefinement> refinements) {
   std::map<Manner, std::vector<std::size_t>> groups;
-  for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
-    groups[{sizes[b], corners_suffice(cut.blocks[b], sizes[b])}].push_back(b);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (blocks[b].shape.volume_tags.empty()) continue;
+    const auto& [size, refined] = sizes[b];
+    const bool corners_only = !refined && corners_suffice(blocks[b].shape, size);
+    groups[{size, corners_only, refined}].push_back(b);
   }
-  std::vector<SurfaceMesh> surfaces(cut.blocks.size());
+  std::vector<SurfaceMesh> surfaces(blocks.size());
   for (const auto& [manner, members] : groups) {
     gmsh::vectorpair volumes;
-    for (std::size_t b : members) volumes.emplace_back(3, cut.blocks[b].volume_tag);
-    generate(manner, volumes);
+    for (std::size_t b : members)
+      for (int tag : blocks[b].shape.volume_tags) volumes.emplace_back(3, tag);
+    generate(manner, volumes, manner.refined ? refinements : std::span<const MeshRefinement>());
     const auto nodes = all_nodes();
     for (std::size_t b : members) {
-      surfaces[b] = take_surface(cut.blocks[b], nodes);
-      put_onto_planes(surfaces[b], cut.planes);
+      surfaces[b] = take_surface(blocks[b].shape, nodes);
+      put_onto_planes(surfaces[b], planes);
     }
   }
   return surfaces;

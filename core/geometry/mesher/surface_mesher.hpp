@@ -4,7 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesher/block_cutter.hpp"
+#include "geometry/mesher/cut_block.hpp"
+#include "geometry/mesher/plane_table.hpp"
+#include "geometry/mesher_job.hpp"
 
 namespace talus {
 
@@ -15,9 +17,10 @@ struct SurfaceMesh {
   std::vector<FacetOrigin> origins;  ///< of each triangle
 };
 
-/// Triangulates the faces of every block of gmsh's current model; `sizes`: m, the length that each block's edges aim
-/// at. Blocks of equal size have equal triangles on the joint between them. Nodes on flat facets lie on the table's
-/// planes to the last digit.
-std::vector<SurfaceMesh> mesh_surfaces(const CutModel& cut, std::span<const double> sizes);
+/// Triangulates the faces of every block of gmsh's current model, as finely as `sizes` say, a block each. Blocks of
+/// equal size have equal triangles on the joint between them. Nodes on flat facets lie on the table's planes to the
+/// last digit. `refinements`: relative to the model's origin.
+std::vector<SurfaceMesh> mesh_surfaces(std::span<const NamedBlock> blocks, const PlaneTable& planes,
+                                       std::span<const MesherSize> sizes, std::span<const MeshRefinement> refinements);
 
 }  // namespace talus

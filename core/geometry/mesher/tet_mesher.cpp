@@ -7,9 +7,11 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "geometry/mesher/sizes_in_force.hpp"
 
 namespace talus {
 namespace {
@@ -88,11 +90,11 @@ void add_surface(const SurfaceMesh& surface) {
   gmsh::model::geo::synchronize();
 }
 
-void generate(double size) {
+void generate(double size, std::span<const MeshRefinement> refinements) {
   constexpr double delaunay = 1;
   gmsh::option::setNumber("Mesh.Algorithm3D", delaunay);
   gmsh::option::setNumber("Mesh.Optimize", 1);
-  gmsh::option::setNumber("Mesh.MeshSizeMax", size);
+  const SizesInForce in_force(size, refinements);
   mesh_api::generate(3);
 }
 
@@ -184,11 +186,24 @@ void check_volume(const MeshedShape& shape, const SurfaceMesh& surface, double v
 
 }  // namespace
 
-MeshedShape fill_with_tetrahedra(const SurfaceMesh& surface, double size, double volume, const std::string& place) {
+void require_two_triangles_an_edge(std::span<const std::array<int, 3>> triangles, const std::string& place) {
+  std::map<std::pair<int, int>, int> uses;
+  for (const auto& triangle : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (++uses[std::minmax(triangle[k], triangle[(k + 1) % 3])] <= 2) continue;
+      throw InputError(place, "touches itself along an edge",
+                       "merge it with the block that fills the gap there, or move a cut that runs through the edge");
+    }
+  }
+}
+
+MeshedShape fill_with_tetrahedra(const SurfaceMesh& surface, double size, std::span<const MeshRefinement> refinements,
+                                 double volume, const std::string& place) {
+  require_two_triangles_an_edge(surface.triangles, place);
   MeshedShape shape;
   try {
     add_surface(surface);
-    generate(size);
+    generate(size, refinements);
     take_tetrahedra(surface, shape);
     gmsh::model::remove();
   } catch (const std::string& why) {

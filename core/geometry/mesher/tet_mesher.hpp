@@ -15,8 +15,14 @@ struct MeshedShape {
 };
 
 /// Fills a block's surface with tetrahedra, in a gmsh model of its own so that one bad block spoils no other:
-/// Delaunay, one thread, the same bits each time. `size`: m, the length that edges aim at; `volume`: m³, the block's.
-/// Throws InputError at `place` when gmsh fails or the mesh does not fill the block.
-MeshedShape fill_with_tetrahedra(const SurfaceMesh& surface, double size, double volume, const std::string& place);
+/// Delaunay, one thread, the same bits each time. `size`: m, the length that edges aim at where no refinement says
+/// another; `volume`: m³, the block's. Throws InputError at `place` when gmsh fails or the mesh does not fill the
+/// block.
+MeshedShape fill_with_tetrahedra(const SurfaceMesh& surface, double size, std::span<const MeshRefinement> refinements,
+                                 double volume, const std::string& place);
+
+/// Throws InputError at `place` for a block that touches itself along an edge: contact knows surfaces alone of which
+/// every edge has two triangles.
+void require_two_triangles_an_edge(std::span<const std::array<int, 3>> triangles, const std::string& place);
 
 }  // namespace talus

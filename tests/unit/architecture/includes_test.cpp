@@ -34,6 +34,8 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"core/geometry", {"core/mesh", "core/orientation", "core/model/rules"}},
     {"core/geometry/mesher/surfaces", {"core/geometry"}},
     {"core/geometry/mesher", {"core/geometry/mesher/surfaces"}},
+    {"core/geometry/mesher/cells", {"core/geometry/mesher"}},
+    {"core/geometry/mesher/blocks", {"core/geometry/mesher/cells"}},
     {"core/linear", {"core/base"}},
     {"core/bodies", {"core/mesh", "core/linear"}},
     {"core/contact", {"core/bodies"}},

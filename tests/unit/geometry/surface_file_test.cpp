@@ -177,12 +177,5 @@ TEST_F(SurfaceFiles, ThatAreNoneAreRefused) {
   EXPECT_THAT(error_in("whole.stl"), StartsWith("whole.stl: is "));
 }
 
-/// Until there is a cutter for them.
-TEST_F(SurfaceFiles, OfManyPlanesAreRefusedWithTheirNumber) {
-  write_stl("ball.stl", sphere(5, 3));
-  EXPECT_THAT(error_of(project_of({solid("rock", FileShape{"ball.stl"})}), folder()),
-              StartsWith("solid rock: its surface has 512 triangles in more planes than this version can cut"));
-}
-
 }  // namespace
 }  // namespace talus

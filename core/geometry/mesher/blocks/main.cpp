@@ -10,10 +10,12 @@
 #include <csignal>
 
 #include "base/error.hpp"
-#include "geometry/mesher/block_names.hpp"
+#include "geometry/mesher/blocks/kept_blocks.hpp"
+#include "geometry/mesher/cells/cell_mesher.hpp"
 #include "geometry/mesher/overlap.hpp"
 #include "geometry/mesher/solid_views.hpp"
 #include "geometry/mesher/tet_mesher.hpp"
+#include "geometry/splinters_found.hpp"
 
 namespace talus {
 namespace {
@@ -73,37 +75,79 @@ MesherBlock finished_block(const ImportedModel& model, const CutBlock& cut, Mesh
 /// neighbours then have equal triangles on the joint between them. Curved faces need the usual size to keep their
 /// shape.
 double coarsest_size_of(const CutBlock& cut, const ImportedSolid& solid, double usual_size) {
-  const bool flat =
-      std::all_of(cut.facets.begin(), cut.facets.end(), [](const auto& facet) { return facet.second.plane >= 0; });
+  const bool flat = std::all_of(cut.facets.begin(), cut.facets.end(),
+                                [](const auto& facet) { return facet.second.origin.plane >= 0; });
   return flat ? solid.bounds.diagonal().norm() : usual_size;
 }
 
-MesherCutModel cut_model(const ImportedModel& model, const CutModel& cut, const std::vector<NamedBlock>& names) {
+MesherCutModel cut_model(const ImportedModel& model, const CutModel& cut, const KeptBlocks& kept) {
   MesherCutModel told;
   Eigen::AlignedBox3d bounds;
-  for (const ImportedSolid& solid : model.solids) bounds.extend(solid.bounds);
+  for (const ImportedSolid& solid : model.solids) {
+    bounds.extend(solid.bounds);
+    told.solids_volume += solid.volume;
+  }
   told.extent = bounds.sizes();
-  for (std::size_t b = 0; b < names.size(); ++b) {
-    const CutBlock& block = cut.blocks[b];
-    const ImportedSolid& solid = model.solids[static_cast<std::size_t>(block.solid)];
-    told.blocks.push_back({names[b].name, block.solid, names[b].block_override, names[b].mesh_size,
-                           coarsest_size_of(block, solid, names[b].mesh_size)});
+  told.excavated_volume = kept.excavated_volume;
+  told.splinters = kept.splinters;
+  told.endings = cut.endings;
+  for (const NamedBlock& block : kept.blocks) {
+    const ImportedSolid& solid = model.solids[static_cast<std::size_t>(block.shape.solid)];
+    const Eigen::AlignedBox3d& box = block.shape.bounds;
+    told.blocks.push_back({block.name, block.shape.solid, block.block_override, block.mesh_size,
+                           coarsest_size_of(block.shape, solid, block.mesh_size), !block.shape.cells.empty(),
+                           block.shape.volume, block.shape.area(), box.min() + model.origin, box.max() + model.origin});
   }
   return told;
 }
 
-/// From the cut model to finished blocks, sent one by one.
-void mesh_blocks(const ImportedModel& model, const CutModel& cut, const std::vector<NamedBlock>& names,
-                 const std::vector<double>& sizes, double share_done) {
-  report(share_done, "meshing the surfaces of " + std::to_string(cut.blocks.size()) + " blocks");
-  const std::vector<SurfaceMesh> surfaces = mesh_surfaces(cut, sizes);
-  for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
-    const std::string place = "block " + names[b].name;
-    const double fraction = static_cast<double>(b) / static_cast<double>(cut.blocks.size());
-    report(share_done + (1 - share_done) * fraction,
-           "meshing " + place + " (" + std::to_string(b + 1) + " of " + std::to_string(cut.blocks.size()) + ")");
-    MeshedShape shape = fill_with_tetrahedra(surfaces[b], sizes[b], cut.blocks[b].volume, place);
-    send_message(MessageKind::block, finished_block(model, cut.blocks[b], std::move(shape)));
+/// Relative to the model's origin.
+std::vector<MeshRefinement> refinements_of(const MesherJob& job, const ImportedModel& model) {
+  std::vector<MeshRefinement> refinements(job.refinements.begin(), job.refinements.end());
+  for (MeshRefinement& refinement : refinements) refinement.at -= model.origin;
+  return refinements;
+}
+
+/// How a block is meshed, one after the other.
+class BlockMesher {
+ public:
+  BlockMesher(const CutModel& cut, const std::vector<NamedBlock>& blocks, const MesherCutModel& told,
+              const std::vector<MesherSize>& sizes, const std::vector<MeshRefinement>& refinements)
+      : cut_(cut), blocks_(blocks), told_(told), sizes_(sizes), refinements_(refinements) {
+    surfaces_ = mesh_surfaces(blocks, cut.planes, sizes, refinements);
+  }
+
+  MeshedShape mesh(std::size_t index) const {
+    const std::string place = "block " + blocks_[index].name;
+    const CutBlock& shape = blocks_[index].shape;
+    const auto [size, refined] = sizes_[index];
+    const auto nearby = refined ? std::span(refinements_) : std::span<const MeshRefinement>();
+    if (shape.cells.empty()) return fill_with_tetrahedra(surfaces_[index], size, nearby, shape.volume, place);
+    const CellSolid& solid = cut_.cells.at(shape.solid);
+    if (!refined && size >= told_.blocks[index].coarsest_size) return coarse_mesh(solid, shape.cells, place);
+    return fill_with_tetrahedra(fine_surface(solid, shape.cells, {size, nearby}), size, nearby, shape.volume, place);
+  }
+
+ private:
+  const CutModel& cut_;
+  const std::vector<NamedBlock>& blocks_;
+  const MesherCutModel& told_;
+  const std::vector<MesherSize>& sizes_;
+  const std::vector<MeshRefinement>& refinements_;
+  std::vector<SurfaceMesh> surfaces_;
+};
+
+/// From the blocks' shapes to finished blocks, sent one by one.
+void mesh_blocks(const ImportedModel& model, const CutModel& cut, const std::vector<NamedBlock>& blocks,
+                 const MesherCutModel& told, const std::vector<MesherSize>& sizes,
+                 const std::vector<MeshRefinement>& refinements, double share_done) {
+  report(share_done, "meshing the surfaces of " + std::to_string(blocks.size()) + " blocks");
+  const BlockMesher mesher(cut, blocks, told, sizes, refinements);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const double fraction = static_cast<double>(b) / static_cast<double>(blocks.size());
+    report(share_done + (1 - share_done) * fraction, "meshing block " + blocks[b].name + " (" + std::to_string(b + 1) +
+                                                         " of " + std::to_string(blocks.size()) + ")");
+    send_message(MessageKind::block, finished_block(model, blocks[b].shape, mesher.mesh(b)));
   }
 }
 
@@ -129,12 +173,20 @@ void work(const MesherJob& job) {
   const CutModel cut = cut_solids(job, model, [](double fraction, std::string_view what) {
     report(imported + (cut_done - imported) * fraction, what);
   });
-  const std::vector<NamedBlock> names = name_blocks(job, model, cut);
-  send_message(MessageKind::cut, cut_model(model, cut, names));
-  mesh_blocks(model, cut, names, from_bytes<MesherSizes>(receive_message().bytes).sizes, cut_done);
-  MesherEnd end;
-  for (const ImportedSolid& solid : model.solids) end.solids_volume += solid.volume;
-  send_message(MessageKind::end, end);
+  const KeptBlocks kept = keep_blocks(job, model, cut);
+  const MesherCutModel told = cut_model(model, cut, kept);
+  send_message(MessageKind::cut, told);
+  mesh_blocks(model, cut, kept.blocks, told, from_bytes<MesherSizes>(receive_message().bytes).sizes,
+              refinements_of(job, model), cut_done);
+  send_message(MessageKind::end, MesherEnd{});
+}
+
+MesherError message_of(const InputError& error) { return {error.place(), error.problem(), error.remedy(), {}}; }
+
+MesherError message_of(const SplintersFound& error) {
+  MesherError message = message_of(static_cast<const InputError&>(error));
+  for (const Splinter& splinter : error.splinters()) message.splinters.push_back({splinter});
+  return message;
 }
 
 void run() {
@@ -147,8 +199,10 @@ void run() {
     // An error in the threads of surface meshing would end the process; the checks of each mesh see it as well.
     gmsh::option::setNumber("General.AbortOnError", 0);
     order.kind == MessageKind::look ? look(job) : work(job);
+  } catch (const SplintersFound& error) {
+    send_message(MessageKind::error, message_of(error));
   } catch (const InputError& error) {
-    send_message(MessageKind::error, MesherError{error.place(), error.problem(), error.remedy()});
+    send_message(MessageKind::error, message_of(error));
   } catch (const std::string& error) {
     send_message(MessageKind::fault, MesherFault{"gmsh: " + error});
   } catch (const std::exception& error) {

@@ -1,0 +1,94 @@
+#include "geometry/mesher/cells/block_skin.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <deque>
+#include <utility>
+
+#include "geometry/mesher/cells/divided_edges.hpp"
+#include "geometry/mesher/cells/facet_outlines.hpp"
+#include "geometry/mesher/cells/flat_facet.hpp"
+
+namespace talus {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+/// The number is how many outlines lie around a triangle; −1: not known yet.
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+
+Kernel::Point_2 to_point(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }
+
+Triangulation triangulated(const FacetOutline& outline, const FlatFacet& flat) {
+  Triangulation triangulation;
+  std::map<int, Triangulation::Vertex_handle> handles;
+  for (const auto& [vertex, point] : flat.points()) {
+    handles[vertex] = triangulation.insert(to_point(point));
+    handles[vertex]->info() = vertex;
+  }
+  for (const auto& [from, to] : outline.edges) triangulation.insert_constraint(handles.at(from), handles.at(to));
+  return triangulation;
+}
+
+/// Counts how many outlines lie around each triangle, from outside inwards: those with an odd number are the area.
+void count_outlines(Triangulation& triangulation) {
+  for (auto face : triangulation.all_face_handles()) face->info() = -1;
+  std::deque<std::pair<Triangulation::Face_handle, int>> waiting{{triangulation.infinite_face(), 0}};
+  while (!waiting.empty()) {
+    const auto [face, count] = waiting.front();
+    waiting.pop_front();
+    if (face->info() >= 0) continue;
+    face->info() = count;
+    for (int side = 0; side < 3; ++side) {
+      if (face->is_constrained(side))
+        waiting.emplace_back(face->neighbor(side), count + 1);
+      else
+        waiting.emplace_front(face->neighbor(side), count);
+    }
+  }
+}
+
+bool is_area(const Triangulation::Face_handle& face) { return face->info() % 2 == 1; }
+
+/// Puts vertices into the area as far apart as the size says.
+void fill(Triangulation& triangulation, const FlatFacet& flat, SkinVertices& vertices, const SkinSize& size) {
+  std::vector<Eigen::Vector2d> inside;
+  for (const Eigen::Vector2d& point : flat.lattice(size)) {
+    const auto face = triangulation.locate(to_point(point));
+    if (!triangulation.is_infinite(face) && is_area(face)) inside.push_back(point);
+  }
+  for (const Eigen::Vector2d& point : inside)
+    triangulation.insert(to_point(point))->info() = vertices.add(flat.in_space(point));
+  count_outlines(triangulation);
+}
+
+}  // namespace
+
+BlockSkin block_skin(const CellSolid& solid, std::span<const int> cells, const SkinSize& size) {
+  std::vector<FacetOutline> outlines = facet_outlines(solid, cells);
+  SkinVertices vertices(solid.complex);
+  const bool fine = size.own > 0;
+  if (fine) divide_edges(outlines, vertices, size);
+  BlockSkin skin;
+  for (const FacetOutline& outline : outlines) {
+    const FlatFacet flat(outline, vertices);
+    Triangulation triangulation = triangulated(outline, flat);
+    count_outlines(triangulation);
+    if (fine) fill(triangulation, flat, vertices, size);
+    for (const auto& face : triangulation.finite_face_handles()) {
+      if (!is_area(face)) continue;
+      skin.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+      skin.marks.push_back(outline.mark);
+    }
+  }
+  skin.more = vertices.take_more();
+  return skin;
+}
+
+}  // namespace talus

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "geometry/mesher/cells/cell_complex.hpp"
+
+namespace talus {
+
+/// The three lowest corners of a face and how many it has: the same for both cells that have it, and for no other,
+/// since faces of convex cells that are not the same share an edge at most.
+using FaceKey = std::array<int, 4>;
+
+inline FaceKey key_of(const CellFace& face) {
+  FaceKey key{};
+  std::partial_sort_copy(face.corners.begin(), face.corners.end(), key.begin(), key.begin() + 3);
+  key[3] = static_cast<int>(face.corners.size());
+  return key;
+}
+
+struct FaceKeyHash {
+  std::size_t operator()(const FaceKey& key) const {
+    std::size_t hash = 1469598103934665603u;  // FNV-1a
+    for (int part : key) hash = (hash ^ static_cast<std::size_t>(part)) * 1099511628211u;
+    return hash;
+  }
+};
+
+}  // namespace talus

@@ -1,0 +1,148 @@
+#include <gmock/gmock.h>
+
+#include <chrono>
+
+#include "geometry/mesh_estimate.hpp"
+#include "rock.hpp"
+
+// How finely blocks are meshed: by project, solid and block, near points, and never by more than is allowed.
+namespace talus {
+namespace {
+
+using namespace rock;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+Project cube_meshed_by(std::optional<double> size) {
+  Project p = project();
+  p.solids = {box("cube", {0, 0, 0}, {10, 10, 10}, size)};
+  return p;
+}
+
+double tetrahedra_of(const BlockSystem& system) {
+  std::size_t count = 0;
+  for (const Block& b : system.blocks) count += b.mesh.tetrahedra.size();
+  return static_cast<double>(count);
+}
+
+/// m, mean length of the edges of tetrahedra whose middle lies in the shell.
+double mean_edge(const Block& b, const Vec3& about, double from, double to) {
+  double sum = 0;
+  int count = 0;
+  for (const auto& t : b.mesh.tetrahedra)
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < i; ++k) {
+        const Vec3 &p = b.mesh.nodes[t[i]], &q = b.mesh.nodes[t[k]];
+        const double distance = ((p + q) / 2 - about).norm();
+        if (distance < from || distance > to) continue;
+        sum += (p - q).norm();
+        ++count;
+      }
+  return sum / count;
+}
+
+TEST(MeshSize, OfTheProjectIsThatOfSolidsWithoutOne) {
+  Project p = cube_meshed_by({});
+  p.mesh.size = 2;
+  const double by_project = tetrahedra_of(build(p));
+  EXPECT_EQ(by_project, tetrahedra_of(build(cube_meshed_by(2))));
+  p.solids[0].mesh_size = 5;
+  EXPECT_EQ(tetrahedra_of(build(p)), tetrahedra_of(build(cube_meshed_by(5))));
+}
+
+TEST(MeshSize, IsThatOfARefinementNearItsPointAndGrowsToTheBlocksOwn) {
+  Project p = cube_meshed_by(2);
+  const Vec3 corner(10, 10, 10), middle(5, 5, 5);
+  p.mesh.refinements = {{corner, 2, 0.4}};
+  const Block b = build(p).blocks[0];
+  // Edges of tetrahedra inside are longer than what is aimed at: by as much as in a mesh of one size.
+  const double usual = mean_edge(build(cube_meshed_by(1)).blocks[0], middle, 0, 5);
+  EXPECT_NEAR(mean_edge(b, corner, 0, 2) / usual, 0.4, 0.06);
+  EXPECT_NEAR(mean_edge(b, corner, 9, 20) / usual, 2, 0.3);
+  const double between = mean_edge(b, corner, 2.5, 3.5) / usual;
+  EXPECT_GT(between, 0.55);
+  EXPECT_LT(between, 1.5);
+  expect_sound(build(p), 1000);
+  p.mesh.refinements = {{middle, 1.5, 0.5}};
+  EXPECT_NEAR(mean_edge(build(p).blocks[0], middle, 0, 1.5) / usual, 0.5, 0.075)
+      << "inside the rock, far from any face";
+}
+
+TEST(MeshSize, MayBeCoarserNearAPoint) {
+  Project p = cube_meshed_by(1);
+  p.mesh.refinements = {{Vec3(0, 0, 0), 6, 3}};
+  EXPECT_LT(tetrahedra_of(build(p)), 0.7 * tetrahedra_of(build(cube_meshed_by(1))));
+  expect_sound(build(p), 1000);
+}
+
+TEST(MeshSize, OfARefinementLeavesEqualTrianglesOnBothSidesOfAJoint) {
+  Project p = cube_meshed_by(2.5);
+  p.cuts = {cut("J1", 35, 90, {5, 5, 5})};
+  p.mesh.refinements = {{Vec3(5, 5, 5), 2, 0.5}};
+  const BlockSystem system = build(p);
+  ASSERT_EQ(system.blocks.size(), 2u);
+  std::array<std::set<std::array<double, 3>>, 2> nodes;
+  for (std::size_t b = 0; b < 2; ++b)
+    for (const SurfaceTriangle& t : system.blocks[b].surface)
+      if (t.joint == 0)
+        for (int n : t.nodes) {
+          const Vec3& at = system.blocks[b].mesh.nodes[n];
+          nodes[b].insert({at.x(), at.y(), at.z()});
+        }
+  EXPECT_GT(nodes[0].size(), 60u);
+  EXPECT_EQ(nodes[0], nodes[1]);
+}
+
+TEST(MeshSize, OfARigidBlockIsNotRefined) {
+  Project p = cube_meshed_by({});
+  p.solids[0].body = BodyKind::rigid;
+  p.mesh.size = 0.5;
+  p.mesh.refinements = {{Vec3(10, 10, 10), 2, 0.2}};
+  EXPECT_LE(tetrahedra_of(build(p)), 24);
+}
+
+TEST(MeshEstimate, IsRightToAThird) {
+  for (const double size : {2.5, 1.0, 0.7}) {
+    Project p = cube_meshed_by(size);
+    p.cuts = {cut("J1", 35, 90, {5, 5, 5}), cut("J2", 70, 200, {4, 6, 5})};
+    const MeshEstimate estimate = mesh_estimate(p, [&] {
+      NoProgress nobody;
+      return cut_blocks(p, ".", nobody);
+    }());
+    const BlockSystem system = build(p);
+    double nodes = 0;
+    for (const Block& b : system.blocks) nodes += static_cast<double>(b.mesh.nodes.size());
+    EXPECT_NEAR(estimate.tetrahedra / tetrahedra_of(system), 1, 0.33) << size;
+    EXPECT_NEAR(estimate.nodes / nodes, 1, 0.33) << size;
+    EXPECT_DOUBLE_EQ(estimate.unknowns, 3 * estimate.nodes);
+  }
+}
+
+TEST(MeshEstimate, KnowsRefinementsAndBodies) {
+  Project p = cube_meshed_by(2);
+  NoProgress nobody;
+  const BlockSystem coarse = cut_blocks(p, ".", nobody);
+  EXPECT_LE(tetrahedra_of(coarse), 24);
+  p.mesh.refinements = {{Vec3(10, 10, 10), 2, 0.4}};
+  EXPECT_NEAR(mesh_estimate(p, coarse).tetrahedra / tetrahedra_of(build(p)), 1, 0.4);
+  p.solids[0].body = BodyKind::rigid;
+  p.solids[0].mesh_size.reset();
+  const MeshEstimate rigid = mesh_estimate(p, cut_blocks(p, ".", nobody));
+  EXPECT_EQ(rigid.unknowns, 6);
+  EXPECT_LT(rigid.tetrahedra, 50);
+}
+
+TEST(MeshEstimate, OfMoreThanIsAllowedIsRefusedAtOnce) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THAT(error_of(cube_meshed_by(1e-6)),
+              StartsWith("/mesh/most_tetrahedra: the mesh would have about 4.4e+21 tetrahedra"));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+  Project p = cube_meshed_by(1);
+  p.mesh.most_tetrahedra = 4000;
+  EXPECT_THAT(error_of(p), HasSubstr("tetrahedra, more than 4000; make mesh sizes larger"));
+  p.mesh.most_tetrahedra = 8000;
+  EXPECT_EQ(error_of(p), "no error");
+}
+
+}  // namespace
+}  // namespace talus
