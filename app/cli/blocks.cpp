@@ -5,6 +5,7 @@
 
 #include "base/line_attitude.hpp"
 #include "command.hpp"
+#include "cutting_report.hpp"
 #include "project_choice.hpp"
 #include "removability/block_facts.hpp"
 #include "text/table.hpp"
@@ -45,7 +46,9 @@ Json json_of(const Project& project, const BlockSystem& system, const std::vecto
     if (block.leaving.factor) json["factor_of_safety"] = *block.leaving.factor;
     blocks.push_back(json);
   }
-  return {{"blocks", blocks}};
+  Json json = {{"blocks", blocks}};
+  json.update(cutting_report_json(project, system));
+  return json;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -54,7 +57,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text.empty() ? "-" : text;
 }
 
-void print(const BlockSystem& system, const std::vector<BlockFacts>& facts) {
+void print(const Project& project, const BlockSystem& system, const std::vector<BlockFacts>& facts) {
   Table table({"Block", "Volume [m³]", "Faces", "Free", "Neighbours", "Leaves", "On", "Trend/plunge [°]", "F"},
               "lrrrrlllr");
   int slivers = 0;
@@ -77,6 +80,7 @@ void print(const BlockSystem& system, const std::vector<BlockFacts>& facts) {
   std::cout << table.text();
   if (slivers > 0)
     std::cout << "* a sliver: its longest side is over " << number(sliver_slenderness) << " times 3 V / A.\n";
+  std::cout << cutting_report_text(project, system);
   std::cout << "F: strength over what drives the block, of its own weight on its joints; the others stand still.\n";
 }
 
@@ -88,7 +92,7 @@ ExitCode blocks(const ProjectChoice& choice, bool json) {
   if (json)
     std::cout << json_of(project, system, facts).dump(2) << '\n';
   else
-    print(system, facts);
+    print(project, system, facts);
   return done;
 }
 

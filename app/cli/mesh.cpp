@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "cutting_report.hpp"
 #include "mesh/quality.hpp"
 #include "project_choice.hpp"
 #include "text/chosen_bodies.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const BlockSystem& system) {
+Json json_of(const Project& project, const BlockSystem& system) {
   Json blocks = Json::array();
   double volume = 0;
   for (const Block& block : system.blocks) {
@@ -29,10 +30,12 @@ Json json_of(const BlockSystem& system) {
                  {"quality", {{"worst", quality.worst}, {"mean", quality.mean}}}});
     blocks.push_back(json);
   }
-  return {{"blocks", blocks}, {"volume", volume}, {"solids_volume", system.solids_volume}};
+  Json json = {{"blocks", blocks}, {"volume", volume}, {"solids_volume", system.solids_volume}};
+  json.update(cutting_report_json(project, system));
+  return json;
 }
 
-void print(const Json& mesh, const BlockSystem& system) {
+void print(const Json& mesh, const Project& project, const BlockSystem& system) {
   Table table({"Block", "Volume [m³]", "Body", "Nodes", "Tetrahedra", "Worst quality", "Mean quality"}, "lrlrrrr");
   std::size_t nodes = 0, tetrahedra = 0;
   for (const Json& block : mesh["blocks"]) {
@@ -43,17 +46,18 @@ void print(const Json& mesh, const BlockSystem& system) {
   }
   table.add({"total", number(mesh["volume"], 8), "", std::to_string(nodes), std::to_string(tetrahedra), "", ""});
   std::cout << table.text() << "Quality: 3 × inscribed / circumscribed radius; 1 is regular, 0 flat.\n"
-            << chosen_bodies_text(system);
+            << chosen_bodies_text(system) << cutting_report_text(project, system);
 }
 
 ExitCode mesh(const ProjectChoice& choice, bool json) {
   catch_interrupts();
-  const BlockSystem system = build(read(choice), choice);
-  const Json result = json_of(system);
+  const Project project = read(choice);
+  const BlockSystem system = build(project, choice);
+  const Json result = json_of(project, system);
   if (json)
     std::cout << result.dump(2) << '\n';
   else
-    print(result, system);
+    print(result, project, system);
   return done;
 }
 
