@@ -1,6 +1,7 @@
 #include "widgets/window/manual_window.hpp"
 
 #include <QFile>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
@@ -89,7 +90,9 @@ ManualWindow::ManualWindow(QWidget* parent) : QDialog(parent), pages_(new QTextB
   pages_->setOpenLinks(false);
   column->addWidget(pages_);
   QFile file(QStringLiteral(":/manual.md"));
-  if (file.open(QIODevice::ReadOnly)) pages_->setMarkdown(QString::fromUtf8(file.readAll()));
+  // Without its pictures: they show the window that this one stands beside.
+  static const QRegularExpression picture(QStringLiteral("^!\\[[^\\n]*\\)\\n"), QRegularExpression::MultilineOption);
+  if (file.open(QIODevice::ReadOnly)) pages_->setMarkdown(QString::fromUtf8(file.readAll()).remove(picture));
   spaceOut(*pages_->document());
 }
 
