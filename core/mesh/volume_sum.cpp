@@ -6,12 +6,14 @@ namespace talus {
 
 bool VolumeSum::adds_up() const {
   constexpr double rounding = 1e-6;  // of the solids' volume
-  return std::abs(blocks - solids) <= rounding * solids;
+  return std::abs(blocks + left_out - solids) <= rounding * solids;
 }
 
 VolumeSum volume_sum(const BlockSystem& system) {
-  VolumeSum sum{0, system.solids_volume};
+  VolumeSum sum{.blocks = 0, .left_out = system.excavated_volume, .solids = system.solids_volume};
   for (const Block& block : system.blocks) sum.blocks += block.volume;
+  for (const Splinter& splinter : system.splinters)
+    if (splinter.fate == Splinter::Fate::dropped) sum.left_out += splinter.volume;
   return sum;
 }
 

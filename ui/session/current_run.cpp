@@ -41,12 +41,12 @@ Problem problemOf(const ExpectationOutcome& outcome) {
 
 /// Of rock that cutting has lost or made twice.
 Problem problemOf(const VolumeSum& sum) {
-  return {
-      .severity = Problem::Severity::warning,
-      .place = QObject::tr("blocks"),
-      .problem = QObject::tr("they have %1 m³ together, the solids %2 m³").arg(number(sum.blocks), number(sum.solids)),
-      .remedy = QObject::tr("look for solids that are open or overlap, and for cuts that nearly meet"),
-      .of = Problem::Of::run};
+  return {.severity = Problem::Severity::warning,
+          .place = QObject::tr("blocks"),
+          .problem = QObject::tr("they and what was left out have %1 m³ together, the solids %2 m³")
+                         .arg(number(sum.blocks + sum.left_out), number(sum.solids)),
+          .remedy = QObject::tr("look for solids that are open or overlap, and for cuts that nearly meet"),
+          .of = Problem::Of::run};
 }
 
 /// In what a run that has ended falls short; empty: in nothing.

@@ -19,5 +19,18 @@ TEST(VolumeSum, AddsUpToRounding) {
   EXPECT_FALSE(volume_sum(blocks_of({400, 600}, 999)).adds_up());
 }
 
+TEST(VolumeSum, CountsWhatWasLeftOutButNotWhatIsPartOfAnother) {
+  BlockSystem system = blocks_of({400, 500}, 1000);
+  system.excavated_volume = 90;
+  EXPECT_FALSE(volume_sum(system).adds_up());
+  system.splinters.resize(2);
+  system.splinters[0].volume = 10;
+  system.splinters[0].fate = Splinter::Fate::dropped;
+  system.splinters[1].volume = 7;
+  system.splinters[1].fate = Splinter::Fate::merged;
+  EXPECT_TRUE(volume_sum(system).adds_up());
+  EXPECT_DOUBLE_EQ(volume_sum(system).left_out, 100);
+}
+
 }  // namespace
 }  // namespace talus
