@@ -1,5 +1,7 @@
 #include "document/document.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "document/brought_files.hpp"
 #include "document/content.hpp"
@@ -84,7 +86,8 @@ void Document::changeText(std::string text, const QString& what, int gesture) {
 
 void Document::put(std::unique_ptr<Content> content) {
   content_ = std::move(content);
-  if (!exists(selection_.current(), json())) selection_.clear();
+  const auto isGone = [this](int solid) { return solid >= static_cast<int>(project().solids.size()); };
+  if (!exists(selection_.current(), json()) || std::ranges::any_of(selection_.solids(), isGone)) selection_.clear();
   emit projectChanged();
 }
 

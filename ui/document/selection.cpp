@@ -4,37 +4,53 @@
 
 namespace talus {
 
+namespace {
+
+bool isSelectedTogether(Item::Kind kind) { return kind == Item::Kind::block || kind == Item::Kind::solid; }
+
+}  // namespace
+
+const std::vector<int>& Selection::together(Item::Kind kind) const {
+  static const std::vector<int> none;
+  return current_.kind == kind ? together_ : none;
+}
+
+std::optional<int> Selection::hovered(Item::Kind kind) const {
+  return hovered_.kind == kind ? std::optional(hovered_.index) : std::nullopt;
+}
+
 void Selection::select(const Item& item) {
-  std::vector<int> blocks;
-  if (item.kind == Item::Kind::block) blocks.push_back(item.index);
-  if (item == current_ && blocks == blocks_) return;
+  std::vector<int> indices;
+  if (isSelectedTogether(item.kind)) indices.push_back(item.index);
+  if (item == current_ && indices == together_) return;
   current_ = item;
-  blocks_ = std::move(blocks);
+  together_ = std::move(indices);
   emit changed();
 }
 
-void Selection::selectBlocks(std::vector<int> blocks) {
-  std::sort(blocks.begin(), blocks.end());
-  current_ = blocks.empty() ? Item{} : Item{Item::Kind::block, blocks.back()};
-  blocks_ = std::move(blocks);
+void Selection::selectTogether(Item::Kind kind, std::vector<int> indices) {
+  std::sort(indices.begin(), indices.end());
+  current_ = indices.empty() ? Item{} : Item{kind, indices.back()};
+  together_ = std::move(indices);
   emit changed();
 }
 
-void Selection::toggleBlock(int block) {
-  const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), block);
-  if (place != blocks_.end() && *place == block) {
-    blocks_.erase(place);
-    current_ = blocks_.empty() ? Item{} : Item{Item::Kind::block, blocks_.back()};
+void Selection::toggle(const Item& item) {
+  if (current_.kind != item.kind) together_.clear();
+  const auto place = std::lower_bound(together_.begin(), together_.end(), item.index);
+  if (place != together_.end() && *place == item.index) {
+    together_.erase(place);
+    current_ = together_.empty() ? Item{} : Item{item.kind, together_.back()};
   } else {
-    blocks_.insert(place, block);
-    current_ = {Item::Kind::block, block};
+    together_.insert(place, item.index);
+    current_ = item;
   }
   emit changed();
 }
 
-void Selection::hoverBlock(std::optional<int> block) {
-  if (block == hovered_) return;
-  hovered_ = block;
+void Selection::hover(const Item& item) {
+  if (item == hovered_) return;
+  hovered_ = item;
   emit hoverChanged();
 }
 

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace talus {
@@ -45,25 +46,36 @@ class Selection : public QObject {
   /// The last one that was selected: whose properties are shown.
   const Item& current() const { return current_; }
   /// Blocks that are selected, ascending; more than one after Ctrl and a click.
-  const std::vector<int>& blocks() const { return blocks_; }
-  std::optional<int> hoveredBlock() const { return hovered_; }
+  const std::vector<int>& blocks() const { return together(Item::Kind::block); }
+  /// Solids, likewise: one selects the ones or the others.
+  const std::vector<int>& solids() const { return together(Item::Kind::solid); }
+  std::optional<int> hoveredBlock() const { return hovered(Item::Kind::block); }
+  std::optional<int> hoveredSolid() const { return hovered(Item::Kind::solid); }
 
   void select(const Item& item);
-  /// These blocks together; the last one is the current one.
-  void selectBlocks(std::vector<int> blocks);
-  /// Adds a block or takes it out.
-  void toggleBlock(int block);
+  /// These blocks, or solids, together; the last one is the current one.
+  void selectBlocks(std::vector<int> blocks) { selectTogether(Item::Kind::block, std::move(blocks)); }
+  void selectSolids(std::vector<int> solids) { selectTogether(Item::Kind::solid, std::move(solids)); }
+  /// Adds a block, or a solid, or takes it out.
+  void toggleBlock(int block) { toggle({Item::Kind::block, block}); }
+  void toggleSolid(int solid) { toggle({Item::Kind::solid, solid}); }
   void clear() { select({}); }
-  void hoverBlock(std::optional<int> block);
+  /// What the pointer is over; nothing where it has left.
+  void hover(const Item& item = {});
+  void hoverBlock(std::optional<int> block) { hover(block ? Item{Item::Kind::block, *block} : Item{}); }
 
  signals:
   void changed();
   void hoverChanged();
 
  private:
-  Item current_;
-  std::vector<int> blocks_;
-  std::optional<int> hovered_;
+  const std::vector<int>& together(Item::Kind kind) const;
+  std::optional<int> hovered(Item::Kind kind) const;
+  void selectTogether(Item::Kind kind, std::vector<int> indices);
+  void toggle(const Item& item);
+
+  Item current_, hovered_;
+  std::vector<int> together_;  ///< all that are selected with the current one, of its kind
 };
 
 }  // namespace talus

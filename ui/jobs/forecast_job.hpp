@@ -2,11 +2,9 @@
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <memory>
-#include <optional>
 
-#include "jobs/background_job.hpp"
+#include "jobs/latest_job.hpp"
 #include "study/forecast/forecast.hpp"
 
 namespace talus {
@@ -19,10 +17,10 @@ class ForecastJob : public QObject {
   explicit ForecastJob(QObject* parent = nullptr);
 
   /// Waits for its turn, or is being made.
-  bool isBusy() const { return wanted_ || work_.isBusy(); }
+  bool isBusy() const { return work_.isBusy(); }
   void begin(Project project, std::shared_ptr<const BlockSystem> system);
   /// What goes on comes to no result.
-  void cancel();
+  void cancel() { work_.cancel(); }
 
  signals:
   void arrived(const talus::Forecast& forecast);
@@ -30,21 +28,13 @@ class ForecastJob : public QObject {
   void failed(const QString& why);
 
  private:
-  struct Task {
-    Project project;
-    std::shared_ptr<const BlockSystem> system;
-  };
   struct Outcome {
     Forecast forecast;
     std::string problem;  ///< empty: there is a forecast
   };
-  void startWanted();
   void take(const Outcome& outcome);
 
-  QTimer quiet_;
-  std::optional<Task> wanted_;
-  bool dropped_ = false;  ///< what goes on is not wanted any more
-  BackgroundJob work_;    ///< last: its thread ends before the others go
+  LatestJob work_;
 };
 
 }  // namespace talus

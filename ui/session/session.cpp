@@ -26,6 +26,7 @@ bool belong(const std::filesystem::path& folder, const Project& project) {
 
 Session::Session(SolverParts parts)
     : project(messages),
+      surfaces(project),
       playback(project.document(), messages),
       run(project, playback, messages, std::move(parts)),
       display(project, playback),

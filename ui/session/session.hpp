@@ -11,6 +11,7 @@
 #include "session/messages.hpp"
 #include "session/picking.hpp"
 #include "session/playback.hpp"
+#include "session/solid_surfaces.hpp"
 
 namespace talus {
 
@@ -33,6 +34,7 @@ struct Session {
   // In this order: the legend's range is known before the widgets are told of a frame.
   Messages messages;
   CurrentProject project;
+  SolidSurfaces surfaces;
   Playback playback;
   CurrentRun run;
   Display display;

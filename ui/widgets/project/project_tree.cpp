@@ -63,8 +63,7 @@ ProjectTree::ProjectTree(CurrentProject& project, Display& display, Messages& me
   setExpandsOnDoubleClick(true);
   setAccessibleName(tr("Project"));
   connect(this, &QTreeWidget::itemEntered, this, [this](QTreeWidgetItem* row) {
-    const Item item = itemOf(*row);
-    project_.selection().hoverBlock(item.kind == Item::Kind::block ? std::optional<int>(item.index) : std::nullopt);
+    project_.selection().hover(itemOf(*row));
   });
   connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) {
     if (!row) return;
@@ -305,20 +304,23 @@ void ProjectTree::showSelection() {
   setCurrentItem(row);
   for (const int block : project_.selection().blocks())
     if (block < static_cast<int>(blockRows_.size())) blockRows_[static_cast<size_t>(block)]->setSelected(true);
+  for (const int solid : project_.selection().solids())
+    if (auto* also = rowOf({Item::Kind::solid, solid})) also->setSelected(true);
   scrollToItem(row);
 }
 
 void ProjectTree::mousePressEvent(QMouseEvent* event) {
   auto* row = itemAt(event->pos());
-  if (row && event->modifiers().testFlag(Qt::ControlModifier) && itemOf(*row).kind == Item::Kind::block) {
-    project_.selection().toggleBlock(itemOf(*row).index);
-    return;
+  if (row && event->modifiers().testFlag(Qt::ControlModifier)) {
+    const Item item = itemOf(*row);
+    if (item.kind == Item::Kind::block) return project_.selection().toggleBlock(item.index);
+    if (item.kind == Item::Kind::solid) return project_.selection().toggleSolid(item.index);
   }
   QTreeWidget::mousePressEvent(event);
 }
 
 void ProjectTree::leaveEvent(QEvent* event) {
-  project_.selection().hoverBlock(std::nullopt);
+  project_.selection().hover();
   QTreeWidget::leaveEvent(event);
 }
 

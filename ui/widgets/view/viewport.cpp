@@ -117,6 +117,9 @@ Viewport::Viewport(Session& session, QWidget* parent)
     if (scene_) flyTo(scene_->pose_at(place));
   });
   connect(&session_.project, &CurrentProject::systemChanged, this, &Viewport::rebuildScene);
+  connect(&session_.surfaces, &SolidSurfaces::changed, this, &Viewport::followSystem);
+  connect(&session_.display, &Display::pageChanged, this, &Viewport::followSystem);
+  connect(&session_.project.document(), &Document::projectChanged, this, &Viewport::followSystem);
   connect(&session_.playback, &Playback::frameChanged, this, &Viewport::showFrame);
   connect(&session_.display, &Display::changed, this, &Viewport::takeDisplay);
   connect(&session_.run, &CurrentRun::progressed, this, &Viewport::showEmptyState);
@@ -132,7 +135,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(&session_.display, &Display::pageChanged, this, &Viewport::applyActions);
   connect(&session_.project.selection(), &Selection::hoverChanged, this, [this] {
     if (!scene_) return;
-    scene_->set_hovered(session_.project.selection().hoveredBlock());
+    scene_->set_hovered(hoveredInView());
     render();
   });
   rebuildScene();
@@ -159,7 +162,27 @@ Viewport::~Viewport() {
   surface_->window().RemoveRenderer(scene_->renderer());
 }
 
+/// Blocks, once they are cut; where they are to be cut anew the Geometry page shows the solids that they will be cut
+/// from.
+std::shared_ptr<const BlockSystem> Viewport::wantedSystem() const {
+  const auto blocks = session_.project.system();
+  const bool ofSolids = session_.display.page() == WorkflowPage::geometry && !session_.project.systemIsCurrent();
+  if (blocks && !ofSolids && !session_.surfaces.isProposal()) return blocks;
+  const auto solids = session_.surfaces.asBlocks();
+  return solids ? solids : blocks;
+}
+
+void Viewport::followSystem() {
+  if (wantedSystem() != system_)
+    rebuildScene();
+  else
+    showEmptyState();
+}
+
 void Viewport::rebuildScene() {
+  // Solids that are edited stay under the eye; others than before are looked at anew.
+  const auto standing = scene_ && showsSolids_ ? std::optional(scene_->pose()) : std::nullopt;
+  const auto countBefore = system_ ? system_->blocks.size() : 0;
   flight_.stop();
   session_.picking.cancel();  // places that were taken are of blocks that are there no longer
   card_->hide();
@@ -170,7 +193,8 @@ void Viewport::rebuildScene() {
     surface_->window().RemoveRenderer(scene_->renderer());
     scene_.reset();
   }
-  system_ = session_.project.system();
+  system_ = wantedSystem();
+  showsSolids_ = system_ != session_.project.system();
   fitted_ = false;
   surface_->widget()->setVisible(system_ != nullptr);
   tools_->setVisible(system_ != nullptr);
@@ -180,6 +204,10 @@ void Viewport::rebuildScene() {
   scene_->set_stage_names(session_.run.stageNames());
   surface_->window().AddRenderer(scene_->renderer());
   look_at_slope(*scene_, *system_, nullptr);
+  if (standing && showsSolids_ && system_->blocks.size() == countBefore) {
+    scene_->set_pose(*standing);
+    fitted_ = true;
+  }
   applySettings();
   applySelection();
   applyTroubles();
@@ -190,7 +218,7 @@ void Viewport::rebuildScene() {
 
 void Viewport::showFrame() {
   if (!scene_) return;
-  if (session_.playback.frame() && session_.project.system() == system_)
+  if (session_.playback.frame() && !showsSolids_)
     scene_->set_frame(session_.playback.frame());
   else
     scene_->clear_frame();
@@ -221,15 +249,16 @@ void Viewport::applySettings() {
   const bool computing = state == JobState::running || state == JobState::meshing || state == JobState::stopping;
   settings.fine = still_ && drag_ == Drag::none && !computing;
   settings.parallel_projection = scene_->settings().parallel_projection;
-  if (!session_.playback.frame()) settings.field.reset();
+  if (!session_.playback.frame() || showsSolids_) settings.field.reset();
   scene_->set_settings(settings);
   render();
 }
 
 void Viewport::applySelection() {
   if (!scene_) return;
-  scene_->set_selected(session_.project.selection().blocks());
-  if (session_.project.selection().blocks().empty()) card_->hide();
+  const std::vector<int> chosen = selectedInView();
+  scene_->set_selected(chosen);
+  if (chosen.empty()) card_->hide();
   render();
 }
 
@@ -310,7 +339,7 @@ void Viewport::toggleProjection() {
 
 void Viewport::hideSelected() {
   if (!scene_) return;
-  const auto& chosen = session_.project.selection().blocks();
+  const std::vector<int> chosen = selectedInView();
   hidden_.insert(hidden_.end(), chosen.begin(), chosen.end());
   scene_->set_hidden(hidden_);
   session_.project.selection().clear();
@@ -318,8 +347,8 @@ void Viewport::hideSelected() {
 }
 
 void Viewport::isolateSelected() {
-  if (!scene_ || session_.project.selection().blocks().empty()) return;
-  const auto& chosen = session_.project.selection().blocks();
+  const std::vector<int> chosen = selectedInView();
+  if (!scene_ || chosen.empty()) return;
   hidden_.clear();
   for (int block = 0; block < static_cast<int>(system_->blocks.size()); ++block)
     if (!std::binary_search(chosen.begin(), chosen.end(), block)) hidden_.push_back(block);
@@ -368,7 +397,9 @@ void Viewport::showEmptyState() {
     emptyButton_->setToolTip(tr("The blocks stay as they were before; it can be begun again"));
   } else {
     emptyButton_->setText(tr("Cut and mesh"));
-    emptyText_->setText(tr("There are no blocks yet: cut the rock along its joints and mesh it to see them."));
+    emptyText_->setText(session_.surfaces.isBusy()
+                            ? tr("Reading the solids …")
+                            : tr("There are no blocks yet: cut the rock along its joints and mesh it to see them."));
     emptyButton_->setEnabled(session_.run.whyNotMesh().isEmpty());
     const QString whyNot = session_.run.whyNotMesh();
     emptyButton_->setToolTip(whyNot.isEmpty() ? tr("Divides the rock along its cuts into blocks and meshes each (F4)")

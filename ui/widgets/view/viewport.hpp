@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "document/selection.hpp"
 #include "render/scene/scene.hpp"
 #include "widgets/view/camera_moves.hpp"
 
@@ -25,10 +26,10 @@ class ViewTool;
 struct PickedPlace;
 struct Session;
 
-/// The 3-D view: draws the session's blocks and frame, moves the camera, picks blocks into the shared selection.
-/// Left drag turns, middle drag pans, the wheel zooms to the pointer. Shift and left drag select by a box: to the right
-/// the blocks that lie wholly in it, to the left all that it touches; Alt and left drag draw a lasso around them. With
-/// Ctrl as well they are added.
+/// The 3-D view: draws the session's blocks and frame, or its solids as long as they are not cut, moves the camera,
+/// picks blocks and solids into the shared selection. Left drag turns, middle drag pans, the wheel zooms to the
+/// pointer. Shift and left drag select by a box: to the right what lies wholly in it, to the left all that it touches;
+/// Alt and left drag draw a lasso around them. With Ctrl as well they are added.
 class Viewport : public QWidget {
   Q_OBJECT
  public:
@@ -51,6 +52,9 @@ class Viewport : public QWidget {
   /// The camera is on its way to a place that was asked for.
   bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
   const std::vector<int>& hiddenBlocks() const { return hidden_; }
+  /// What is drawn: the project's blocks, or its solids; null where there is nothing.
+  const std::shared_ptr<const BlockSystem>& shown() const { return system_; }
+  bool showsSolids() const { return showsSolids_; }
   /// Loads, supports, velocities, stress in situ and monitors that are shown on this page.
   const std::vector<ActionGlyph>& actions() const { return actions_; }
   /// The one of them that is drawn at a point of the view.
@@ -82,6 +86,8 @@ class Viewport : public QWidget {
 
  private:
   void warmUp();
+  std::shared_ptr<const BlockSystem> wantedSystem() const;
+  void followSystem();
   void rebuildScene();
   void showFrame();
   void takeDisplay();
@@ -110,11 +116,16 @@ class Viewport : public QWidget {
   void pickForHover();
   void selectIn(const QPolygonF& outline, bool touched, bool added);
   void selectAt(QPointF point, Qt::KeyboardModifiers modifiers);
+  /// Of what is drawn: the blocks that are selected, or those of the solids that are.
+  std::vector<int> selectedInView() const;
+  std::optional<int> hoveredInView() const;
+  Item itemOf(int block) const;
   void showCard(const Pick& pick, QPointF point);
 
   Session& session_;
   RenderSurface* surface_;
   std::shared_ptr<const BlockSystem> system_;  ///< what scene_ draws; it keeps a reference
+  bool showsSolids_ = false;                   ///< that is solids which are not cut yet
   std::unique_ptr<Scene> scene_;
   bool fitted_ = false;  ///< the camera has been placed since the blocks came
   std::vector<int> hidden_;

@@ -45,7 +45,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Leave:
       hoverTimer_.stop();
       for (ViewTool* tool : overlay_->tools()) tool->leave();
-      session_.project.selection().hoverBlock(std::nullopt);
+      session_.project.selection().hover();
       return false;
     default:
       return false;
@@ -154,11 +154,16 @@ bool Viewport::wheelTurned(const QWheelEvent& event) {
 
 void Viewport::pickForHover() {
   if (std::ranges::any_of(overlay_->tools(), [this](ViewTool* tool) { return tool->hover(last_); })) {
-    session_.project.selection().hoverBlock(std::nullopt);
+    session_.project.selection().hover();
     return;
   }
   const auto pick = pickAt(last_);
-  session_.project.selection().hoverBlock(pick ? std::optional<int>(pick->block) : std::nullopt);
+  session_.project.selection().hover(pick ? itemOf(pick->block) : Item{});
+  if (!showsSolids_) return;
+  if (pick)
+    showCard(*pick, last_);
+  else
+    card_->hide();
 }
 
 void Viewport::selectIn(const QPolygonF& outline, bool touched, bool added) {
@@ -167,8 +172,35 @@ void Viewport::selectIn(const QPolygonF& outline, bool touched, bool added) {
   for (const QPointF& corner : outline) corners.push_back({corner.x() * ratio, corner.y() * ratio});
   std::vector<int> blocks = scene_->blocks_in(corners, touched);
   Selection& selection = session_.project.selection();
-  if (added) blocks = combined(selection.blocks(), blocks, Combination::add);
-  selection.selectBlocks(std::move(blocks));
+  if (showsSolids_)
+    for (int& block : blocks) block = itemOf(block).index;
+  if (added) blocks = combined(showsSolids_ ? selection.solids() : selection.blocks(), blocks, Combination::add);
+  if (showsSolids_)
+    selection.selectSolids(std::move(blocks));
+  else
+    selection.selectBlocks(std::move(blocks));
+}
+
+Item Viewport::itemOf(int block) const {
+  if (!showsSolids_) return {Item::Kind::block, block};
+  return {Item::Kind::solid, system_->blocks[static_cast<std::size_t>(block)].solid};
+}
+
+std::vector<int> Viewport::selectedInView() const {
+  const Selection& selection = session_.project.selection();
+  if (!selection.blocks().empty()) return showsSolids_ ? std::vector<int>{} : selection.blocks();
+  std::vector<int> chosen;
+  for (std::size_t b = 0; system_ && b < system_->blocks.size(); ++b)
+    if (std::ranges::count(selection.solids(), system_->blocks[b].solid) > 0) chosen.push_back(static_cast<int>(b));
+  return chosen;
+}
+
+std::optional<int> Viewport::hoveredInView() const {
+  const Selection& selection = session_.project.selection();
+  if (!showsSolids_) return selection.hoveredBlock();
+  for (std::size_t b = 0; b < system_->blocks.size(); ++b)
+    if (system_->blocks[b].solid == selection.hoveredSolid()) return static_cast<int>(b);
+  return std::nullopt;
 }
 
 void Viewport::selectAt(QPointF point, Qt::KeyboardModifiers modifiers) {
@@ -178,18 +210,24 @@ void Viewport::selectAt(QPointF point, Qt::KeyboardModifiers modifiers) {
     session_.project.selection().clear();
     return;
   }
-  if (modifiers.testFlag(Qt::ControlModifier))
-    session_.project.selection().toggleBlock(pick->block);
+  const Item item = itemOf(pick->block);
+  if (!modifiers.testFlag(Qt::ControlModifier))
+    session_.project.selection().select(item);
+  else if (showsSolids_)
+    session_.project.selection().toggleSolid(item.index);
   else
-    session_.project.selection().select({Item::Kind::block, pick->block});
+    session_.project.selection().toggleBlock(item.index);
   showCard(*pick, point);
 }
 
 void Viewport::showCard(const Pick& pick, QPointF point) {
-  cardTitle_->setText(session_.project.blockName(pick.block));
-  QString words = tr("E %1  N %2  Z %3 m")
-                      .arg(numbers::fixed(pick.position.x(), 1), numbers::fixed(pick.position.y(), 1),
-                           numbers::fixed(pick.position.z(), 1));
+  const Block& block = system_->blocks[static_cast<std::size_t>(pick.block)];
+  cardTitle_->setText(text(block.name));
+  const Vec3 surveyed = pick.position + session_.project.document().project().origin;
+  QString words =
+      tr("E %1  N %2  Z %3 m")
+          .arg(numbers::fixed(surveyed.x(), 1), numbers::fixed(surveyed.y(), 1), numbers::fixed(surveyed.z(), 1));
+  if (showsSolids_) words = tr("%1 m³").arg(numbers::significant(block.volume, 4)) + u'\n' + words;
   if (pick.value && session_.display.settings().field) {
     const Field& field = *session_.display.settings().field;
     const std::string unit(field.unit);

@@ -256,9 +256,9 @@ void MainWindow::present(std::optional<QSize> wanted) {
 
 ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) const {
   ExportTask task;
-  task.system = session_.project.system();
+  task.system = viewport_->shown();
   task.settings = session_.display.settings();
-  if (!session_.playback.frame()) task.settings.field.reset();
+  if (!session_.playback.frame() || viewport_->showsSolids()) task.settings.field.reset();
   task.settings.parallel_projection = viewport_->pose()->parallel;
   task.pose = *viewport_->pose();
   task.hidden = viewport_->hiddenBlocks();
@@ -272,9 +272,9 @@ ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) 
 }
 
 void MainWindow::savePicture(const std::filesystem::path& path) {
-  if (!session_.project.system()) return;
+  if (!viewport_->shown()) return;
   ExportTask task = exportTask(path, 1920);
-  if (const auto frame = session_.playback.frame()) {
+  if (const auto frame = session_.playback.frame(); frame && !viewport_->showsSolids()) {
     task.frame = [frame](int) { return frame; };
     task.frameCount = 1;
   }
@@ -286,6 +286,11 @@ void MainWindow::savePicture(const std::filesystem::path& path) {
 void MainWindow::saveFilm(const std::filesystem::path& path) {
   if (session_.playback.times().empty()) return;
   ExportTask task = exportTask(path, 1280);
+  if (viewport_->showsSolids()) {  // a film is of the blocks
+    task.system = session_.project.system();
+    task.settings.field = session_.display.settings().field;
+    task.hidden.clear();
+  }
   task.frame = session_.playback.source();
   task.frameCount = static_cast<int>(session_.playback.times().size());
   task.what = tr("Film");

@@ -29,6 +29,7 @@ WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&windo
   for (auto* action : blocks->all()) include(action);
   connect(&session_.project, &CurrentProject::opened, this, &WindowActions::refresh);
   connect(&session_.project, &CurrentProject::systemChanged, this, &WindowActions::refresh);
+  connect(&session_.surfaces, &SolidSurfaces::changed, this, &WindowActions::refresh);
   connect(&session_.playback, &Playback::framesChanged, this, &WindowActions::refresh);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, &WindowActions::refresh);
   connect(&session_.project.document(), &Document::savedChanged, this, &WindowActions::refresh);
@@ -96,8 +97,8 @@ void WindowActions::makeViewActions() {
   side = add(tr("From the east"), {}, QKeySequence(Qt::Key_3));
   top = add(tr("From above"), {}, QKeySequence(Qt::Key_7));
   projection = add(tr("Perspective or parallel"), QStringLiteral("perspective"), QKeySequence(Qt::Key_5));
-  hide = add(tr("Hide selected blocks"), QStringLiteral("eye-off"), QKeySequence(Qt::Key_H));
-  isolate = add(tr("Show selected blocks alone"), QStringLiteral("eye"), QKeySequence(Qt::Key_I));
+  hide = add(tr("Hide what is selected"), QStringLiteral("eye-off"), QKeySequence(Qt::Key_H));
+  isolate = add(tr("Show what is selected alone"), QStringLiteral("eye"), QKeySequence(Qt::Key_I));
   showAll = add(tr("Show all blocks"), {}, QKeySequence(Qt::Key_A));
   explode = add(tr("Draw blocks apart"), QStringLiteral("blocks"), QKeySequence(Qt::Key_E));
   showActions = add(tr("Show loads, supports and monitors"), QStringLiteral("vectors"), QKeySequence(Qt::Key_G));
@@ -217,13 +218,15 @@ void WindowActions::allow(QAction* action, const QString& whyNot) {
 void WindowActions::refresh() {
   const bool isOpen = session_.project.document().isOpen();
   const QString noProject = isOpen ? QString() : tr("Open a project first");
-  const QString noBlocks = session_.project.system() ? QString() : tr("There are no blocks yet");
+  const bool isEmpty = !session_.project.system() && !session_.surfaces.current();
+  const QString nothingSeen = isEmpty ? tr("There is no rock yet") : QString();
   const QString noFrames = session_.playback.times().empty() ? tr("Nothing has been solved yet") : QString();
   const JobState state = session_.run.job().state();
   const bool running = state == JobState::running, paused = state == JobState::paused;
   const QString notRunning = running || paused ? QString() : tr("Nothing runs");
+  const Selection& selection = session_.project.selection();
   const QString nothingSelected =
-      session_.project.selection().blocks().empty() ? tr("Select a block first") : QString();
+      selection.blocks().empty() && selection.solids().empty() ? tr("Select a block or a solid first") : QString();
   allow(startPage, {});
   for (auto* action : {newProject, open, openResults})
     allow(action, session_.run.job().isBusy() ? tr("A run goes on: stop it first") : QString());
@@ -232,9 +235,9 @@ void WindowActions::refresh() {
                   ? tr("Nothing has changed since it was saved")
                   : QString());
   for (auto* action : {saveAs, stereonet, pasteJoints}) allow(action, noProject);
-  allow(savePicture, noBlocks);
+  allow(savePicture, nothingSeen);
   allow(saveFilm, noFrames);
-  for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, showActions}) allow(action, noBlocks);
+  for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, showActions}) allow(action, nothingSeen);
   for (auto* action : {hide, isolate}) allow(action, nothingSelected);
   for (auto* action : blocks->all()) allow(action, blocks->whyNot(action));
   for (auto* action : joints->all()) allow(action, joints->whyNot(action));
