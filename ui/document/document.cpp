@@ -22,7 +22,9 @@ Document::Document(QObject* parent) : QObject(parent), content_(std::make_unique
   connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::savedChanged);
 }
 
-Document::~Document() = default;
+Document::~Document() {
+  undoStack_.disconnect();  // as it goes it says that it is clean, to those who look at what is gone already
+}
 
 const Project& Document::project() const { return content_->project; }
 

@@ -31,7 +31,8 @@ Session::Session(SolverParts parts)
       run(project, playback, messages, std::move(parts)),
       display(project, playback),
       survey(project),
-      colouring(project, survey, display) {
+      colouring(project, survey, display),
+      joints(project, surfaces) {
   QObject::connect(&playback, &Playback::resultsOpened, &display, [this](const ResultsIndex&, bool afterRun) {
     if (!afterRun || display.page() == WorkflowPage::solve) display.goTo(WorkflowPage::results);
   });

@@ -8,6 +8,7 @@
 #include "session/current_project.hpp"
 #include "session/current_run.hpp"
 #include "session/display.hpp"
+#include "session/drawn_joints.hpp"
 #include "session/messages.hpp"
 #include "session/picking.hpp"
 #include "session/playback.hpp"
@@ -41,6 +42,7 @@ struct Session {
   Picking picking;
   BlockSurvey survey;
   BlockColouring colouring;
+  DrawnJoints joints;
 
  private:
   bool openProject(const std::filesystem::path& file);

@@ -74,7 +74,7 @@ struct SolidSurfaces::Piece {
     for (const int member : members) {
       const Solid& one = project.solids[static_cast<std::size_t>(member)];
       alone.solids.push_back(
-          {.name = one.name, .shape = one.shape, .material = {}, .turn = one.turn, .move = one.move});
+          {.name = one.name, .shape = one.shape, .material = {}, .mesh_size = {}, .turn = one.turn, .move = one.move});
       std::error_code missing;
       if (const std::string* file = file_of(one.shape)) written.push_back(fs::last_write_time(folder / *file, missing));
     }

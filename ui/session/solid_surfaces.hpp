@@ -7,12 +7,12 @@
 
 #include "base/error.hpp"
 #include "jobs/latest_job.hpp"
-#include "mesh/block.hpp"
 #include "model/project.hpp"
 
 namespace talus {
 
 class CurrentProject;
+struct BlockSystem;
 struct SolidSurface;
 
 /// The solids of the project as they are before anything is cut, for whoever shows them or asks where rock is. They are

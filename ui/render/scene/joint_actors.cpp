@@ -9,13 +9,14 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <limits>
 
 namespace talus {
 namespace {
 
-constexpr unsigned char faint = 96, strong = 190, outline = 150, chosen_outline = 255;  // opacities of 255
+constexpr unsigned char faint = 84, strong = 150, outline = 140, chosen_outline = 255;  // opacities of 255
 
 /// Cells with colours of their own.
 struct ColouredCells {
@@ -71,9 +72,9 @@ void JointActors::add_to(vtkRenderer& renderer) {
   renderer.AddActor(line_actor_);
 }
 
-void JointActors::show(std::vector<JointFace> faces, std::optional<int> chosen) {
+void JointActors::show(std::vector<JointFace> faces, std::vector<int> chosen) {
   faces_ = std::move(faces);
-  chosen_ = chosen;
+  chosen_ = std::move(chosen);
   draw();
 }
 
@@ -88,10 +89,10 @@ void JointActors::draw() {
   const auto& palette = curve_palette(theme_);
   for (const JointFace& face : faces_) {
     const Rgb colour = palette[static_cast<std::size_t>(face.set) % palette.size()];
-    const bool is_chosen = chosen_ == face.cut;
+    const bool is_chosen = std::ranges::count(chosen_, face.cut) > 0;
     for (const FlatTriangle& triangle : face.triangles)
       areas.add(triangle, origin_, colour, is_chosen ? strong : faint);
-    for (const auto& edge : outline_of(face.triangles))
+    for (const Edge& edge : face.outline)
       edges.add(edge, origin_, is_chosen ? colours(theme_).pick : colour, is_chosen ? chosen_outline : outline);
   }
   mesh_->SetPoints(areas.points);

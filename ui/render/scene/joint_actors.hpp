@@ -14,14 +14,14 @@ class vtkRenderer;
 
 namespace talus {
 
-/// Joints as translucent faces in the colours of their sets, in front of translucent rock; the chosen one stronger and
-/// outlined.
+/// Joints as translucent faces in the colours of their sets, in front of translucent rock; the chosen ones stronger
+/// and outlined.
 class JointActors {
  public:
   /// Positions are drawn relative to `origin`, m.
   explicit JointActors(const Vec3& origin);
   void add_to(vtkRenderer& renderer);
-  void show(std::vector<JointFace> faces, std::optional<int> chosen);
+  void show(std::vector<JointFace> faces, std::vector<int> chosen);
   void style(double line_width);
   void use(Theme theme);
   /// The cut whose face a line of sight meets first.
@@ -32,7 +32,7 @@ class JointActors {
 
   Vec3 origin_;
   std::vector<JointFace> faces_;
-  std::optional<int> chosen_;
+  std::vector<int> chosen_;  ///< cuts
   Theme theme_ = Theme::light;
   vtkNew<vtkPolyData> mesh_, lines_;
   vtkNew<vtkActor> face_actor_, line_actor_;

@@ -11,6 +11,7 @@ struct JointFace {
   int cut = -1;                         ///< in the project's list
   int set = 0;                          ///< cuts of one joint have one colour
   std::vector<FlatTriangle> triangles;  ///< m
+  std::vector<Edge> outline;            ///< m
 };
 
 }  // namespace talus

@@ -1,116 +1,103 @@
 #include "render/scene/plane_section.hpp"
 
-#include <vtkCellArray.h>
-#include <vtkContourTriangulator.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkPolygon.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
-#include <map>
+#include <algorithm>
 
 namespace talus {
 namespace {
 
-constexpr double least_share = 1e-9;  // of a size: what is smaller is nothing
-
-/// Lines along which a plane crosses a surface, with the inside of the rock to their left.
-class Contour {
- public:
-  Contour(const RockSurface& rock, const Vec3& point, const Vec3& normal) : rock_(rock) {
-    points_->SetDataTypeToDouble();
-    height_.reserve(rock.points.size());
-    for (const Vec3& p : rock.points) height_.push_back(normal.dot(p - point));
-    for (const auto& triangle : rock.triangles) cross(triangle);
-    lines_->SetPoints(points_);
-    lines_->SetLines(cells_);
-  }
-  vtkPolyData& lines() { return *lines_; }
-
- private:
-  // A point on the plane counts as above it: every closed surface then has closed lines.
-  bool above(int i) const { return height_[static_cast<std::size_t>(i)] >= 0; }
-
-  void cross(const std::array<int, 3>& triangle) {
-    for (int i = 0; i < 3; ++i) {
-      const int alone = triangle[i], next = triangle[(i + 1) % 3], last = triangle[(i + 2) % 3];
-      if (above(alone) == above(next) || above(next) != above(last)) continue;
-      const vtkIdType first = crossing(alone, last), second = crossing(alone, next);
-      const vtkIdType ends[] = {above(alone) ? second : first, above(alone) ? first : second};
-      if (ends[0] != ends[1]) cells_->InsertNextCell(2, ends);
-      return;
-    }
-  }
-
-  /// One point for all triangles at an edge.
-  vtkIdType crossing(int a, int b) {
-    if (a > b) std::swap(a, b);
-    const auto [found, isNew] = crossings_.try_emplace({a, b}, 0);
-    if (isNew) {
-      const double from = height_[static_cast<std::size_t>(a)], to = height_[static_cast<std::size_t>(b)];
-      const Vec3 p =
-          rock_.points[static_cast<std::size_t>(a)] +
-          from / (from - to) * (rock_.points[static_cast<std::size_t>(b)] - rock_.points[static_cast<std::size_t>(a)]);
-      found->second = points_->InsertNextPoint(p.data());
-    }
-    return found->second;
-  }
-
-  const RockSurface& rock_;
-  std::vector<double> height_;
-  std::map<std::array<int, 2>, vtkIdType> crossings_;
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkCellArray> cells_;
-  vtkNew<vtkPolyData> lines_;
-};
-
-std::vector<FlatTriangle> triangles_in(vtkPolyData& mesh) {
-  std::vector<FlatTriangle> triangles;
-  vtkNew<vtkIdList> corners;
-  for (mesh.GetPolys()->InitTraversal(); mesh.GetPolys()->GetNextCell(corners);) {
-    FlatTriangle& triangle = triangles.emplace_back();
-    for (int i = 0; i < 3; ++i) mesh.GetPoint(corners->GetId(i), triangle[static_cast<std::size_t>(i)].data());
-  }
-  return triangles;
-}
-
-/// Sutherland and Hodgman (1974), one side.
-std::vector<Vec3> clipped_polygon(const std::vector<Vec3>& polygon, const HalfSpace& side) {
-  std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double from = side.inwards.dot(a - side.point), to = side.inwards.dot(b - side.point);
-    if (from >= 0) kept.push_back(a);
-    if ((from >= 0) != (to >= 0)) kept.push_back(a + from / (from - to) * (b - a));
-  }
-  return kept;
+/// Where an edge of the surface passes the plane: the same to the last bit for both triangles at it.
+Vec3 crossing(const RockSurface& rock, const std::vector<double>& height, int a, int b) {
+  if (a > b) std::swap(a, b);
+  const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
+  const Vec3 &from = rock.points[first], &to = rock.points[second];
+  return from + height[first] / (height[first] - height[second]) * (to - from);
 }
 
 }  // namespace
 
-std::vector<FlatTriangle> plane_section(const RockSurface& rock, const Vec3& point, const Vec3& normal) {
-  Contour contour(rock, point, normal);
-  if (contour.lines().GetNumberOfLines() == 0) return {};
-  vtkNew<vtkContourTriangulator> fill;
-  fill->SetInputData(&contour.lines());
-  fill->TriangulationErrorDisplayOff();
-  fill->Update();
-  return triangles_in(*fill->GetOutput());
+PlaneSection::PlaneSection(const RockSurface& rock, const Vec3& point, const Vec3& normal)
+    : point_(point), along_(normal.unitOrthogonal()), across_(normal.normalized().cross(along_)) {
+  std::vector<double> height;
+  height.reserve(rock.points.size());
+  for (const Vec3& p : rock.points) height.push_back(normal.dot(p - point));
+  // A point on the plane counts as above it: a closed surface then has closed lines in every plane.
+  const auto above = [&](int i) { return height[static_cast<std::size_t>(i)] >= 0; };
+  for (const auto& [a, b, c] : rock.triangles) {
+    const bool one = above(a), two = above(b), three = above(c);
+    if (one == two && two == three) continue;
+    const int alone = two == three ? a : one == three ? b : c;
+    const int next = alone == a ? b : a, last = alone == c ? b : c;
+    edges_.push_back({flat(crossing(rock, height, alone, next)), flat(crossing(rock, height, alone, last))});
+  }
 }
 
-std::vector<FlatTriangle> clipped(std::vector<FlatTriangle> triangles, std::span<const HalfSpace> to) {
-  for (const HalfSpace& side : to) {
-    std::vector<FlatTriangle> kept;
-    for (const FlatTriangle& triangle : triangles) {
-      const std::vector<Vec3> polygon = clipped_polygon({triangle.begin(), triangle.end()}, side);
-      for (std::size_t i = 2; i < polygon.size(); ++i) kept.push_back({polygon[0], polygon[i - 1], polygon[i]});
+void PlaneSection::clip(const HalfSpace& to, bool bordered) {
+  const Vec2 gradient(to.inwards.dot(along_), to.inwards.dot(across_));
+  const double at_point = to.inwards.dot(point_ - to.point);
+  const auto inside = [&](const Vec2& p) { return at_point + gradient.dot(p); };
+  std::vector<Piece> kept;
+  std::vector<Vec2> cuts;  // of edges by the border
+  for (const Piece& edge : edges_) {
+    const double from = inside(edge.from), end = inside(edge.to);
+    if (from >= 0 && end >= 0) kept.push_back(edge);
+    if ((from >= 0) == (end >= 0)) continue;
+    const Vec2 cut = edge.from + from / (from - end) * (edge.to - edge.from);
+    cuts.push_back(cut);
+    kept.push_back(from >= 0 ? Piece{edge.from, cut, edge.bordered} : Piece{cut, edge.to, edge.bordered});
+  }
+  // Along the border the area begins and ends in turn.
+  const Vec2 border(-gradient.y(), gradient.x());
+  std::ranges::sort(cuts, {}, [&](const Vec2& p) { return border.dot(p); });
+  for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) kept.push_back({cuts[i], cuts[i + 1], bordered});
+  edges_ = std::move(kept);
+}
+
+std::vector<FlatTriangle> PlaneSection::triangles() const {
+  // Strips from end to end of edges, across which no edge ends: in each the area is a row of trapezoids.
+  std::vector<Piece> edges;  // from left to right
+  std::vector<double> ends;
+  for (const Piece& edge : edges_) {
+    edges.push_back(edge.from.x() <= edge.to.x() ? edge : Piece{edge.to, edge.from});
+    ends.insert(ends.end(), {edge.from.x(), edge.to.x()});
+  }
+  std::ranges::sort(edges, {}, [](const Piece& edge) { return edge.from.x(); });
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const auto height = [](const Piece& edge, double x) {
+    const double share = (x - edge.from.x()) / (edge.to.x() - edge.from.x());
+    return edge.from.y() + share * (edge.to.y() - edge.from.y());
+  };
+  std::vector<FlatTriangle> triangles;
+  std::vector<const Piece*> across;  // edges that reach over the strip
+  auto next = edges.begin();
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double left = ends[i], right = ends[i + 1], middle = (left + right) / 2;
+    std::erase_if(across, [&](const Piece* edge) { return edge->to.x() < right; });
+    for (; next != edges.end() && next->from.x() <= left; ++next)
+      if (next->to.x() >= right) across.push_back(&*next);
+    std::ranges::sort(across, {}, [&](const Piece* edge) { return height(*edge, middle); });
+    for (std::size_t k = 0; k + 1 < across.size(); k += 2) {
+      const Vec3 low_left = place({left, height(*across[k], left)}), low = place({right, height(*across[k], right)});
+      const Vec3 high_left = place({left, height(*across[k + 1], left)}),
+                 high = place({right, height(*across[k + 1], right)});
+      triangles.push_back({low_left, low, high});
+      triangles.push_back({low_left, high, high_left});
     }
-    triangles = std::move(kept);
   }
   return triangles;
+}
+
+std::vector<Edge> PlaneSection::outline() const {
+  std::vector<Edge> outline;
+  for (const Piece& edge : edges_)
+    if (edge.bordered) outline.push_back({place(edge.from), place(edge.to)});
+  return outline;
 }
 
 std::vector<HalfSpace> sides_of(std::span<const Vec3> corners, const Vec3& normal) {
@@ -134,36 +121,11 @@ std::vector<FlatTriangle> triangles_of(std::span<const Vec3> corners) {
   }
   vtkNew<vtkIdList> ids;
   polygon->Triangulate(ids);
+  const auto corner = [&](vtkIdType i) { return corners[static_cast<std::size_t>(ids->GetId(i))]; };
   std::vector<FlatTriangle> triangles;
   for (vtkIdType i = 0; i + 2 < ids->GetNumberOfIds(); i += 3)
-    triangles.push_back({corners[static_cast<std::size_t>(ids->GetId(i))],
-                         corners[static_cast<std::size_t>(ids->GetId(i + 1))],
-                         corners[static_cast<std::size_t>(ids->GetId(i + 2))]});
+    triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});
   return triangles;
-}
-
-std::vector<std::array<Vec3, 2>> outline_of(std::span<const FlatTriangle> triangles) {
-  double size = 0;
-  for (const FlatTriangle& triangle : triangles) size = std::max(size, (triangle[1] - triangle[0]).norm());
-  const double grid = std::max(size, 1e-300) * least_share * 100;  // clipping leaves rounding between neighbours
-  using Place = std::array<long long, 3>;
-  const auto place = [&](const Vec3& p) {
-    return Place{std::llround(p.x() / grid), std::llround(p.y() / grid), std::llround(p.z() / grid)};
-  };
-  std::map<std::array<Place, 2>, std::pair<int, std::array<Vec3, 2>>> edges;
-  for (const FlatTriangle& triangle : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 &a = triangle[i], &b = triangle[(i + 1) % 3];
-      const Place from = place(a), to = place(b);
-      if (from == to) continue;
-      auto& [count, ends] = edges[{std::min(from, to), std::max(from, to)}];
-      ++count;
-      ends = {a, b};
-    }
-  std::vector<std::array<Vec3, 2>> outline;
-  for (const auto& [ignored, edge] : edges)
-    if (edge.first == 1) outline.push_back(edge.second);
-  return outline;
 }
 
 }  // namespace talus

@@ -11,14 +11,9 @@ namespace talus {
 
 /// A closed surface, its triangles counter-clockwise seen from outside. Refers to what its owner keeps.
 struct RockSurface {
-  std::span<const Vec3> points;                     ///< m
+  std::span<const Vec3> points{};                   ///< m
   std::span<const std::array<int, 3>> triangles{};  ///< indices of points
 };
-
-using FlatTriangle = std::array<Vec3, 3>;
-
-/// Where the plane through `point` across `normal` lies inside the surface, as triangles.
-std::vector<FlatTriangle> plane_section(const RockSurface& rock, const Vec3& point, const Vec3& normal);
 
 /// The side of a plane that `inwards` points to.
 struct HalfSpace {
@@ -26,16 +21,40 @@ struct HalfSpace {
   Vec3 inwards = Vec3::UnitZ();  ///< of any length
 };
 
-/// What of the triangles lies in all half-spaces.
-std::vector<FlatTriangle> clipped(std::vector<FlatTriangle> triangles, std::span<const HalfSpace> to);
+using FlatTriangle = std::array<Vec3, 3>;
+using Edge = std::array<Vec3, 2>;
 
-/// Half-spaces of the sides of a convex polygon in the plane across `normal`; corners in either sense.
+/// An area of a plane, with holes and in several pieces as it comes. It is kept as the edges around it, in no order:
+/// what lies behind an odd number of them is inside.
+class PlaneSection {
+ public:
+  /// Where the plane through `point` across `normal` lies inside the rock.
+  PlaneSection(const RockSurface& rock, const Vec3& point, const Vec3& normal);
+
+  /// Only what lies on this side is kept. `bordered`: the new border is a part of the outline.
+  void clip(const HalfSpace& to, bool bordered = true);
+
+  /// Triangles that cover it, m.
+  std::vector<FlatTriangle> triangles() const;
+  std::vector<Edge> outline() const;
+
+ private:
+  using Vec2 = Eigen::Vector2d;
+  struct Piece {
+    Vec2 from, to;
+    bool bordered = true;
+  };
+  Vec2 flat(const Vec3& place) const { return {along_.dot(place - point_), across_.dot(place - point_)}; }
+  Vec3 place(const Vec2& flat) const { return point_ + flat.x() * along_ + flat.y() * across_; }
+
+  Vec3 point_, along_, across_;
+  std::vector<Piece> edges_;
+};
+
+/// Half-spaces of the sides of a convex polygon in the plane across `normal`, side by side; corners in either sense.
 std::vector<HalfSpace> sides_of(std::span<const Vec3> corners, const Vec3& normal);
 
 /// Triangles that a flat polygon without crossings is made of.
 std::vector<FlatTriangle> triangles_of(std::span<const Vec3> corners);
-
-/// Edges that one triangle alone has: the outline of what they cover together.
-std::vector<std::array<Vec3, 2>> outline_of(std::span<const FlatTriangle> triangles);
 
 }  // namespace talus

@@ -138,8 +138,8 @@ void Scene::set_hovered(std::optional<int> block) {
   state_->apply_marks();
 }
 
-void Scene::set_joints(std::vector<JointFace> faces, std::optional<int> chosen) {
-  state_->joints.show(std::move(faces), chosen);
+void Scene::set_joints(std::vector<JointFace> faces, std::vector<int> chosen) {
+  state_->joints.show(std::move(faces), std::move(chosen));
 }
 
 std::optional<int> Scene::joint_at(double x, double y) const {

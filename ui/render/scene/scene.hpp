@@ -41,6 +41,7 @@ struct SceneSettings {
   double explosion = 0;          ///< blocks are drawn apart, by so much of their way from the middle of all
   bool contacts = false;         ///< contact points, coloured open grey, stick blue, slip orange
   bool troubles = true;          ///< where the run has trouble to converge, as far as it was told
+  bool joints = true;            ///< of the project, where they are set up
   double rock_opacity = 1;       ///< below 1 joints inside the rock are seen through it
   bool actions = true;           ///< what acts on the rock and watches it, as far as it was told
   bool parallel_projection = false;
@@ -119,8 +120,8 @@ class Scene {
   void set_hidden(std::vector<int> blocks);
   void set_selected(std::vector<int> blocks);
   void set_hovered(std::optional<int> block);
-  /// Joints inside the rock; `chosen`: the cut that is drawn stronger.
-  void set_joints(std::vector<JointFace> faces, std::optional<int> chosen);
+  /// Joints inside the rock; `chosen`: the cuts that are drawn stronger.
+  void set_joints(std::vector<JointFace> faces, std::vector<int> chosen);
   /// The cut whose face lies under a pixel, whatever rock is before it. Needs what `pick` needs.
   std::optional<int> joint_at(double x, double y) const;
   /// The flat face that a pick lies on; none: no face is marked.

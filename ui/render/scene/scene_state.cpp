@@ -21,6 +21,8 @@
 namespace talus {
 namespace {
 
+constexpr int most_layers = 8;  // of rock and joints that are told apart behind each other
+
 /// A point where there are no blocks.
 Eigen::AlignedBox3d bounds_or_point(const BlockSystem& system) {
   const Eigen::AlignedBox3d box = bounds(system);
@@ -121,6 +123,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
   renderer->SetSSAOBias(0.002 * rock_size);
   renderer->SetSSAOKernelSize(32);
   renderer->SSAOBlurOn();
+  renderer->SetMaximumNumberOfPeels(most_layers);
 
   vtkNew<PainterItem> item;
   item->paint = [this](Painter& painter) {
@@ -288,6 +291,7 @@ void Scene::State::reset_extent() {
 
 void Scene::State::prepare_drawing() {
   renderer->SetUseSSAO(occludes());
+  renderer->SetUseDepthPeeling(settings.rock_opacity < 1);  // what is seen through rock, from the back to the front
   renderer->SetUseFXAA(settings.fine && settings.smooth_outlines && pixel_scale == 1);
   overlay.text_height = text_height();
   apply_lines();

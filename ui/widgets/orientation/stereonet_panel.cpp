@@ -11,6 +11,7 @@
 #include "render/stereonet/stereonet_picture.hpp"
 #include "session/current_project.hpp"
 #include "session/display.hpp"
+#include "session/drawn_joints.hpp"
 #include "session/messages.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/kit/numbers.hpp"
@@ -81,8 +82,9 @@ QWidget* beside(QWidget* left, QWidget* right) {
 
 }  // namespace
 
-StereonetPanel::StereonetPanel(CurrentProject& project, Messages& messages, Display& display, QWidget* parent)
-    : QDialog(parent), project_(project), messages_(messages), display_(display) {
+StereonetPanel::StereonetPanel(CurrentProject& project, DrawnJoints& drawn, Messages& messages, Display& display,
+                               QWidget* parent)
+    : QDialog(parent), project_(project), drawn_(drawn), messages_(messages), display_(display) {
   setWindowTitle(tr("Stereonet"));
   resize(parent ? usual_size.boundedTo(parent->size() - QSize(60, 40)) : usual_size);
   auto* row = new QHBoxLayout(this);
@@ -94,10 +96,18 @@ StereonetPanel::StereonetPanel(CurrentProject& project, Messages& messages, Disp
     window_.reset();
     refresh();
   });
-  connect(&project_.document(), &Document::projectChanged, this, &StereonetPanel::refresh);
+  connect(&drawn_, &DrawnJoints::changed, this, [this] {
+    if (isVisible()) refresh();
+  });
   connect(&display_, &Display::themeChanged, this, &StereonetPanel::refresh);
   connect(&project_.selection(), &Selection::changed, this, &StereonetPanel::showSelection);
   refresh();
+}
+
+/// What has changed meanwhile was not looked at.
+void StereonetPanel::showEvent(QShowEvent* event) {
+  refresh();
+  QDialog::showEvent(event);
 }
 
 void StereonetPanel::present() {
@@ -276,7 +286,9 @@ Stereonet StereonetPanel::net() const {
 }
 
 void StereonetPanel::refresh() {
-  joints_ = joints_of(project_.document().project(), most_of_a_cut);
+  Project shownProject;  // its cuts are all that there is to see
+  shownProject.cuts = drawn_.cuts();
+  joints_ = joints_of(shownProject, most_of_a_cut);
   Stereonet shown = net();
   const QColor surface = theme::colours().surface;
   shown.paper = Rgb{static_cast<std::uint8_t>(surface.red()), static_cast<std::uint8_t>(surface.green()),

@@ -17,6 +17,7 @@ namespace talus {
 
 class CurrentProject;
 class Display;
+class DrawnJoints;
 class Messages;
 class NumberField;
 class PlainTable;
@@ -27,13 +28,17 @@ class StereonetView;
 class StereonetPanel : public QDialog {
   Q_OBJECT
  public:
-  StereonetPanel(CurrentProject& project, Messages& messages, Display& display, QWidget* parent = nullptr);
+  StereonetPanel(CurrentProject& project, DrawnJoints& drawn, Messages& messages, Display& display,
+                 QWidget* parent = nullptr);
   /// To the front.
   void present();
 
  signals:
   /// The user wants to add joints.
   void pasteWanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
   QWidget* makeNet();
@@ -55,6 +60,7 @@ class StereonetPanel : public QDialog {
   std::optional<KinematicSetting> slope() const;
 
   CurrentProject& project_;
+  DrawnJoints& drawn_;
   Messages& messages_;
   Display& display_;
   std::optional<double> faceDip_, faceDirection_, friction_ = 30, limit_ = 20;  ///< degrees

@@ -12,7 +12,7 @@ namespace talus {
 
 namespace {
 
-constexpr int word_columns = 2, persistence_column = 7;
+constexpr int word_columns = 4, persistence_column = 2, of_the_cut = 9;
 const QString dash = QStringLiteral("–");
 
 QString figures(double value) { return numbers::significant(value); }
@@ -40,19 +40,17 @@ QString scatter(const Cut& cut) {
   return words.isEmpty() ? dash : words.join(QStringLiteral(", "));
 }
 
-QStringList strength(const Joint& joint) {
-  return {figures(joint.friction_angle), figures(joint.cohesion / 1e6), figures(joint.tensile_strength / 1e6)};
-}
+QStringList strength(const Joint& joint) { return {figures(joint.friction_angle), figures(joint.cohesion / 1e6)}; }
 
 QStringList planeOf(const Cut& cut) {
   const QString direction = QStringLiteral("%1").arg(std::lround(cut.dip_direction), 3, 10, QLatin1Char('0'));
-  return {figures(cut.dip),
+  return {persistence(cut),
+          scatter(cut),
+          figures(cut.dip),
           direction,
           words::point(cut.through),
           cut.spacing ? figures(*cut.spacing) : dash,
-          cut.network ? dash : QString::number(cut.count.value_or(1)),
-          persistence(cut),
-          scatter(cut)};
+          cut.network ? dash : QString::number(cut.count.value_or(1))};
 }
 
 using Place = nlohmann::ordered_json::json_pointer;
@@ -61,28 +59,28 @@ QString in(const Place& thing, const char* key) { return text((thing / key).to_s
 
 QStringList strengthPlaces(const Joint& joint) {
   const Place place = Place("/joints") / joint.name;
-  return {in(place, "friction_angle"), in(place, "cohesion"), in(place, "tensile_strength")};
+  return {in(place, "friction_angle"), in(place, "cohesion")};
 }
 
 QStringList planePlaces(const Cut& cut, size_t index) {
   const Place place = Place("/cuts") / index;
   const char* const extent = cut.disc ? "disc" : !cut.polygon.empty() ? "polygon" : cut.network ? "network" : "through";
-  return {in(place, "joint"),   in(place, "joint"), in(place, "dip"),  in(place, "dip_direction"), in(place, extent),
-          in(place, "spacing"), in(place, "count"), in(place, extent), in(place, "fisher_kappa")};
+  return {in(place, "joint"),        in(place, "joint"),   in(place, extent),
+          in(place, "fisher_kappa"), in(place, "dip"),     in(place, "dip_direction"),
+          in(place, extent),         in(place, "spacing"), in(place, "count")};
 }
 
 }  // namespace
 
 PageRows jointRows(const Project& project) {
-  PageRows content{
-      QObject::tr("Joint table"),
-      {QObject::tr("Joint"), QObject::tr("Cut"), QObject::tr("Dip °"), QObject::tr("Dir °"), QObject::tr("Through m"),
-       QObject::tr("Spacing m"), QObject::tr("Count"), QObject::tr("Persistence"), QObject::tr("Scatter"),
-       QObject::tr("φ °"), QObject::tr("c MPa"), QObject::tr("Tension MPa")},
-      word_columns,
-      {},
-      QObject::tr("The project has no joint: its solids touch without being cut."),
-      persistence_column};
+  PageRows content{QObject::tr("Joint table"),
+                   {QObject::tr("Joint"), QObject::tr("Cut"), QObject::tr("Persistence"), QObject::tr("Scatter"),
+                    QObject::tr("Dip °"), QObject::tr("Dir °"), QObject::tr("Through m"), QObject::tr("Spacing m"),
+                    QObject::tr("Count"), QObject::tr("φ °"), QObject::tr("c MPa")},
+                   word_columns,
+                   {},
+                   QObject::tr("The project has no joint: its solids touch without being cut."),
+                   persistence_column};
   content.sortable = true;
   for (size_t j = 0; j < project.joints.size(); ++j) {
     const Joint& joint = project.joints[j];
@@ -99,7 +97,7 @@ PageRows jointRows(const Project& project) {
       content.rows.push_back(
           {{Item::Kind::joint, static_cast<int>(j)},
            QStringList{text(joint.name), dash, dash, dash, dash, dash, dash, dash, dash} + strength(joint),
-           QStringList(9, QString()) + strengthPlaces(joint)});
+           QStringList(of_the_cut, QString()) + strengthPlaces(joint)});
   }
   return content;
 }

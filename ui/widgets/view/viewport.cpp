@@ -27,9 +27,10 @@ constexpr int still_ms = 350;       // after that the view is drawn finely
 constexpr int live_pause_ms = 125;  // between drawings while a run goes on: eight a second at most
 constexpr double live_share = 0.2;  // of the window's time that drawing may take then
 constexpr int hover_ms = 40;
-constexpr double told_seconds = 2;  // time left that is worth a word
-constexpr double apart = 0.6;       // of their way from the middle: as far as blocks are drawn from each other
-constexpr int flight_ms = 450;      // from where the camera stands to a place that was asked for
+constexpr double told_seconds = 2;         // time left that is worth a word
+constexpr double rock_with_joints = 0.22;  // opacity of rock that joints are seen through
+constexpr double apart = 0.6;              // of their way from the middle: as far as blocks are drawn from each other
+constexpr int flight_ms = 450;             // from where the camera stands to a place that was asked for
 
 /// A tetrahedron that is fixed and one that may move.
 BlockSystem smallest_system() {
@@ -124,7 +125,9 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(&session_.display, &Display::changed, this, &Viewport::takeDisplay);
   connect(&session_.run, &CurrentRun::progressed, this, &Viewport::showEmptyState);
   connect(&session_.project, &CurrentProject::opened, this, &Viewport::showEmptyState);
+  // Places that were taken would be of blocks that are there no longer.
   connect(&session_.project, &CurrentProject::opened, &session_.picking, &Picking::cancel);
+  connect(&session_.project, &CurrentProject::systemChanged, &session_.picking, &Picking::cancel);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, [this] {
     showEmptyState();
     stillTimer_.start();
@@ -133,6 +136,12 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applyActions);
   connect(&session_.project.document(), &Document::projectChanged, this, &Viewport::applyActions);
   connect(&session_.display, &Display::pageChanged, this, &Viewport::applyActions);
+  connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applyJoints);
+  connect(&session_.joints, &DrawnJoints::changed, this, &Viewport::applyJoints);
+  connect(&session_.display, &Display::pageChanged, this, &Viewport::applySettings);
+  connect(&session_.display, &Display::pageChanged, this, &Viewport::applyJoints);
+  connect(&session_.display, &Display::changed, this, &Viewport::followSystem);
+  connect(&session_.display, &Display::changed, this, &Viewport::applyJoints);
   connect(&session_.project.selection(), &Selection::hoverChanged, this, [this] {
     if (!scene_) return;
     scene_->set_hovered(hoveredInView());
@@ -163,10 +172,11 @@ Viewport::~Viewport() {
 }
 
 /// Blocks, once they are cut; where they are to be cut anew the Geometry page shows the solids that they will be cut
-/// from.
+/// from, and joints are drawn in the solids.
 std::shared_ptr<const BlockSystem> Viewport::wantedSystem() const {
   const auto blocks = session_.project.system();
-  const bool ofSolids = session_.display.page() == WorkflowPage::geometry && !session_.project.systemIsCurrent();
+  const bool isToBeCut = session_.display.page() == WorkflowPage::geometry && !session_.project.systemIsCurrent();
+  const bool ofSolids = isToBeCut || showsJoints();
   if (blocks && !ofSolids && !session_.surfaces.isProposal()) return blocks;
   const auto solids = session_.surfaces.asBlocks();
   return solids ? solids : blocks;
@@ -184,7 +194,6 @@ void Viewport::rebuildScene() {
   const auto standing = scene_ && showsSolids_ ? std::optional(scene_->pose()) : std::nullopt;
   const auto countBefore = system_ ? system_->blocks.size() : 0;
   flight_.stop();
-  session_.picking.cancel();  // places that were taken are of blocks that are there no longer
   card_->hide();
   hidden_.clear();
   actions_.clear();
@@ -210,6 +219,7 @@ void Viewport::rebuildScene() {
   }
   applySettings();
   applySelection();
+  applyJoints();
   applyTroubles();
   applyActions();
   showFrame();
@@ -238,6 +248,7 @@ void Viewport::takeDisplay() {
 SceneSettings Viewport::screenSettings() const {
   SceneSettings settings = session_.display.settings();
   settings.smooth_outlines = false;
+  if (showsJoints()) settings.rock_opacity = rock_with_joints;
   settings.text_height = theme::now().type.small * devicePixelRatioF();
   return settings;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <QElapsedTimer>
 #include <QFrame>
 #include <QTimer>
@@ -67,6 +68,14 @@ class Viewport : public QWidget {
   std::optional<QPointF> pointOf(const Vec3& point) const;
   std::optional<QPointF> pointOf(const PickedPlace& place) const;
   std::optional<SightLine> sightAt(QPointF point) const;
+  /// m on the screen's plane at a place, of a logical pixel.
+  double metresPerPixel(const Vec3& place) const;
+  /// Around what is drawn, at rest; empty where nothing is.
+  std::optional<Eigen::AlignedBox3d> extent() const;
+  /// Joints are drawn in the rock: on their page, unless they are switched off.
+  bool showsJoints() const;
+  /// The cut whose plane lies under a point of the view.
+  std::optional<int> jointAt(QPointF point) const;
   /// Marks the flat face of a pick.
   void markFace(const std::optional<Pick>& pick);
   void usePointer(Qt::CursorShape shape);
@@ -94,6 +103,7 @@ class Viewport : public QWidget {
   SceneSettings screenSettings() const;
   void applySettings();
   void applySelection();
+  void applyJoints();
   void applyTroubles();
   void applyActions();
   /// Selects the load, support or monitor whose glyph is there; false where there is none.

@@ -1,6 +1,10 @@
 // Points of the 3-D view and places of the rock: what lies where.
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
+#include "base/units.hpp"
+#include "render/scene/block_surface.hpp"
 #include "session/session.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/view/view_overlay.hpp"
@@ -19,7 +23,7 @@ PickedPlace Viewport::placeOf(const Pick& pick) const {
   const SurfaceTriangle& facet = block.surface.at(static_cast<size_t>(pick.facet));
   const auto corner = [&](int i) { return block.mesh.nodes[static_cast<size_t>(facet.nodes[static_cast<size_t>(i)])]; };
   PickedPlace place;
-  place.block = pick.block;
+  place.block = showsSolids_ ? -1 : pick.block;
   place.solid = block.solid;
   place.joint = facet.joint;
   place.point = pick.rest;
@@ -43,6 +47,39 @@ std::optional<SightLine> Viewport::sightAt(QPointF point) const {
   if (!scene_) return std::nullopt;
   const double ratio = devicePixelRatioF();
   return scene_->sight_at(point.x() * ratio, point.y() * ratio);
+}
+
+double Viewport::metresPerPixel(const Vec3& place) const {
+  if (!scene_) return 1;
+  const CameraPose pose = scene_->pose();
+  const Vec3 forward = (pose.focal_point - pose.position).normalized();
+  const double half =
+      pose.parallel ? pose.parallel_scale : forward.dot(place - pose.position) * std::tan(radians(pose.view_angle) / 2);
+  return 2 * half / std::max(1, height());
+}
+
+std::optional<Eigen::AlignedBox3d> Viewport::extent() const {
+  if (!system_) return std::nullopt;
+  return bounds(*system_);
+}
+
+bool Viewport::showsJoints() const {
+  return session_.display.page() == WorkflowPage::joints && session_.display.settings().joints;
+}
+
+std::optional<int> Viewport::jointAt(QPointF point) const {
+  if (!scene_ || !showsJoints()) return std::nullopt;
+  const double ratio = devicePixelRatioF();
+  return scene_->joint_at(point.x() * ratio, point.y() * ratio);
+}
+
+void Viewport::applyJoints() {
+  if (!scene_) return;
+  if (showsJoints())
+    scene_->set_joints(session_.joints.faces(), session_.joints.selectedCuts());
+  else
+    scene_->set_joints({}, {});
+  render();
 }
 
 void Viewport::markFace(const std::optional<Pick>& pick) {

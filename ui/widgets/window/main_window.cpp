@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "jobs/solver_job.hpp"
 #include "widgets/begin/start_page.hpp"
+#include "widgets/joints/joint_handles.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
@@ -70,6 +71,7 @@ MainWindow::MainWindow(SolverParts parts)
   makeDocks();
   makeStatusBar();
   makeViewTools();
+  new JointHandles(session_, *viewport_);
   actions_->drive(*viewport_, *timeline_);
   connectActions();
   connect(&session_.display, &Display::pageChanged, this, &MainWindow::showPage);
@@ -192,7 +194,7 @@ void MainWindow::makeStatusBar() {
 void MainWindow::makeViewTools() {
   auto* column = static_cast<QVBoxLayout*>(viewport_->tools()->layout());
   for (auto* action : {actions_->fit, actions_->iso, actions_->projection, actions_->isolate, actions_->hide,
-                       actions_->showActions, actions_->savePicture})
+                       actions_->showJoints, actions_->showActions, actions_->savePicture})
     column->addWidget(makeActionButton(action, false));
 }
 

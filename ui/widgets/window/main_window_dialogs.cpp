@@ -126,7 +126,7 @@ void MainWindow::showAccuracy() {
 
 void MainWindow::showStereonet() {
   if (!stereonet_) {
-    stereonet_ = new StereonetPanel(session_.project, session_.messages, session_.display, this);
+    stereonet_ = new StereonetPanel(session_.project, session_.joints, session_.messages, session_.display, this);
     connect(stereonet_, &StereonetPanel::pasteWanted, this, &MainWindow::askForJoints);
   }
   stereonet_->present();

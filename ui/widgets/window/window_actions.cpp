@@ -109,6 +109,14 @@ void WindowActions::makeViewActions() {
     settings.actions = shown;
     session_.display.set(settings);
   });
+  showJoints = add(tr("Show joints"), QStringLiteral("joints"), QKeySequence(Qt::Key_J));
+  showJoints->setCheckable(true);
+  showJoints->setChecked(session_.display.settings().joints);
+  connect(showJoints, &QAction::toggled, this, [this](bool shown) {
+    SceneSettings settings = session_.display.settings();
+    settings.joints = shown;
+    session_.display.set(settings);
+  });
   dark = add(tr("Light or dark"), {}, QKeySequence(tr("Ctrl+Shift+D")));
   viewAlone = add(tr("The view alone"), {}, QKeySequence(Qt::Key_F11));
   viewAlone->setCheckable(true);
@@ -186,7 +194,7 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   auto* edit = menu(tr("Edit"), {undo, redo, nullptr, clearSelection, nullptr});
   for (auto* action : blocks->all()) edit->addAction(action);
   auto* view = menu(tr("View"), {fit, iso, front, side, top, projection, nullptr, hide, isolate, showAll, explode,
-                                 showActions, nullptr, dark, viewAlone});
+                                 showJoints, showActions, nullptr, dark, viewAlone});
   view->addMenu(new LanguageMenu(session_.messages, view));
   auto* model = menu(tr("Model"), {});
   for (const auto& [page, action] : pages)
@@ -237,9 +245,11 @@ void WindowActions::refresh() {
   for (auto* action : {saveAs, stereonet, pasteJoints}) allow(action, noProject);
   allow(savePicture, nothingSeen);
   allow(saveFilm, noFrames);
-  for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, showActions}) allow(action, nothingSeen);
+  for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, showActions})
+    allow(action, nothingSeen);
   for (auto* action : {hide, isolate}) allow(action, nothingSelected);
   for (auto* action : blocks->all()) allow(action, blocks->whyNot(action));
+  allow(showJoints, noProject);
   for (auto* action : joints->all()) allow(action, joints->whyNot(action));
   for (auto* action : loads->all()) allow(action, loads->whyNot());
   allow(mesh, session_.run.whyNotMesh());
