@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-constexpr int picture_width = 640, picture_height = 400;
+constexpr int joints_width = 640, joints_height = 400;
 
 /// A bench in front of a wall, as one piece of rock.
 BlockSystem bench() {
@@ -53,7 +53,7 @@ Image drawn(Theme theme, std::vector<int> chosen) {
   settings.rock_opacity = 0.22;
   Scene scene(rock, settings);
   scene.set_joints(joints(rock), std::move(chosen));
-  return draw_image(scene, picture_width, picture_height);
+  return draw_image(scene, joints_width, joints_height);
 }
 
 TEST(JointsImage, LieInTranslucentRock) {
@@ -68,7 +68,7 @@ TEST(JointsImage, AreDrawnAnewWhenTheyChange) {
   const BlockSystem rock = bench();
   SceneSettings settings;
   Scene scene(rock, settings);
-  OffscreenView view(scene, picture_width, picture_height);
+  OffscreenView view(scene, joints_width, joints_height);
   view.draw();  // as a window shows it before, without joints and with shaded corners
   settings.rock_opacity = 0.22;
   settings.fine = false;
@@ -82,7 +82,7 @@ TEST(JointsImage, AreDrawnAnewWhenTheyChange) {
   expect_baseline(changed);
   Scene fresh(rock, settings);
   fresh.set_joints(joints(rock), {0});
-  EXPECT_LT(difference(changed, draw_image(fresh, picture_width, picture_height)), tolerated_difference);
+  EXPECT_LT(difference(changed, draw_image(fresh, joints_width, joints_height)), tolerated_difference);
 }
 
 TEST(JointsImage, TheFirstUnderAPixelIsFound) {
