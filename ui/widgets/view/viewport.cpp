@@ -273,6 +273,19 @@ void Viewport::applySelection() {
   render();
 }
 
+bool Viewport::showsJoints() const {
+  return session_.display.page() == WorkflowPage::joints && session_.display.settings().joints;
+}
+
+void Viewport::applyJoints() {
+  if (!scene_) return;
+  if (showsJoints())
+    scene_->set_joints(session_.joints.faces(), session_.joints.selectedCuts());
+  else
+    scene_->set_joints({}, {});
+  render();
+}
+
 void Viewport::applyTroubles() {
   if (!scene_) return;
   scene_->set_troubles(session_.run.troubles());

@@ -5,7 +5,7 @@
 
 #include "base/units.hpp"
 #include "render/scene/block_surface.hpp"
-#include "session/session.hpp"
+#include "session/picking.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/view/view_overlay.hpp"
 #include "widgets/view/viewport.hpp"
@@ -63,23 +63,10 @@ std::optional<Eigen::AlignedBox3d> Viewport::extent() const {
   return bounds(*system_);
 }
 
-bool Viewport::showsJoints() const {
-  return session_.display.page() == WorkflowPage::joints && session_.display.settings().joints;
-}
-
 std::optional<int> Viewport::jointAt(QPointF point) const {
   if (!scene_ || !showsJoints()) return std::nullopt;
   const double ratio = devicePixelRatioF();
   return scene_->joint_at(point.x() * ratio, point.y() * ratio);
-}
-
-void Viewport::applyJoints() {
-  if (!scene_) return;
-  if (showsJoints())
-    scene_->set_joints(session_.joints.faces(), session_.joints.selectedCuts());
-  else
-    scene_->set_joints({}, {});
-  render();
 }
 
 void Viewport::markFace(const std::optional<Pick>& pick) {
