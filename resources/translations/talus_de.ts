@@ -959,6 +959,22 @@
             <source>different ones</source>
             <translation>verschiedene</translation>
         </message>
+        <message>
+            <source>move cut %1</source>
+            <translation>Schnitt %1 verschieben</translation>
+        </message>
+        <message>
+            <source>size cut %1</source>
+            <translation>Größe von Schnitt %1 ändern</translation>
+        </message>
+        <message>
+            <source>move a corner of cut %1</source>
+            <translation>Ecke von Schnitt %1 verschieben</translation>
+        </message>
+        <message>
+            <source>turn cut %1</source>
+            <translation>Schnitt %1 drehen</translation>
+        </message>
     </context>
     <context>
         <name>choices</name>
@@ -6385,6 +6401,14 @@ Nr. %3</translation>
             <source>%1 left</source>
             <translation>noch %1</translation>
         </message>
+        <message>
+            <source>Reading the solids …</source>
+            <translation>Körper werden gelesen …</translation>
+        </message>
+        <message>
+            <source>%1 m³</source>
+            <translation>%1 m³</translation>
+        </message>
     </context>
     <context>
         <name>talus::WindowActions</name>
@@ -6483,14 +6507,6 @@ Nr. %3</translation>
         <message>
             <source>Perspective or parallel</source>
             <translation>Perspektivisch oder parallel</translation>
-        </message>
-        <message>
-            <source>Hide selected blocks</source>
-            <translation>Gewählte Blöcke verbergen</translation>
-        </message>
-        <message>
-            <source>Show selected blocks alone</source>
-            <translation>Gewählte Blöcke allein zeigen</translation>
         </message>
         <message>
             <source>Show all blocks</source>
@@ -6672,6 +6688,26 @@ Nr. %3</translation>
             <source>Resume</source>
             <translation>Weiter</translation>
         </message>
+        <message>
+            <source>Hide what is selected</source>
+            <translation>Gewähltes verbergen</translation>
+        </message>
+        <message>
+            <source>Show what is selected alone</source>
+            <translation>Gewähltes allein zeigen</translation>
+        </message>
+        <message>
+            <source>Show joints</source>
+            <translation>Klüfte zeigen</translation>
+        </message>
+        <message>
+            <source>There is no rock yet</source>
+            <translation>Es gibt noch kein Gestein</translation>
+        </message>
+        <message>
+            <source>Select a block or a solid first</source>
+            <translation>Zuerst einen Block oder Körper wählen</translation>
+        </message>
     </context>
     <context>
         <name>talus::WorkflowBar</name>
@@ -6782,6 +6818,37 @@ Nr. %3</translation>
         <message>
             <source>%1, %2 m³ of %3 m³</source>
             <translation>%1, %2 m³ von %3 m³</translation>
+        </message>
+    </context>
+    <context>
+        <name>talus::JointHandles</name>
+        <message>
+            <source>   Enter</source>
+            <translation>   Eingabetaste</translation>
+        </message>
+        <message>
+            <source>dip direction %1°</source>
+            <translation>Fallrichtung %1°</translation>
+        </message>
+        <message>
+            <source>dip %1°</source>
+            <translation>Fallwinkel %1°</translation>
+        </message>
+        <message>
+            <source>radius %1 m</source>
+            <translation>Radius %1 m</translation>
+        </message>
+        <message>
+            <source>corner %1: %2, %3, %4 m</source>
+            <translation>Ecke %1: %2, %3, %4 m</translation>
+        </message>
+        <message>
+            <source>move along the normal</source>
+            <translation>entlang der Normalen verschieben</translation>
+        </message>
+        <message>
+            <source>%1%2 m</source>
+            <translation>%1%2 m</translation>
         </message>
     </context>
 </TS>

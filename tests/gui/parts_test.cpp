@@ -179,7 +179,7 @@ TEST(PageTable, ListsEveryCutUnderItsJointAndJointsWithoutOne) {
   const PageRows rows = rowsOf(WorkflowPage::joints, project);
   ASSERT_EQ(rows.rows.size(), 2u);
   EXPECT_EQ(rows.rows[0].item, (Item{Item::Kind::cut, 0}));
-  EXPECT_EQ(rows.rows[0].cells.join(u'|').toStdString(), "J1|1|34.0|070|2.50|3|30.0|2.00|0");
+  EXPECT_EQ(rows.rows[0].cells.join(u'|').toStdString(), "J1|1|infinite|–|34.0|070|0, 0, 0|2.50|3|30.0|2.00");
   EXPECT_EQ(rows.rows[1].item, (Item{Item::Kind::joint, 1}));
   for (const auto& row : rows.rows) EXPECT_EQ(row.cells.size(), rows.heads.size());
 }

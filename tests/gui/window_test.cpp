@@ -179,7 +179,7 @@ TEST_F(DrivenWindow, ADisabledActionSaysWhy) {
     EXPECT_EQ(whyNot(*window, name), noProject) << name;
   EXPECT_EQ(whyNot(*window, "Solve"), noProject + noProject) << "the page and the run";
   EXPECT_EQ(whyNot(*window, "Save film…"), QStringList(QStringLiteral("Nothing has been solved yet")));
-  EXPECT_EQ(whyNot(*window, "Fit all"), QStringList(QStringLiteral("There are no blocks yet")));
+  EXPECT_EQ(whyNot(*window, "Fit all"), QStringList(QStringLiteral("There is no rock yet")));
   EXPECT_EQ(whyNot(*window, "Stop"), QStringList(QStringLiteral("Nothing runs")));
   EXPECT_EQ(whyNot(*window, "Open…"), QStringList(usable));
   int disabled = 0;
@@ -200,9 +200,9 @@ TEST_F(DrivenWindow, ADisabledActionSaysWhy) {
   EXPECT_EQ(whyNot(*window, "Open…"), QStringList(QStringLiteral("A run goes on: stop it first")));
   ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
   EXPECT_EQ(whyNot(*window, "Fit all"), QStringList(usable));
-  EXPECT_EQ(whyNot(*window, "Hide selected blocks"), QStringList(QStringLiteral("Select a block first")));
+  EXPECT_EQ(whyNot(*window, "Hide what is selected"), QStringList(QStringLiteral("Select a block or a solid first")));
   session->project.selection().select({Item::Kind::block, 0});
-  EXPECT_EQ(whyNot(*window, "Hide selected blocks"), QStringList(usable));
+  EXPECT_EQ(whyNot(*window, "Hide what is selected"), QStringList(usable));
 }
 
 }  // namespace
