@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "document/item_place.hpp"
-#include "jobs/solver_job.hpp"
 #include "templates/templates.hpp"
 #include "widgets/begin/new_dialog.hpp"
 #include "widgets/begin/project_preview.hpp"
@@ -86,7 +85,7 @@ int takeScreenshot(MainWindow& window, const ScreenshotRequest& request) {
     if (session.playback.isLoading()) waitFor([&] { return session.playback.frame() || failed(); }, patience_ms);
     if (!session.project.system() && !failed()) {
       session.run.mesh();
-      waitFor([&] { return !session.run.job().isBusy(); }, patience_ms);
+      waitFor([&] { return !session.run.isBusy(); }, patience_ms);
     }
   }
   if (!request.field.isEmpty()) {

@@ -2,7 +2,6 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QListWidget>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -66,16 +65,6 @@ class Begun : public DrivenWindow {
     return nullptr;
   }
   bool startPageIsShown() { return window->findChild<StartPage*>()->isVisible(); }
-  void drop(const std::filesystem::path& file) {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
-    QDragEnterEvent enter({400, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(window.get(), &enter);
-    EXPECT_TRUE(enter.isAccepted());
-    QDropEvent event({400, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(window.get(), &event);
-    rest(30);
-  }
   bool stripIsShown() { return window->findChild<QWidget*>(QStringLiteral("problem-strip"))->isVisible(); }
   const Project& project() { return session->project.document().project(); }
   bool isMeshed() {
@@ -257,37 +246,6 @@ TEST_F(Begun, AProjectOrAResultsFolderIsDropped) {
   drop(folder / "cube.results");
   ASSERT_TRUE(wait([&] { return session->playback.frame() != nullptr; }));
   EXPECT_EQ(session->project.document().name(), QStringLiteral("Sliding cube"));
-}
-
-TEST_F(Begun, AStepFileThatIsDroppedBecomesASolid) {
-  const auto step = samplesFolder() / "step_slope/slope.step";
-  std::filesystem::create_directories(folder / "survey");
-  std::filesystem::copy(step, folder / "survey/hill.step");
-  drop(folder / "survey/hill.step");
-  ASSERT_TRUE(isMeshed());
-  EXPECT_EQ(project().solids.at(0).name, "hill");
-  EXPECT_EQ(std::get<FileShape>(project().solids[0].shape).path, "hill.step");
-
-  std::filesystem::create_directories(folder / "office");
-  ASSERT_TRUE(session->project.saveAs(folder / "office/slope.talus"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "office/hill.step"));
-  std::filesystem::copy(step, folder / "survey/ridge.step");
-  drop(folder / "survey/ridge.step");
-  ASSERT_EQ(project().solids.size(), 2U);
-  EXPECT_EQ(std::get<FileShape>(project().solids[1].shape).path, "ridge.step");
-  EXPECT_TRUE(std::filesystem::exists(folder / "office/ridge.step")) << "copied beside the project";
-  session->project.document().undoStack().undo();
-  EXPECT_EQ(project().solids.size(), 1U);
-}
-
-TEST_F(Begun, WhatCannotBeImportedIsSaidAndChangesNothing) {
-  window->open(slidingCube());
-  const Project before = project();
-  drop(write("hill.dwg", "solid hill"));
-  EXPECT_EQ(project(), before);
-  ASSERT_FALSE(session->messages.problems().empty());
-  const Problem& problem = session->messages.problems().back();
-  EXPECT_TRUE(problem.problem.contains(QStringLiteral("not read from '.dwg' files"))) << problem.problem.toStdString();
 }
 
 /// Not a test: draws the templates' pictures for the start page, into the folder that TALUS_PICTURES names.

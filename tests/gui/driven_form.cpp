@@ -87,7 +87,9 @@ schema::Place DrivenForm::addThing(const std::string& list) {
   if (!button) return Place();
   if (auto* menu = button->menu()) {
     for (auto* action : menu->actions())
-      if (action->text() == things::titleOf(kind)) action->trigger();
+      if (action->text() == things::titleOf(kind) ||
+          (kind == Item::Kind::solid && action->text() == QStringLiteral("New box")))
+        action->trigger();
   } else {
     QTest::mouseClick(button, Qt::LeftButton);
   }

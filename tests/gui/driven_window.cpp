@@ -3,6 +3,9 @@
 #include <unistd.h>
 
 #include <QApplication>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QUrl>
 #include <fstream>
 
 namespace talus {
@@ -103,6 +106,17 @@ void DrivenWindow::rest(int ms) {
   QElapsedTimer timer;
   timer.start();
   while (timer.elapsed() < ms) QApplication::processEvents(QEventLoop::AllEvents, 5);
+}
+
+void DrivenWindow::drop(const std::filesystem::path& file) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+  QDragEnterEvent enter({400, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(window.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent event({400, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(window.get(), &event);
+  rest(30);
 }
 
 void DrivenWindow::openAndMesh(const std::filesystem::path& file) {

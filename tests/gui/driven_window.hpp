@@ -79,6 +79,8 @@ class DrivenWindow : public ::testing::Test {
     return condition();
   }
   void rest(int ms);
+  /// Drops a file on the window.
+  void drop(const std::filesystem::path& file);
   /// Opens a project and waits for its blocks.
   void openAndMesh(const std::filesystem::path& file);
   /// A point of the view where a block lies.

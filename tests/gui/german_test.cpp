@@ -140,7 +140,7 @@ TEST_F(German, CountsHaveTheirPlural) {
   rest(20);
   Texts texts;
   for (const auto* label : window->findChildren<QLabel*>()) texts.insert(label->text().toStdString());
-  EXPECT_TRUE(texts.contains("2 Körper"));
+  EXPECT_THAT(texts, testing::Contains(testing::StartsWith("2 Körper")));
 }
 
 TEST_F(German, AnUnknownLanguageIsEnglish) {

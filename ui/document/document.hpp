@@ -43,6 +43,8 @@ class Document : public QObject {
   const std::filesystem::path& file() const { return file_; }
   /// What paths in the project are relative to.
   std::filesystem::path folder() const;
+  /// A project that has no place yet: its paths are relative to this folder from now on, until it is saved.
+  void settleIn(const std::filesystem::path& folder) { origin_ = folder; }
   /// NAME.results beside the project file.
   std::filesystem::path resultsFolder() const;
   /// Nothing would be lost if it were closed.

@@ -8,6 +8,7 @@ LatestJob::LatestJob(int quiet_ms, QObject* parent) : QObject(parent) {
   quiet_.setSingleShot(true);
   quiet_.setInterval(quiet_ms);
   connect(&quiet_, &QTimer::timeout, this, &LatestJob::startWanted);
+  connect(&work_, &BackgroundJob::progressed, this, &LatestJob::progressed);
   connect(&work_, &BackgroundJob::ended, this, [this] {
     startWanted();
     if (!isBusy()) emit rested();

@@ -33,6 +33,8 @@ class LatestJob : public QObject {
   void cancel();
 
  signals:
+  /// Of what goes on: at most ten times a second, 0…1 of it.
+  void progressed(double fraction, const QString& what);
   /// Nothing is wanted any more, and nothing goes on.
   void rested();
 

@@ -1,5 +1,7 @@
 #include "jobs/solver_job.hpp"
 
+#include "geometry/splinters_found.hpp"
+
 namespace talus {
 
 namespace {
@@ -64,6 +66,10 @@ void SolverJob::work(const JobTask& task) {
     end_.results = task.options.out;
   } catch (const Cancelled&) {
     end_.kind = JobEnd::Kind::cancelled;
+  } catch (const SplintersFound& error) {
+    end_.kind = JobEnd::Kind::failed;
+    end_.failure = error;
+    end_.splinters = error.splinters();
   } catch (const InputError& error) {
     end_.kind = JobEnd::Kind::failed;
     end_.failure = error;

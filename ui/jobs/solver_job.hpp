@@ -6,11 +6,13 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/error.hpp"
 #include "jobs/run_exchange.hpp"
 #include "jobs/solver_parts.hpp"
 #include "jobs/time_left.hpp"
+#include "mesh/cutting_report.hpp"
 
 namespace talus {
 
@@ -30,6 +32,7 @@ struct JobEnd {
   enum class Kind { meshed, completed, stopped, notConverged, cancelled, failed };
   Kind kind = Kind::completed;
   std::optional<InputError> failure;  ///< why it failed
+  std::vector<Splinter> splinters;    ///< for which it failed; empty: for something else
   std::optional<RunReport> report;
   std::filesystem::path results;  ///< empty when nothing was solved
 };

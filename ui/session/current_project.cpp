@@ -30,20 +30,24 @@ bool CurrentProject::saveAs(const std::filesystem::path& file) {
   }
 }
 
-void CurrentProject::addSolid(const std::filesystem::path& file) {
-  const auto folder = document_.folder();
-  const auto source = std::filesystem::absolute(file), copy = folder / file.filename();
+void CurrentProject::addSolid(const Solid& solid, const std::filesystem::path& file,
+                              const std::optional<Vec3>& origin) {
+  const auto source = std::filesystem::absolute(file);
+  const bool hasPlace = !document_.folder().empty();
+  const auto folder = hasPlace ? document_.folder() : source.parent_path(), copy = folder / file.filename();
   const auto seen = source.lexically_relative(folder);
   const bool isBeside = !seen.empty() && *seen.begin() != "..";
-  const Project changed = with_solid(document_.project(), isBeside ? source : copy, folder);
+  Project changed = with_solid(document_.project(), solid, isBeside ? source : copy, folder);
+  if (origin) changed.origin = *origin;
   parse_project(write_project(changed), {.unfinished = true});  // before anything is copied
   if (!isBeside) {
     if (document_.file().empty())
       throw InputError(file.string(), "cannot be copied beside a project that has no place yet",
-                       "save the project, and drop the file again");
+                       "save the project, and import the file again");
     bring_file(source, copy);
     messages_.log(tr("copied %1 beside the project").arg(QString::fromStdString(file.string())));
   }
+  if (!hasPlace) document_.settleIn(folder);
   document_.change(changed, tr("add solid %1").arg(QString::fromStdString(changed.solids.back().name)));
 }
 

@@ -4,6 +4,7 @@
 #include <QString>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "document/document.hpp"
 #include "mesh/block.hpp"
@@ -29,9 +30,10 @@ class CurrentProject : public QObject {
   /// Both say a problem where the file cannot be written.
   void save();
   bool saveAs(const std::filesystem::path& file);
-  /// Adds a solid from a file of geometry, which is copied beside the project where it lies elsewhere. Throws
-  /// InputError.
-  void addSolid(const std::filesystem::path& file);
+  /// Adds a solid whose shape is read from a file of geometry, as one change that can be undone. The file is copied
+  /// beside the project where it lies elsewhere; a project that has no place yet takes the first one's. `origin`: the
+  /// project's from then on, m. Throws InputError.
+  void addSolid(const Solid& solid, const std::filesystem::path& file, const std::optional<Vec3>& origin = {});
 
   /// Blocks of the project or of the results; empty before meshing.
   std::shared_ptr<const BlockSystem> system() const { return system_; }

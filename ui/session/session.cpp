@@ -32,7 +32,8 @@ Session::Session(SolverParts parts)
       display(project, playback),
       survey(project),
       colouring(project, survey, display),
-      joints(project, surfaces) {
+      joints(project, surfaces),
+      splinters(project, run) {
   QObject::connect(&playback, &Playback::resultsOpened, &display, [this](const ResultsIndex&, bool afterRun) {
     if (!afterRun || display.page() == WorkflowPage::solve) display.goTo(WorkflowPage::results);
   });

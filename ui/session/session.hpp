@@ -13,6 +13,7 @@
 #include "session/picking.hpp"
 #include "session/playback.hpp"
 #include "session/solid_surfaces.hpp"
+#include "session/splinter_list.hpp"
 
 namespace talus {
 
@@ -43,6 +44,7 @@ struct Session {
   BlockSurvey survey;
   BlockColouring colouring;
   DrawnJoints joints;
+  SplinterList splinters;
 
  private:
   bool openProject(const std::filesystem::path& file);

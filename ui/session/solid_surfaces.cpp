@@ -34,18 +34,6 @@ bool isPart(const Project& project, const std::string& name) {
   });
 }
 
-/// Blocks that are nothing but a surface.
-Block asBlock(const SolidSurface& surface, int solid, BodyKind body) {
-  Block block;
-  block.name = surface.name;
-  block.solid = solid;
-  block.body = body;
-  block.mesh.nodes = surface.vertices;
-  block.volume = surface.volume;
-  for (const auto& corners : surface.triangles) block.surface.push_back({corners});
-  return block;
-}
-
 /// An error of a project that has some of the solids only, at the place that it has among all of them.
 InputError amongAll(const InputError& error, const std::vector<int>& members) {
   const std::string lists = "/solids/";
@@ -60,6 +48,25 @@ InputError amongAll(const InputError& error, const std::vector<int>& members) {
 
 }  // namespace
 
+Block surfaceBlock(const SolidSurface& surface, int solid, BodyKind body) {
+  Block block;
+  block.name = surface.name;
+  block.solid = solid;
+  block.body = body;
+  block.mesh.nodes = surface.vertices;
+  block.volume = surface.volume;
+  for (const auto& corners : surface.triangles) block.surface.push_back({corners});
+  return block;
+}
+
+std::vector<MarkedPlace> oddPlaces(const SolidSurface& surface) {
+  std::vector<MarkedPlace> places;
+  for (const SurfaceFinding& finding : surface.findings)
+    if (!finding.mended)
+      places.push_back({.at = finding.where, .label = std::string(name_of(finding.kind, finding.count != 1))});
+  return places;
+}
+
 /// A solid with what it is made of, and nothing else that its surface does not depend on.
 struct SolidSurfaces::Piece {
   std::vector<int> members;  ///< numbers of the solids in the project; the last one is the solid itself
@@ -73,8 +80,11 @@ struct SolidSurfaces::Piece {
     alone.origin = project.origin;
     for (const int member : members) {
       const Solid& one = project.solids[static_cast<std::size_t>(member)];
-      alone.solids.push_back(
-          {.name = one.name, .shape = one.shape, .material = {}, .mesh_size = {}, .turn = one.turn, .move = one.move});
+      Solid& bare = alone.solids.emplace_back();
+      bare.name = one.name;
+      bare.shape = one.shape;
+      bare.turn = one.turn;
+      bare.move = one.move;
       std::error_code missing;
       if (const std::string* file = file_of(one.shape)) written.push_back(fs::last_write_time(folder / *file, missing));
     }
@@ -106,6 +116,7 @@ SolidSurfaces::SolidSurfaces(CurrentProject& project)
     emit changed();
     look();
   });
+  connect(&job_, &LatestJob::rested, this, &SolidSurfaces::changed);  // nothing is being read any more
   connect(&project_.document(), &Document::projectChanged, this, &SolidSurfaces::look);
   connect(&project_.document(), &Document::savedChanged, this, &SolidSurfaces::look);  // its folder may be another one
 }
@@ -154,7 +165,7 @@ SolidSurfaces::Outcome SolidSurfaces::make(const std::vector<Piece>& wanted, con
       one.problem = known->problem;
     } else {
       try {
-        one.surface = solid_surfaces(piece.alone, piece.folder, progress).at(0);
+        one.surface = solid_surfaces(piece.alone, piece.folder, progress).back();  // parts come before
       } catch (const InputError& error) {
         one.problem = error;
       }
@@ -162,7 +173,7 @@ SolidSurfaces::Outcome SolidSurfaces::make(const std::vector<Piece>& wanted, con
     if (one.problem) outcome.problems.push_back(amongAll(*one.problem, piece.members));
     if (one.surface) {
       outcome.surfaces.push_back(*one.surface);
-      blocks.blocks.push_back(asBlock(*one.surface, piece.members.back(), piece.body));
+      blocks.blocks.push_back(surfaceBlock(*one.surface, piece.members.back(), piece.body));
     }
     outcome.made.push_back(std::move(one));
   }

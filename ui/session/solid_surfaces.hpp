@@ -8,12 +8,17 @@
 #include "base/error.hpp"
 #include "jobs/latest_job.hpp"
 #include "model/project.hpp"
+#include "render/scene/scene.hpp"
 
 namespace talus {
 
 class CurrentProject;
-struct BlockSystem;
 struct SolidSurface;
+
+/// A surface as something that a Scene draws: a block that is nothing else. `solid`: its number in the project.
+Block surfaceBlock(const SolidSurface& surface, int solid, BodyKind body);
+/// What is still odd in a surface, for a Scene to mark where it is.
+std::vector<MarkedPlace> oddPlaces(const SolidSurface& surface);
 
 /// The solids of the project as they are before anything is cut, for whoever shows them or asks where rock is. They are
 /// made on a thread of their own soon after the solids change, each by itself: one that stays as it was is not made
@@ -27,8 +32,8 @@ class SolidSurfaces : public QObject {
   /// In the order of the project, without the solids that others are made of; null until there are some. While
   /// `isBusy()` they are those from before the last change.
   const std::vector<SolidSurface>* current() const;
-  /// The same as something that a Scene draws: blocks that are nothing but their surface, each with the index of its
-  /// solid. Null where `current()` is.
+  /// The same as blocks that are nothing but their surface, each with the number of its solid. Null where `current()`
+  /// is.
   std::shared_ptr<const BlockSystem> asBlocks() const;
   /// Why some are not there; places are those of the project file.
   const std::vector<InputError>& problems() const;

@@ -20,10 +20,18 @@ namespace {
 
 namespace occ = gmsh::model::occ;
 
-/// Vertices and edges in gmsh's model, each once.
+/// Vertices and edges in gmsh's model, each once. Points come in the order of the vertices: gmsh meshes by their
+/// numbers.
 class Wires {
  public:
-  explicit Wires(const std::vector<Vec3>& vertices) : vertices_(vertices), points_(vertices.size(), -1) {}
+  Wires(const std::vector<Vec3>& vertices, const std::vector<PlanarFace>& faces) : points_(vertices.size(), -1) {
+    std::vector<bool> used(vertices.size(), false);
+    for (const PlanarFace& face : faces)
+      for (const std::vector<int>& loop : face.loops)
+        for (const int vertex : loop) used[static_cast<std::size_t>(vertex)] = true;
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      if (used[v]) points_[v] = occ::addPoint(vertices[v].x(), vertices[v].y(), vertices[v].z());
+  }
 
   int add_face(const PlanarFace& face) {
     std::vector<int> wires;
@@ -36,19 +44,13 @@ class Wires {
   }
 
  private:
-  int point(int v) {
-    int& tag = points_[static_cast<std::size_t>(v)];
-    const Vec3& vertex = vertices_[static_cast<std::size_t>(v)];
-    if (tag < 0) tag = occ::addPoint(vertex.x(), vertex.y(), vertex.z());
-    return tag;
-  }
+  int point(int vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
   int line(int from, int to) {
     const auto [known, fresh] = lines_.try_emplace(std::minmax(from, to), 0);
     if (fresh) known->second = occ::addLine(point(from), point(to));
     return known->second;
   }
 
-  const std::vector<Vec3>& vertices_;
   std::vector<int> points_;
   std::map<std::pair<int, int>, int> lines_;
 };
@@ -142,7 +144,7 @@ std::vector<PlanarFace> with_single_loops(const PolyhedronShape& shape) {
 }
 
 std::vector<int> add_faces(const std::vector<Vec3>& vertices, const std::vector<PlanarFace>& faces) {
-  Wires wires(vertices);
+  Wires wires(vertices, faces);
   std::vector<int> tags;
   for (const PlanarFace& face : faces) tags.push_back(wires.add_face(face));
   return tags;

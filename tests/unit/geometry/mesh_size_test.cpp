@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <chrono>
 
 #include "geometry/mesh_estimate.hpp"
 #include "rock.hpp"
@@ -133,10 +132,9 @@ TEST(MeshEstimate, KnowsRefinementsAndBodies) {
 }
 
 TEST(MeshEstimate, OfMoreThanIsAllowedIsRefusedAtOnce) {
-  const auto start = std::chrono::steady_clock::now();
+  // To try it would never end.
   EXPECT_THAT(error_of(cube_meshed_by(1e-6)),
               StartsWith("/mesh/most_tetrahedra: the mesh would have about 4.4e+21 tetrahedra"));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));  // where others compute beside it
   Project p = cube_meshed_by(1);
   p.mesh.most_tetrahedra = 4000;
   EXPECT_THAT(error_of(p), HasSubstr("tetrahedra, more than 4000; make mesh sizes larger"));

@@ -157,6 +157,7 @@ void Scene::set_troubles(std::vector<ConvergenceTrouble> troubles) {
   state_->apply_marks();
 }
 
+
 CameraPose Scene::pose_at(const ConvergenceTrouble& trouble) const { return state_->pose_at(trouble); }
 
 CameraPose Scene::pose_at(const MarkedPlace& place) const { return state_->pose_at(place.at, place.size); }

@@ -1,10 +1,11 @@
 #include "widgets/blocks/mesh_panel.hpp"
 
 #include <QComboBox>
-#include <QHeaderView>
 
-#include "session/block_survey.hpp"
-#include "session/display.hpp"
+#include "base/error.hpp"
+#include "geometry/mesh_estimate.hpp"
+#include "mesh/mesh_size.hpp"
+#include "session/session.hpp"
 #include "widgets/blocks/block_columns.hpp"
 #include "widgets/blocks/block_table.hpp"
 #include "widgets/blocks/quality_chart.hpp"
@@ -20,7 +21,8 @@ namespace {
 constexpr int chart_width = 250, worst_width = 240;
 /// Below these a tetrahedron is stiff, and a step of it small: limits that meshers commonly warn at.
 constexpr double poor_ratio = 0.2, poor_angle = 10;
-constexpr double surroundings = 3;  // what the view shows round a tetrahedron, over its edges
+constexpr double reach = 2, finer = 0.5;  // of a refinement that is made, over the edges of the block
+constexpr double surroundings = 3;        // what the view shows round a tetrahedron, over its edges
 
 /// The longest edge [m].
 double sizeOf(const BlockSystem& system, const PoorTetrahedron& one) {
@@ -32,11 +34,31 @@ double sizeOf(const BlockSystem& system, const PoorTetrahedron& one) {
   return longest;
 }
 
+QString megabytes(double bytes) {
+  return bytes < 1e9 ? QObject::tr("%1 MB").arg(numbers::significant(bytes / 1e6, 2))
+                     : QObject::tr("%1 GB").arg(numbers::significant(bytes / 1e9, 2));
+}
+
+/// They are cut alike, but for how blocks are made and meshed.
+bool haveTheSameRock(const Project& a, const Project& b) {
+  const auto shapes = [](std::vector<Solid> solids) {
+    for (Solid& solid : solids) {
+      solid.mesh_size.reset();
+      solid.body = {};
+      solid.material.clear();
+    }
+    return solids;
+  };
+  return a.cuts == b.cuts && a.merges == b.merges && shapes(a.solids) == shapes(b.solids);
+}
+
 }  // namespace
 
-MeshPanel::MeshPanel(CurrentProject& project, BlockSurvey& survey, Display& display)
-    : project_(project), survey_(survey), display_(display), table_(new BlockTable(project)) {
-  auto* row = new QHBoxLayout(this);
+MeshPanel::MeshPanel(Session& session) : session_(session), table_(new BlockTable(session.project)) {
+  auto* column = new QVBoxLayout(this);
+  setMargins(column, 0, 0);
+  column->addWidget(makeHead());
+  auto* row = new QHBoxLayout;
   setMargins(row, 0, 0);
   table_->setObjectName(QStringLiteral("mesh"));
   table_->setAccessibleName(tr("Mesh of each block"));
@@ -45,9 +67,31 @@ MeshPanel::MeshPanel(CurrentProject& project, BlockSurvey& survey, Display& disp
   row->addWidget(makeChart());
   row->addWidget(makeLine(Qt::Vertical));
   row->addWidget(makeWorst());
-  connect(&survey_, &BlockSurvey::changed, this, &MeshPanel::refresh);
-  connect(&project_.document(), &Document::projectChanged, this, [this] { emit titleChanged(title()); });
+  column->addLayout(row, 1);
+  connect(&session_.survey, &BlockSurvey::changed, this, &MeshPanel::refresh);
+  connect(&session_.project.document(), &Document::projectChanged, this, [this] {
+    emit titleChanged(title());
+    if (isVisible()) showAhead();
+  });
   refresh();
+}
+
+QWidget* MeshPanel::makeHead() {
+  auto* head = makePlane("header");
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(12, 3, 12, 3);
+  auto* refine =
+      makeAction(QStringLiteral("point"), tr("Refine near a place"),
+                 tr("A click in the view says where the mesh becomes finer; the form of the mesh says how far "
+                    "and how much"));
+  refine->setObjectName(QStringLiteral("refine"));
+  connect(refine, &QToolButton::clicked, this, &MeshPanel::askForRefinement);
+  row->addWidget(refine);
+  row->addSpacing(8);
+  ahead_ = new ElidedLabel({}, "small");
+  ahead_->setObjectName(QStringLiteral("ahead"));
+  row->addWidget(ahead_, 1);
+  return head;
 }
 
 QWidget* MeshPanel::makeChart() {
@@ -80,17 +124,18 @@ QWidget* MeshPanel::makeWorst() {
 }
 
 QString MeshPanel::title() const {
-  return project_.system() && !project_.systemIsCurrent() ? tr("Mesh, before the last change") : tr("Mesh");
+  return session_.project.system() && !session_.project.systemIsCurrent() ? tr("Mesh, before the last change")
+                                                                          : tr("Mesh");
 }
 
 void MeshPanel::showEvent(QShowEvent* event) {
-  survey_.want();
+  session_.survey.want();
   refresh();
   QWidget::showEvent(event);
 }
 
 void MeshPanel::hideEvent(QHideEvent* event) {
-  display_.mark({});
+  session_.display.mark({});
   QWidget::hideEvent(event);
 }
 
@@ -99,41 +144,79 @@ void MeshPanel::refresh() {
   if (!isVisible()) return;
   table_->setEmptyWords(tr("Not meshed yet."));
   std::vector<BlockColumn> columns;
-  if (project_.system()) columns = meshColumns(project_.system(), survey_.mesh());
+  if (session_.project.system()) columns = meshColumns(session_.project.system(), session_.survey.mesh());
   table_->setContent(std::move(columns));
+  showAhead();
   showChart();
   showWorst();
 }
 
+/// Of blocks that are cut as the project wants them, but meshed otherwise.
+void MeshPanel::showAhead() {
+  const Project& project = session_.project.document().project();
+  const bool tells = session_.project.system() && !session_.project.systemIsCurrent() &&
+                     haveTheSameRock(session_.project.builtFrom(), project);
+  if (!tells) return ahead_->setText({});
+  const MeshEstimate ahead = mesh_estimate(project, *session_.project.system());
+  const bool tooMany = ahead.tetrahedra > project.mesh.most_tetrahedra;
+  setRole(ahead_, tooMany ? "error" : "small");
+  const QString count = numbers::significant(ahead.tetrahedra, 2);
+  ahead_->setText(tooMany ? tr("Meshed anew: about %1 tetrahedra, more than the %2 that are allowed")
+                                .arg(count, numbers::figure(project.mesh.most_tetrahedra, 3))
+                          : tr("Meshed anew: about %1 tetrahedra, %2 unknowns, %3, %4")
+                                .arg(count, numbers::significant(ahead.unknowns, 2), megabytes(ahead.bytes),
+                                     numbers::duration(ahead.seconds)));
+}
+
 void MeshPanel::showChart() {
-  if (!survey_.mesh()) return chart_->clear();
+  if (!session_.survey.mesh()) return chart_->clear();
   if (measure_->currentIndex() == 0)
-    chart_->show(survey_.mesh()->quality, poor_ratio, 1, {});
+    chart_->show(session_.survey.mesh()->quality, poor_ratio, 1, {});
   else
-    chart_->show(survey_.mesh()->dihedral, poor_angle, 0, QStringLiteral("°"));
+    chart_->show(session_.survey.mesh()->dihedral, poor_angle, 0, QStringLiteral("°"));
 }
 
 void MeshPanel::showWorst() {
   std::vector<QStringList> rows;
-  if (survey_.mesh())
-    for (const PoorTetrahedron& one : survey_.mesh()->worst)
-      rows.push_back(
-          {project_.blockName(one.block), numbers::fixed(one.quality, 3), numbers::fixed(one.smallest_dihedral, 1)});
+  if (session_.survey.mesh())
+    for (const PoorTetrahedron& one : session_.survey.mesh()->worst)
+      rows.push_back({session_.project.blockName(one.block), numbers::fixed(one.quality, 3),
+                      numbers::fixed(one.smallest_dihedral, 1)});
   const QSignalBlocker silent(worst_);
   worst_->setContent({tr("Worst in"), tr("Quality"), tr("Angle °")}, rows, {true, false, false});
   worst_->setCurrentCell(-1, -1);
 }
 
+void MeshPanel::askForRefinement() {
+  session_.picking.ask(tr("Click the place near which the mesh shall be finer"), 1,
+                       [this](const std::vector<PickedPlace>& places) { refineAt(places.front()); });
+}
+
+void MeshPanel::refineAt(const PickedPlace& place) {
+  Project changed = session_.project.document().project();
+  const auto system = session_.project.system();
+  if (!system || place.block < 0) return;
+  const Block& block = system->blocks.at(static_cast<std::size_t>(place.block));
+  const double own = mesh_size(block.mesh.nodes, block.surface);
+  changed.mesh.refinements.push_back({place.point, reach * own, finer * own});
+  try {
+    session_.project.document().change(changed, tr("refine the mesh near a place"));
+    session_.project.selection().select({Item::Kind::mesh, 0});
+  } catch (const InputError& error) {
+    session_.messages.add(problemOf(error));
+  }
+}
+
 void MeshPanel::goTo(int row) {
-  if (!survey_.mesh() || row < 0 || row >= static_cast<int>(survey_.mesh()->worst.size())) return;
-  const PoorTetrahedron& one = survey_.mesh()->worst[static_cast<std::size_t>(row)];
-  const MarkedPlace place{one.centre, surroundings * sizeOf(*project_.system(), one),
+  if (!session_.survey.mesh() || row < 0 || row >= static_cast<int>(session_.survey.mesh()->worst.size())) return;
+  const PoorTetrahedron& one = session_.survey.mesh()->worst[static_cast<std::size_t>(row)];
+  const MarkedPlace place{one.centre, surroundings * sizeOf(*session_.project.system(), one),
                           tr("quality %1, %2°")
                               .arg(numbers::fixed(one.quality, 3), numbers::fixed(one.smallest_dihedral, 1))
                               .toStdString()};
-  project_.selection().select({Item::Kind::block, one.block});
-  display_.mark({place});
-  display_.showPlace(place);
+  session_.project.selection().select({Item::Kind::block, one.block});
+  session_.display.mark({place});
+  session_.display.showPlace(place);
 }
 
 }  // namespace talus

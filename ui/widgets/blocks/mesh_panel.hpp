@@ -7,19 +7,18 @@ class QLabel;
 
 namespace talus {
 
-class BlockSurvey;
 class BlockTable;
-class CurrentProject;
-class Display;
 class PlainTable;
 class QualityChart;
+struct PickedPlace;
+struct Session;
 
-/// The page of the mesh under the view: a table of blocks with the quality of their tetrahedra, a histogram of it, and
-/// the worst ones, which are shown where they are.
+/// The page of the mesh under the view: what meshing anew would come to, a table of blocks with the quality of their
+/// tetrahedra, a histogram of it, and the worst ones, which are shown where they are.
 class MeshPanel : public QWidget {
   Q_OBJECT
  public:
-  MeshPanel(CurrentProject& project, BlockSurvey& survey, Display& display);
+  explicit MeshPanel(Session& session);
   QString title() const;
 
  signals:
@@ -30,17 +29,20 @@ class MeshPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  QWidget* makeHead();
   QWidget* makeChart();
   QWidget* makeWorst();
   void refresh();
   void showChart();
   void showWorst();
+  void showAhead();
   void goTo(int row);
+  void askForRefinement();
+  void refineAt(const PickedPlace& place);
 
-  CurrentProject& project_;
-  BlockSurvey& survey_;
-  Display& display_;
+  Session& session_;
   BlockTable* table_;
+  QLabel* ahead_;  ///< what meshing anew would come to
   QComboBox* measure_;
   QualityChart* chart_;
   PlainTable* worst_;

@@ -40,7 +40,7 @@ TableField::TableField(const FieldSite& place)
   makeTable();
   add(table_);
   add(makeTools());
-  if (site().element(0).rule.contains("units") && !rows_.empty()) add(makePlot());
+  if (columns_.front().kept == QLatin1String("s") && !rows_.empty()) add(makePlot());
 }
 
 void TableField::makeColumns() {

@@ -1,5 +1,6 @@
 #include "widgets/kit/parts.hpp"
 
+#include <QAction>
 #include <QEvent>
 #include <QPainter>
 #include <QProgressBar>
@@ -63,6 +64,13 @@ QPushButton* makeButton(const QString& text, const char* kind) {
   auto* button = new QPushButton(text);
   if (kind) button->setProperty("kind", kind);
   return button;
+}
+
+void allow(QAction& action, const QString& whyNot) {
+  action.setEnabled(whyNot.isEmpty());
+  const QString key = action.shortcut().toString(QKeySequence::NativeText);
+  const QString name = key.isEmpty() ? action.text() : QObject::tr("%1 (%2)").arg(action.text(), key);
+  action.setToolTip(whyNot.isEmpty() ? name : name + u'\n' + whyNot);
 }
 
 QProgressBar* makeProgressBar() {

@@ -11,6 +11,7 @@
 
 #include "widgets/kit/theme.hpp"
 
+class QAction;
 class QProgressBar;
 
 /// Small building blocks of the window. Their looks come from properties that the style sheet knows.
@@ -29,6 +30,8 @@ QToolButton* makeTool(const QString& icon, const QString& tip, bool checkable = 
 /// A button with icon and word, as the workflow bar has them.
 QToolButton* makeAction(const QString& icon, const QString& text, const QString& tip = {});
 QPushButton* makeButton(const QString& text, const char* kind = nullptr);
+/// It can be used, or cannot for a reason that its tooltip says; where it can the reason is empty.
+void allow(QAction& action, const QString& whyNot);
 /// A bar without words, filled by showShare.
 QProgressBar* makeProgressBar();
 /// 0…1 of the bar.

@@ -9,11 +9,11 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "document/document.hpp"
 #include "io/whole_file.hpp"
 #include "model/solid_shape.hpp"
 #include "orientation/dxf_joints.hpp"
 #include "orientation/project_joints.hpp"
-#include "session/current_project.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
@@ -61,7 +61,7 @@ const std::array<const char*, 8> columns{"dip", "dip direction", "set", "x", "y"
 
 }  // namespace
 
-PasteJoints::PasteJoints(CurrentProject& project, QWidget* parent) : QDialog(parent), project_(project) {
+PasteJoints::PasteJoints(Document& document, QWidget* parent) : QDialog(parent), document_(document) {
   setWindowTitle(tr("Paste joints"));
   resize(parent ? usual_dialog_size.boundedTo(parent->size() - QSize(60, 40)) : usual_dialog_size);
   auto* column = new QVBoxLayout(this);
@@ -175,7 +175,7 @@ void PasteJoints::presentFile(const std::filesystem::path& file) {
 
 void PasteJoints::prepare() {
   listStrengths();
-  through_ = middleOf(project_.document().project());
+  through_ = middleOf(document_.project());
   showPlace();
 }
 
@@ -189,7 +189,7 @@ void PasteJoints::setText(const QString& text) { text_->setPlainText(text); }
 
 void PasteJoints::listStrengths() {
   strength_->clear();
-  for (const Joint& joint : project_.document().project().joints) strength_->addItem(text(joint.name));
+  for (const Joint& joint : document_.project().joints) strength_->addItem(text(joint.name));
   strength_->addItem(tr("φ %1°, no cohesion").arg(usual_friction));
 }
 
@@ -208,7 +208,7 @@ void PasteJoints::load(const std::filesystem::path& file) {
     }
     JointTable drawing = read_dxf_joints(content);
     for (JointLine& line : drawing.lines)
-      if (line.joint) shift(*line.joint, -project_.document().project().origin);
+      if (line.joint) shift(*line.joint, -document_.project().origin);
     text_->setPlainText(tr("# faces of %1").arg(text(file.filename().string())));
     take(std::move(drawing));
   } catch (const InputError& error) {
@@ -294,7 +294,7 @@ void PasteJoints::showNotes() {
 }
 
 void PasteJoints::add() {
-  const Project& project = project_.document().project();
+  const Project& project = document_.project();
   const std::vector<MeasuredJoint> joints = table_.joints();
   Joint strength;
   const auto chosen = static_cast<std::size_t>(std::max(0, strength_->currentIndex()));
@@ -305,8 +305,8 @@ void PasteJoints::add() {
     strength.friction_angle = usual_friction;
   }
   try {
-    project_.document().change(with_joints(project, joints, strength, through_),
-                               tr("paste %1").arg(numbers::counted(joints.size(), "joint")));
+    document_.change(with_joints(project, joints, strength, through_),
+                     tr("paste %1").arg(numbers::counted(joints.size(), "joint")));
     accept();
   } catch (const InputError& error) {
     refusal_->setText(QString::fromUtf8(error.what()));

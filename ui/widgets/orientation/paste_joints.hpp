@@ -12,7 +12,7 @@ class QPushButton;
 
 namespace talus {
 
-class CurrentProject;
+class Document;
 class PlainTable;
 
 /// Joints from the clipboard or a file into the project: the text, what was read from it line by line with what is
@@ -21,7 +21,7 @@ class PlainTable;
 class PasteJoints : public QDialog {
   Q_OBJECT
  public:
-  explicit PasteJoints(CurrentProject& project, QWidget* parent = nullptr);
+  explicit PasteJoints(Document& document, QWidget* parent = nullptr);
   /// Begins with what is in the clipboard.
   void present();
   void setText(const QString& text);
@@ -45,7 +45,7 @@ class PasteJoints : public QDialog {
   void showPlace();
   void add();
 
-  CurrentProject& project_;
+  Document& document_;
   JointTable table_;
   Vec3 through_ = Vec3::Zero();  ///< m, for joints without a place
   QPlainTextEdit* text_;

@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "session/current_project.hpp"
 #include "session/display.hpp"
+#include "session/project_problems.hpp"
 
 namespace talus {
 
@@ -98,8 +98,8 @@ void ProblemRow::paintEvent(QPaintEvent* event) {
   painter.drawRoundedRect(QRectF(rect()).adjusted(3.5, 0.5, -3.5, -0.5), 4, 4);
 }
 
-ProblemList::ProblemList(CurrentProject& project, Messages& messages, Display& display)
-    : project_(project), messages_(messages), display_(display) {
+ProblemList::ProblemList(const ProjectProblems& problems, Messages& messages, Display& display)
+    : problems_(problems), messages_(messages), display_(display) {
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   auto* content = makePlane("surface");
@@ -109,14 +109,14 @@ ProblemList::ProblemList(CurrentProject& project, Messages& messages, Display& d
   column->addWidget(makeScrolled(content));
   // A row that asked for a change still handles its event: it must not be deleted under itself.
   connect(&messages_, &Messages::problemsChanged, this, &ProblemList::refresh, Qt::QueuedConnection);
-  connect(&project_.problems(), &ProjectProblems::changed, this, &ProblemList::refresh, Qt::QueuedConnection);
+  connect(&problems_, &ProjectProblems::changed, this, &ProblemList::refresh, Qt::QueuedConnection);
   refresh();
 }
 
 void ProblemList::refresh() {
   clearLayout(*rows_);
   std::vector<Problem> problems = messages_.problems();
-  problems.insert(problems.end(), project_.problems().all().begin(), project_.problems().all().end());
+  problems.insert(problems.end(), problems_.all().begin(), problems_.all().end());
   if (problems.empty()) {
     auto* none = makeLabel(tr("No problems."), "muted");
     none->setContentsMargins(12, 6, 12, 6);

@@ -7,7 +7,7 @@
 
 namespace talus {
 
-class CurrentProject;
+class ProjectProblems;
 class Display;
 
 /// One problem: what, where, remedy; Enter, a double click or its button go there.
@@ -32,11 +32,11 @@ class ProblemRow : public QFrame {
 class ProblemList : public QWidget {
   Q_OBJECT
  public:
-  ProblemList(CurrentProject& project, Messages& messages, Display& display);
+  ProblemList(const ProjectProblems& problems, Messages& messages, Display& display);
 
  private:
   void refresh();
-  CurrentProject& project_;
+  const ProjectProblems& problems_;
   Messages& messages_;
   Display& display_;
   QVBoxLayout* rows_;

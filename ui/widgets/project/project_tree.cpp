@@ -1,5 +1,6 @@
 #include "widgets/project/project_tree.hpp"
 
+#include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
 #include <QMouseEvent>
@@ -45,6 +46,13 @@ QString stageFigure(const Stage& stage) {
   return stage.kind == StageKind::static_ ? QObject::tr("static %1").arg(length) : length;
 }
 
+/// A click on the button shows the menu.
+void showMenuOf(QToolButton& button, QMenu* menu) {
+  button.setMenu(menu);
+  button.setPopupMode(QToolButton::InstantPopup);
+  button.setProperty("kind", "new");
+}
+
 }  // namespace
 
 ProjectTree::ProjectTree(CurrentProject& project, Display& display, Messages& messages)
@@ -62,9 +70,8 @@ ProjectTree::ProjectTree(CurrentProject& project, Display& display, Messages& me
   setMouseTracking(true);
   setExpandsOnDoubleClick(true);
   setAccessibleName(tr("Project"));
-  connect(this, &QTreeWidget::itemEntered, this, [this](QTreeWidgetItem* row) {
-    project_.selection().hover(itemOf(*row));
-  });
+  connect(this, &QTreeWidget::itemEntered, this,
+          [this](QTreeWidgetItem* row) { project_.selection().hover(itemOf(*row)); });
   connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) {
     if (!row) return;
     const Item item = itemOf(*row);
@@ -109,19 +116,20 @@ void ProjectTree::offerNew(QTreeWidgetItem* group, const std::vector<Item::Kind>
       messages_.add(problemOf(error));
     }
   };
+  const auto menu = newMenus_.find(static_cast<WorkflowPage>(group->data(0, page_role).toInt()));
   // The tree is made anew by what is added, and the button with it: after the click.
-  if (kinds.size() == 1) {
+  if (menu != newMenus_.end()) {
+    showMenuOf(*button, menu->second);
+  } else if (kinds.size() == 1) {
     connect(
         button, &QToolButton::clicked, this, [add, kind = kinds[0]] { add(kind); }, Qt::QueuedConnection);
   } else {
-    auto* menu = new QMenu(tr("New"), button);
+    auto* choices = new QMenu(tr("New"), button);
     for (const auto kind : kinds)
       connect(
-          menu->addAction(things::titleOf(kind)), &QAction::triggered, this, [add, kind] { add(kind); },
+          choices->addAction(things::titleOf(kind)), &QAction::triggered, this, [add, kind] { add(kind); },
           Qt::QueuedConnection);
-    button->setMenu(menu);
-    button->setPopupMode(QToolButton::InstantPopup);
-    button->setProperty("kind", "new");
+    showMenuOf(*button, choices);
   }
   setItemWidget(group, 2, button);
 }
@@ -317,6 +325,17 @@ void ProjectTree::mousePressEvent(QMouseEvent* event) {
     if (item.kind == Item::Kind::solid) return project_.selection().toggleSolid(item.index);
   }
   QTreeWidget::mousePressEvent(event);
+}
+
+void ProjectTree::contextMenuEvent(QContextMenuEvent* event) {
+  const auto* row = itemAt(event->pos());
+  if (!row || itemOf(*row).kind == Item::Kind::none) return;
+  emit menuWanted(event->globalPos());
+}
+
+void ProjectTree::setNewMenu(WorkflowPage page, QMenu* menu) {
+  newMenus_[page] = menu;
+  rebuild();
 }
 
 void ProjectTree::leaveEvent(QEvent* event) {

@@ -7,6 +7,8 @@
 #include "document/selection.hpp"
 #include "session/workflow_page.hpp"
 
+class QMenu;
+
 namespace talus {
 
 class CurrentProject;
@@ -21,9 +23,16 @@ class ProjectTree : public QTreeWidget {
 
   /// The row of a thing, null when the project does not hold it.
   QTreeWidgetItem* rowOf(const Item& item) const;
+  /// Another choice behind the plus of a page's group than one of the schema's things.
+  void setNewMenu(WorkflowPage page, QMenu* menu);
+
+ signals:
+  /// Of what is selected, at a point of the screen.
+  void menuWanted(const QPoint& at);
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
  private:
@@ -43,6 +52,7 @@ class ProjectTree : public QTreeWidget {
   Messages& messages_;
   std::map<WorkflowPage, QTreeWidgetItem*> groups_;
   std::vector<QTreeWidgetItem*> blockRows_;  ///< of the first blocks, as many as are listed
+  std::map<WorkflowPage, QMenu*> newMenus_;
 };
 
 }  // namespace talus

@@ -7,7 +7,8 @@
 
 #include "jobs/solver_job.hpp"
 #include "model/stage_length.hpp"
-#include "session/session.hpp"
+#include "session/current_project.hpp"
+#include "session/current_run.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/run/cost_ahead.hpp"
 #include "widgets/run/effect_list.hpp"
@@ -47,7 +48,8 @@ double shareOf(const RunReport& report, const std::vector<StepReport>& steps, co
 
 }  // namespace
 
-RunPanel::RunPanel(Session& session) : session_(session), header_(new PanelHeader(tr("Run"))) {
+RunPanel::RunPanel(CurrentProject& project, CurrentRun& run, Messages& messages, Display& display)
+    : project_(project), run_(run), header_(new PanelHeader(tr("Run"))) {
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   column->addWidget(header_);
@@ -72,37 +74,37 @@ RunPanel::RunPanel(Session& session) : session_(session), header_(new PanelHeade
   bar_->setAccessibleName(tr("Share of the run that is done"));
   inner->addWidget(bar_);
 
-  inner->addWidget(new StepFacts(session_.project, session_.run));
+  inner->addWidget(new StepFacts(project_, run_));
   auto* whole = new QWidget;
   auto* sections = new QVBoxLayout(whole);
   setMargins(sections, 0, 0);
-  sections->addWidget(new CostAhead(session_.project, session_.run));
-  sections->addWidget(new AccuracySlider(session_.project, session_.run, session_.messages));
+  sections->addWidget(new CostAhead(project_, run_));
+  sections->addWidget(new AccuracySlider(project_, run_, messages));
   sections->addWidget(content);
-  sections->addWidget(new TroublePanel(session_.run, session_.display));
+  sections->addWidget(new TroublePanel(run_, display));
   sections->addWidget(makeLine(Qt::Horizontal));
   auto* costs = new QWidget;
   auto* list = new QVBoxLayout(costs);
   list->setContentsMargins(12, 10, 12, 10);
-  list->addWidget(new EffectList(session_.run));
+  list->addWidget(new EffectList(run_));
   sections->addWidget(costs);
   sections->addStretch();
   column->addWidget(makeScrolled(whole), 1);
 
-  connect(&session_.run, &CurrentRun::progressed, this, &RunPanel::refresh);
-  connect(&session_.run, &CurrentRun::historyChanged, this, &RunPanel::refresh);
-  connect(&session_.run.job(), &SolverJob::stateChanged, this, &RunPanel::refresh);
-  connect(&session_.run, &CurrentRun::reportChanged, this, &RunPanel::refresh);
+  connect(&run_, &CurrentRun::progressed, this, &RunPanel::refresh);
+  connect(&run_, &CurrentRun::historyChanged, this, &RunPanel::refresh);
+  connect(&run_.job(), &SolverJob::stateChanged, this, &RunPanel::refresh);
+  connect(&run_, &CurrentRun::reportChanged, this, &RunPanel::refresh);
   refresh();
 }
 
 void RunPanel::refresh() {
-  const SolverJob& job = session_.run.job();
-  const auto& report = session_.run.report();
-  header_->setTitle(tr("Run"), stateWords(job.state(), session_.run));
+  const SolverJob& job = run_.job();
+  const auto& report = run_.report();
+  header_->setTitle(tr("Run"), stateWords(job.state(), run_));
   const bool busy = job.isBusy();
-  const double fraction = busy     ? session_.run.fraction()
-                          : report ? shareOf(*report, session_.run.steps(), session_.project.document().project())
+  const double fraction = busy     ? run_.fraction()
+                          : report ? shareOf(*report, run_.steps(), project_.document().project())
                                    : 0;
   percent_->setText(busy || report ? tr("%1 %").arg(static_cast<int>(100 * fraction)) : QStringLiteral("–"));
   if (!busy && report && report->status != RunStatus::completed)
@@ -114,9 +116,9 @@ void RunPanel::refresh() {
     spent_->setText(tr("%1 spent").arg(numbers::duration(job.timeLeft().spent())));
   } else {
     left_->setText(report ? numbers::duration(report->wall_seconds) : QString());
-    spent_->setText(report                         ? numbers::counted(report->threads, "thread")
-                    : session_.run.steps().empty() ? tr("not run yet")
-                                                   : tr("from results"));
+    spent_->setText(report                 ? numbers::counted(report->threads, "thread")
+                    : run_.steps().empty() ? tr("not run yet")
+                                           : tr("from results"));
   }
 }
 

@@ -8,19 +8,23 @@ class QProgressBar;
 
 namespace talus {
 
-struct Session;
+class CurrentProject;
+class CurrentRun;
+class Display;
+class Messages;
 
 /// What a run will cost, before it; then how it goes: share done, time left, contacts, penetration, blocks asleep;
 /// where it has trouble to converge; what each effect costs and why it is on.
 class RunPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit RunPanel(Session& session);
+  RunPanel(CurrentProject& project, CurrentRun& run, Messages& messages, Display& display);
 
  private:
   void refresh();
 
-  Session& session_;
+  CurrentProject& project_;
+  CurrentRun& run_;
   PanelHeader* header_;
   QLabel *percent_, *left_, *spent_;
   QProgressBar* bar_;

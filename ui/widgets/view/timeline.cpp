@@ -9,8 +9,8 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "document/document.hpp"
 #include "model/stage_length.hpp"
-#include "session/current_project.hpp"
 #include "session/current_run.hpp"
 #include "session/playback.hpp"
 #include "widgets/kit/numbers.hpp"
@@ -34,8 +34,8 @@ int frameAt(const std::vector<double>& times, double time) {
 
 }  // namespace
 
-TimelineTrack::TimelineTrack(CurrentProject& project, CurrentRun& run, Playback& playback)
-    : project_(project), run_(run), playback_(playback) {
+TimelineTrack::TimelineTrack(Document& document, CurrentRun& run, Playback& playback)
+    : document_(document), run_(run), playback_(playback) {
   setMinimumWidth(140);
   setAccessibleName(tr("Timeline"));
   connect(&playback_, &Playback::framesChanged, this, qOverload<>(&QWidget::update));
@@ -48,7 +48,7 @@ double TimelineTrack::end() const {
   double last = times.empty() ? 1 : times.back();
   if (!playback_.isLive()) return std::max(last, 1e-9);
   double planned = 0;  // a run that goes on will get there
-  for (const Stage& stage : project_.document().project().stages) planned += length_of(stage);
+  for (const Stage& stage : document_.project().stages) planned += length_of(stage);
   return std::max(last, planned);
 }
 
@@ -138,7 +138,7 @@ bool TimelineTrack::event(QEvent* event) {
   return true;
 }
 
-Timeline::Timeline(CurrentProject& project, CurrentRun& run, Playback& playback) : playback_(playback) {
+Timeline::Timeline(Document& document, CurrentRun& run, Playback& playback) : playback_(playback) {
   setProperty("plane", "bottom");
   setFixedHeight(44);
   auto* row = new QHBoxLayout(this);
@@ -150,7 +150,7 @@ Timeline::Timeline(CurrentProject& project, CurrentRun& run, Playback& playback)
   loop_ = makeTool(QStringLiteral("loop"), tr("Loop (L)"), true);
   for (auto* tool : {back_, play_, forward_, loop_}) row->addWidget(tool);
   row->addSpacing(6);
-  track_ = new TimelineTrack(project, run, playback);
+  track_ = new TimelineTrack(document, run, playback);
   row->addWidget(track_, 1);
   row->addSpacing(8);
   time_ = makeLabel({}, "strong");

@@ -11,7 +11,7 @@ class QToolButton;
 
 namespace talus {
 
-class CurrentProject;
+class Document;
 class CurrentRun;
 class Playback;
 
@@ -19,7 +19,7 @@ class Playback;
 class TimelineTrack : public QWidget {
   Q_OBJECT
  public:
-  TimelineTrack(CurrentProject& project, CurrentRun& run, Playback& playback);
+  TimelineTrack(Document& document, CurrentRun& run, Playback& playback);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -37,7 +37,7 @@ class TimelineTrack : public QWidget {
   double xAt(double time) const;
   void scrubTo(double x);
 
-  CurrentProject& project_;
+  Document& document_;
   CurrentRun& run_;
   Playback& playback_;
 };
@@ -46,7 +46,7 @@ class TimelineTrack : public QWidget {
 class Timeline : public QFrame {
   Q_OBJECT
  public:
-  Timeline(CurrentProject& project, CurrentRun& run, Playback& playback);
+  Timeline(Document& document, CurrentRun& run, Playback& playback);
   bool isPlaying() const { return timer_.isActive(); }
 
  public slots:

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "geometry/solid_surface.hpp"
 #include "jobs/solver_job.hpp"
 #include "render/scene/slope_view.hpp"
 #include "session/session.hpp"
@@ -133,15 +134,15 @@ Viewport::Viewport(Session& session, QWidget* parent)
     stillTimer_.start();
   });
   connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applySelection);
-  connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applyActions);
-  connect(&session_.project.document(), &Document::projectChanged, this, &Viewport::applyActions);
-  connect(&session_.display, &Display::pageChanged, this, &Viewport::applyActions);
   connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applyJoints);
   connect(&session_.joints, &DrawnJoints::changed, this, &Viewport::applyJoints);
   connect(&session_.display, &Display::pageChanged, this, &Viewport::applySettings);
   connect(&session_.display, &Display::pageChanged, this, &Viewport::applyJoints);
   connect(&session_.display, &Display::changed, this, &Viewport::followSystem);
   connect(&session_.display, &Display::changed, this, &Viewport::applyJoints);
+  connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applyActions);
+  connect(&session_.project.document(), &Document::projectChanged, this, &Viewport::applyActions);
+  connect(&session_.display, &Display::pageChanged, this, &Viewport::applyActions);
   connect(&session_.project.selection(), &Selection::hoverChanged, this, [this] {
     if (!scene_) return;
     scene_->set_hovered(hoveredInView());
@@ -261,6 +262,9 @@ void Viewport::applySettings() {
   settings.fine = still_ && drag_ == Drag::none && !computing;
   settings.parallel_projection = scene_->settings().parallel_projection;
   if (!session_.playback.frame() || showsSolids_) settings.field.reset();
+  if (const auto* surfaces = session_.surfaces.current(); surfaces && showsSolids_)
+    for (const SolidSurface& surface : *surfaces)
+      std::ranges::copy(oddPlaces(surface), std::back_inserter(settings.places));
   scene_->set_settings(settings);
   render();
 }
@@ -285,6 +289,16 @@ void Viewport::applyJoints() {
     scene_->set_joints({}, {});
   render();
 }
+
+Selection& Viewport::selection() const { return session_.project.selection(); }
+
+bool Viewport::isRunning() const { return session_.run.isBusy(); }
+
+const SceneSettings& Viewport::displayed() const { return session_.display.settings(); }
+
+const Project& Viewport::project() const { return session_.project.document().project(); }
+
+WorkflowPage Viewport::page() const { return session_.display.page(); }
 
 void Viewport::applyTroubles() {
   if (!scene_) return;
@@ -407,10 +421,12 @@ std::optional<CameraPose> Viewport::pose() const {
 QPixmap Viewport::picture() { return surface_->widget()->grab(); }
 
 void Viewport::showEmptyState() {
-  empty_->setVisible(!system_);
-  if (system_) return;
   const JobState state = session_.run.job().state();
-  if (state == JobState::meshing || state == JobState::stopping) {
+  const bool isCutting = state == JobState::meshing || (state == JobState::stopping && !session_.playback.isLive());
+  const bool isShown = !system_ || (showsSolids_ && isCutting);
+  empty_->setVisible(isShown);
+  if (!isShown) return;
+  if (isCutting) {
     const int percent = static_cast<int>(100 * session_.run.fraction());
     QStringList lines{tr("Cutting and meshing, %1 %").arg(percent), session_.run.activity()};
     const auto left = session_.run.job().timeLeft().seconds();

@@ -25,6 +25,8 @@ class RenderSurface;
 class ViewOverlay;
 class ViewTool;
 struct PickedPlace;
+class Selection;
+enum class WorkflowPage;
 struct Session;
 
 /// The 3-D view: draws the session's blocks and frame, or its solids as long as they are not cut, moves the camera,
@@ -89,6 +91,10 @@ class Viewport : public QWidget {
   /// Strips and tools that lie over the view get their places again.
   void placeOverlays();
 
+ signals:
+  /// Of what is selected, at a point of the screen.
+  void menuWanted(const QPoint& at);
+
  protected:
   void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -109,6 +115,12 @@ class Viewport : public QWidget {
   /// Selects the load, support or monitor whose glyph is there; false where there is none.
   bool selectActionAt(QPointF point);
   void flyTo(const CameraPose& pose);
+  // What the mouse and the glyphs need of the session.
+  const Project& project() const;
+  WorkflowPage page() const;
+  Selection& selection() const;
+  bool isRunning() const;
+  const SceneSettings& displayed() const;
   void leaveRoomForTools();
   void moveCamera(const CameraPose& pose);
   void render();
@@ -122,6 +134,7 @@ class Viewport : public QWidget {
   bool toolTakes(const QMouseEvent& event);
   bool toolClicked(const QMouseEvent& event);
   bool keyPressed(QEvent* event);
+  void menuAsked(const QMouseEvent& event);
   bool wheelTurned(const QWheelEvent& event);
   void pickForHover();
   void selectIn(const QPolygonF& outline, bool touched, bool added);

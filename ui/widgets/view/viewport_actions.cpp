@@ -1,8 +1,9 @@
 // Loads, supports, velocities, stress in situ and monitors in the 3-D view: which are shown, and a click on one.
 #include <algorithm>
 
+#include "document/selection.hpp"
 #include "model/stage_changes.hpp"
-#include "session/session.hpp"
+#include "session/workflow_page.hpp"
 #include "widgets/view/viewport.hpp"
 
 namespace talus {
@@ -37,10 +38,8 @@ std::vector<ActionGlyph> actionsInStage(const Project& project, int stage, const
   return glyphs;
 }
 
-std::vector<ActionGlyph> shownActions(Session& session, const BlockSystem& system) {
-  const Project& project = session.project.document().project();
-  const WorkflowPage page = session.display.page();
-  const Item& current = session.project.selection().current();
+std::vector<ActionGlyph> shownActions(const Project& project, WorkflowPage page, const Item& current,
+                                      const BlockSystem& system) {
   std::vector<ActionGlyph> glyphs;
   if (page == WorkflowPage::stages && current.kind == Item::Kind::stage)
     glyphs = actionsInStage(project, current.index, system);
@@ -58,7 +57,7 @@ std::vector<ActionGlyph> shownActions(Session& session, const BlockSystem& syste
 
 void Viewport::applyActions() {
   if (!scene_) return;
-  auto glyphs = shownActions(session_, *system_);
+  auto glyphs = shownActions(project(), page(), selection().current(), *system_);
   if (glyphs == actions_) return;
   actions_ = glyphs;
   scene_->set_actions(std::move(glyphs));
@@ -74,7 +73,7 @@ std::optional<ActionGlyph> Viewport::actionAt(QPointF point) const {
 bool Viewport::selectActionAt(QPointF point) {
   const auto glyph = actionAt(point);
   if (!glyph || glyph->index < 0) return false;
-  session_.project.selection().select({itemKindOf(glyph->kind), glyph->index});
+  selection().select({itemKindOf(glyph->kind), glyph->index});
   return true;
 }
 

@@ -7,9 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "jobs/solver_job.hpp"
+#include "document/selection.hpp"
 #include "removability/block_rule.hpp"
-#include "session/session.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/view/lasso.hpp"
@@ -45,7 +44,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Leave:
       hoverTimer_.stop();
       for (ViewTool* tool : overlay_->tools()) tool->leave();
-      session_.project.selection().hover();
+      selection().hover();
       return false;
     default:
       return false;
@@ -97,7 +96,7 @@ bool Viewport::mouseMoved(const QMouseEvent& event) {
   const QPointF by = event.position() - last_;
   if (drag_ == Drag::none) {
     last_ = event.position();
-    if (!session_.run.job().isBusy() && !hoverTimer_.isActive()) hoverTimer_.start();
+    if (!isRunning() && !hoverTimer_.isActive()) hoverTimer_.start();
     return true;
   }
   if (drag_ == Drag::tool) {
@@ -130,6 +129,7 @@ bool Viewport::mouseReleased(const QMouseEvent& event) {
   const bool clicked = drag_ != Drag::none && !moved_ && event.button() == Qt::LeftButton;
   const bool boxed = drag_ == Drag::box && moved_, drawn = drag_ == Drag::lasso && moved_;
   const bool added = event.modifiers().testFlag(Qt::ControlModifier);
+  if (event.button() == Qt::RightButton) return menuAsked(event), true;
   drag_ = Drag::none;
   band_->hide();
   const QPolygonF around = lasso_->take();
@@ -145,6 +145,14 @@ bool Viewport::toolClicked(const QMouseEvent& event) {
                              [&](ViewTool* tool) { return tool->click(event.position(), event.modifiers()); });
 }
 
+/// A right click on something that is not selected selects it first.
+void Viewport::menuAsked(const QMouseEvent& event) {
+  const auto pick = pickAt(event.position());
+  const auto chosen = selectedInView();
+  if (pick && std::ranges::count(chosen, pick->block) == 0) selection().select(itemOf(pick->block));
+  emit menuWanted(event.globalPosition().toPoint());
+}
+
 bool Viewport::wheelTurned(const QWheelEvent& event) {
   flight_.stop();
   const double notches = event.angleDelta().y() / 120.0;  // touch pads send fractions
@@ -154,11 +162,11 @@ bool Viewport::wheelTurned(const QWheelEvent& event) {
 
 void Viewport::pickForHover() {
   if (std::ranges::any_of(overlay_->tools(), [this](ViewTool* tool) { return tool->hover(last_); })) {
-    session_.project.selection().hover();
+    selection().hover();
     return;
   }
   const auto pick = pickAt(last_);
-  session_.project.selection().hover(pick ? itemOf(pick->block) : Item{});
+  selection().hover(pick ? itemOf(pick->block) : Item{});
   if (!showsSolids_) return;
   if (pick)
     showCard(*pick, last_);
@@ -171,14 +179,14 @@ void Viewport::selectIn(const QPolygonF& outline, bool touched, bool added) {
   std::vector<std::array<double, 2>> corners;
   for (const QPointF& corner : outline) corners.push_back({corner.x() * ratio, corner.y() * ratio});
   std::vector<int> blocks = scene_->blocks_in(corners, touched);
-  Selection& selection = session_.project.selection();
+  Selection& shared = selection();
   if (showsSolids_)
     for (int& block : blocks) block = itemOf(block).index;
-  if (added) blocks = combined(showsSolids_ ? selection.solids() : selection.blocks(), blocks, Combination::add);
+  if (added) blocks = combined(showsSolids_ ? shared.solids() : shared.blocks(), blocks, Combination::add);
   if (showsSolids_)
-    selection.selectSolids(std::move(blocks));
+    shared.selectSolids(std::move(blocks));
   else
-    selection.selectBlocks(std::move(blocks));
+    shared.selectBlocks(std::move(blocks));
 }
 
 Item Viewport::itemOf(int block) const {
@@ -187,19 +195,19 @@ Item Viewport::itemOf(int block) const {
 }
 
 std::vector<int> Viewport::selectedInView() const {
-  const Selection& selection = session_.project.selection();
-  if (!selection.blocks().empty()) return showsSolids_ ? std::vector<int>{} : selection.blocks();
+  const Selection& shared = selection();
+  if (!shared.blocks().empty()) return showsSolids_ ? std::vector<int>{} : shared.blocks();
   std::vector<int> chosen;
   for (std::size_t b = 0; system_ && b < system_->blocks.size(); ++b)
-    if (std::ranges::count(selection.solids(), system_->blocks[b].solid) > 0) chosen.push_back(static_cast<int>(b));
+    if (std::ranges::count(shared.solids(), system_->blocks[b].solid) > 0) chosen.push_back(static_cast<int>(b));
   return chosen;
 }
 
 std::optional<int> Viewport::hoveredInView() const {
-  const Selection& selection = session_.project.selection();
-  if (!showsSolids_) return selection.hoveredBlock();
+  const Selection& shared = selection();
+  if (!showsSolids_) return shared.hoveredBlock();
   for (std::size_t b = 0; b < system_->blocks.size(); ++b)
-    if (system_->blocks[b].solid == selection.hoveredSolid()) return static_cast<int>(b);
+    if (system_->blocks[b].solid == shared.hoveredSolid()) return static_cast<int>(b);
   return std::nullopt;
 }
 
@@ -207,29 +215,29 @@ void Viewport::selectAt(QPointF point, Qt::KeyboardModifiers modifiers) {
   if (selectActionAt(point)) return;
   const auto pick = pickAt(point);
   if (!pick || pick->block < 0) {
-    session_.project.selection().clear();
+    selection().clear();
     return;
   }
   const Item item = itemOf(pick->block);
   if (!modifiers.testFlag(Qt::ControlModifier))
-    session_.project.selection().select(item);
+    selection().select(item);
   else if (showsSolids_)
-    session_.project.selection().toggleSolid(item.index);
+    selection().toggleSolid(item.index);
   else
-    session_.project.selection().toggleBlock(item.index);
+    selection().toggleBlock(item.index);
   showCard(*pick, point);
 }
 
 void Viewport::showCard(const Pick& pick, QPointF point) {
   const Block& block = system_->blocks[static_cast<std::size_t>(pick.block)];
   cardTitle_->setText(text(block.name));
-  const Vec3 surveyed = pick.position + session_.project.document().project().origin;
+  const Vec3 surveyed = pick.position + project().origin;
   QString words =
       tr("E %1  N %2  Z %3 m")
           .arg(numbers::fixed(surveyed.x(), 1), numbers::fixed(surveyed.y(), 1), numbers::fixed(surveyed.z(), 1));
   if (showsSolids_) words = tr("%1 m³").arg(numbers::significant(block.volume, 4)) + u'\n' + words;
-  if (pick.value && session_.display.settings().field) {
-    const Field& field = *session_.display.settings().field;
+  if (pick.value && displayed().field) {
+    const Field& field = *displayed().field;
     const std::string unit(field.unit);
     words = tr("%1 %2").arg(text(field.title), numbers::quantity(*pick.value, unit.c_str())) + u'\n' + words;
   }

@@ -10,6 +10,7 @@
 #include "widgets/blocks/block_actions.hpp"
 #include "widgets/blocks/blocks_panel.hpp"
 #include "widgets/blocks/mesh_panel.hpp"
+#include "widgets/blocks/splinter_panel.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/project/page_table.hpp"
@@ -36,10 +37,13 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   blocks_ = new BlocksPanel(session, tools,
                             {actions.hide, actions.isolate, actions.showAll, actions.blocks->neighbours,
                              actions.blocks->excavate, actions.blocks->merge});
-  mesh_ = new MeshPanel(session.project, session.survey, session.display);
+  mesh_ = new MeshPanel(session);
   for (QWidget* table : std::initializer_list<QWidget*>{page_, blocks_, mesh_}) tables_->addWidget(table);
+  splinters_ = new SplinterPanel(session);
+  splinters_->setParent(this);
+  splinters_->hide();
   histories_ = new HistoryPanel(session.run, session.playback, session.display);
-  problems_ = new ProblemList(session.project, session.messages, session.display);
+  problems_ = new ProblemList(session.project.problems(), session.messages, session.display);
   log_ = new QPlainTextEdit;
   log_->setReadOnly(true);
   log_->setMaximumBlockCount(5000);
@@ -59,8 +63,25 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   connect(&session_.messages, &Messages::logged, this, [this](const QString& line) {
     log_->appendPlainText(QTime::currentTime().toString(QStringLiteral("HH:mm:ss  ")) + line);
   });
+  connect(&session_.splinters, &SplinterList::changed, this, &BottomPanel::showSplinters);
   countProblems();
   showPage();
+}
+
+/// They have a tab while there are some, which comes to the front where they keep the rock from being cut.
+void BottomPanel::showSplinters() {
+  const int tab = indexOf(splinters_);
+  const auto count = session_.splinters.all().size();
+  if (count == 0) {
+    if (tab >= 0) removeTab(tab);
+    return;
+  }
+  const QString title = tr("Splinters  %1").arg(count);
+  if (tab < 0)
+    insertTab(1, splinters_, title);
+  else
+    setTabText(tab, title);
+  if (session_.splinters.areRefused()) setCurrentWidget(splinters_);
 }
 
 void BottomPanel::showPage() {

@@ -11,6 +11,7 @@ namespace talus {
 class BlocksPanel;
 class MeshPanel;
 class PageTable;
+class SplinterPanel;
 struct Session;
 class WindowActions;
 
@@ -26,6 +27,7 @@ class BottomPanel : public QTabWidget {
   void showPage();
   void showTitle();
   void countProblems();
+  void showSplinters();
   Session& session_;
   QStackedWidget* tables_;  ///< one of these three
   QWidget* page_;           ///< the strip of stages, on their page, and the table
@@ -33,6 +35,7 @@ class BottomPanel : public QTabWidget {
   PageTable* table_;
   BlocksPanel* blocks_;
   MeshPanel* mesh_;
+  SplinterPanel* splinters_;  ///< has no tab while there are none
   QWidget *histories_, *problems_;
   QPlainTextEdit* log_;
 };

@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
 #include <QScreen>
 #include <QSettings>
 #include <QShortcut>
@@ -14,6 +15,7 @@
 #include "base/error.hpp"
 #include "jobs/solver_job.hpp"
 #include "widgets/begin/start_page.hpp"
+#include "widgets/geometry/solid_tools.hpp"
 #include "widgets/joints/joint_handles.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/kit/numbers.hpp"
@@ -73,6 +75,7 @@ MainWindow::MainWindow(SolverParts parts)
   makeViewTools();
   new JointHandles(session_, *viewport_);
   actions_->drive(*viewport_, *timeline_);
+  actions_->solids->measureIn(*viewport_);
   connectActions();
   connect(&session_.display, &Display::pageChanged, this, &MainWindow::showPage);
   connect(
@@ -89,7 +92,8 @@ MainWindow::MainWindow(SolverParts parts)
   updateTitle();
 }
 
-MainWindow::~MainWindow() = default;
+// What is hidden tells the session so: while there is one.
+MainWindow::~MainWindow() { hide(); }
 
 void MainWindow::makeBars() {
   topBar_ = new TopBar(session_.project.document(), session_.display, *actions_);
@@ -111,7 +115,7 @@ void MainWindow::makeCentre() {
   auto* column = new QVBoxLayout(work);
   setMargins(column, 0, 0);
   viewport_ = new Viewport(session_);
-  timeline_ = new Timeline(session_.project, session_.run, session_.playback);
+  timeline_ = new Timeline(session_.project.document(), session_.run, session_.playback);
   column->addWidget(viewport_, 1);
   column->addWidget(timeline_);
   centre_->addWidget(start_);
@@ -147,13 +151,18 @@ void MainWindow::makeDocks() {
   auto* column = new QVBoxLayout(project);
   setMargins(column, 0, 0);
   column->addWidget(new PanelHeader(tr("Project")));
-  column->addWidget(new ProjectTree(session_.project, session_.display, session_.messages), 1);
+  tree_ = new ProjectTree(session_.project, session_.display, session_.messages);
+  auto* newSolid = new QMenu(this);
+  newSolid->setToolTipsVisible(true);
+  actions_->solids->addNew(*newSolid);
+  tree_->setNewMenu(WorkflowPage::geometry, newSolid);
+  column->addWidget(tree_, 1);
   project->setMinimumWidth(tree_width);
   left_ = addDock(Qt::LeftDockWidgetArea, QStringLiteral("project"), project);
   rightPages_ = new QStackedWidget;
   rightPages_->addWidget(new PropertyPanel(session_.project, session_.survey, session_.playback, session_.messages,
                                            session_.display, session_.picking));
-  rightPages_->addWidget(new RunPanel(session_));
+  rightPages_->addWidget(new RunPanel(session_.project, session_.run, session_.messages, session_.display));
   rightPages_->addWidget(new DisplayPanel(session_.display, session_.run));
   auto* right = makePlane("surface");
   auto* rightColumn = new QVBoxLayout(right);

@@ -18,6 +18,7 @@ class ExportStrip;
 class Guards;
 class PasteJoints;
 class ManualWindow;
+class ProjectTree;
 class Rail;
 class StartPage;
 class StereonetPanel;
@@ -47,7 +48,7 @@ class MainWindow : public QMainWindow {
   void open(const std::filesystem::path& path);
   /// A sample, as a project that has no file of its own yet.
   void openCopy(const std::filesystem::path& sample);
-  /// What a file or folder is, it becomes: the project, its results, another solid.
+  /// What a file or folder is, it becomes: the project, its results, geometry that is asked about.
   void takeDropped(const std::filesystem::path& path);
   /// Asks what is to become of work that other windows left unsaved when they ended without closing.
   void offerRecovery();
@@ -78,7 +79,8 @@ class MainWindow : public QMainWindow {
   bool saveAs();
   void solve();
   bool begin(const Draft& draft, const QString& what);
-  void beginWithSolid(const std::filesystem::path& file);
+  void beginBeside(const std::filesystem::path& file);
+  void showMenu(const QPoint& at);
   void keepPictureOfProject();
   void askForPicture();
   void askForFilm();
@@ -108,6 +110,7 @@ class MainWindow : public QMainWindow {
   StartPage* start_;
   Viewport* viewport_;
   Timeline* timeline_;
+  ProjectTree* tree_;
   QDockWidget *left_, *right_, *bottom_;
   QStackedWidget* rightPages_;
   Verification* verification_ = nullptr;  ///< once it has been asked for

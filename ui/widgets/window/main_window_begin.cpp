@@ -8,14 +8,15 @@
 #include "base/error.hpp"
 #include "io/project_file.hpp"
 #include "io/whole_file.hpp"
-#include "session/solid_file.hpp"
 #include "widgets/begin/new_dialog.hpp"
 #include "widgets/begin/recent_files.hpp"
 #include "widgets/begin/recovery_offer.hpp"
+#include "widgets/geometry/solid_tools.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/view/viewport.hpp"
 #include "widgets/window/guards.hpp"
 #include "widgets/window/main_window.hpp"
+#include "widgets/window/window_actions.hpp"
 
 namespace talus {
 
@@ -94,26 +95,18 @@ void MainWindow::dropEvent(QDropEvent* event) {
   });
 }
 
-void MainWindow::beginWithSolid(const std::filesystem::path& file) {
-  const auto folder = std::filesystem::absolute(file).parent_path();
-  Project project = with_solid(emptyProject(), file, folder);
+/// A project beside a file that is to be imported into it.
+void MainWindow::beginBeside(const std::filesystem::path& file) {
+  Project project = emptyProject();
   project.name = file.stem().string();
-  begin({.text = write_project(project), .folder = folder}, text(project.name));
+  begin({.text = write_project(project), .folder = std::filesystem::absolute(file).parent_path()}, text(project.name));
 }
 
 void MainWindow::takeDropped(const std::filesystem::path& path) {
   std::error_code unknown;
   if (path.extension() == ".talus" || std::filesystem::is_directory(path, unknown)) return open(path);
-  const Document& document = session_.project.document();
-  if (document.isOpen() && isTableOfJoints(path)) return takeJoints(path);
-  try {
-    if (document.isOpen())
-      session_.project.addSolid(path);
-    else
-      beginWithSolid(path);
-  } catch (const InputError& error) {
-    session_.messages.add(problemOf(error));
-  }
+  if (session_.project.document().isOpen() && isTableOfJoints(path)) return takeJoints(path);
+  actions_->solids->importFile(path);
 }
 
 }  // namespace talus

@@ -8,11 +8,14 @@
 #include "verification/hard_cases/scenes/all_hard_cases.hpp"
 #include "widgets/begin/recent_files.hpp"
 #include "widgets/begin/samples.hpp"
+#include "widgets/geometry/solid_tools.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/orientation/paste_joints.hpp"
 #include "widgets/orientation/stereonet_panel.hpp"
+#include "widgets/project/project_tree.hpp"
 #include "widgets/study/accuracy_panel.hpp"
 #include "widgets/verification/verification.hpp"
+#include "widgets/view/viewport.hpp"
 #include "widgets/window/guards.hpp"
 #include "widgets/window/main_window.hpp"
 #include "widgets/window/manual_window.hpp"
@@ -53,10 +56,25 @@ void MainWindow::connectActions() {
   connect(actions_->accuracy, &QAction::triggered, this, &MainWindow::showAccuracy);
   connect(actions_->stereonet, &QAction::triggered, this, &MainWindow::showStereonet);
   connect(actions_->pasteJoints, &QAction::triggered, this, &MainWindow::askForJoints);
+  connect(actions_->solids, &SolidTools::projectWanted, this, &MainWindow::beginBeside);
+  connect(viewport_, &Viewport::menuWanted, this, &MainWindow::showMenu);
+  connect(tree_, &ProjectTree::menuWanted, this, &MainWindow::showMenu);
   connect(actions_->manual, &QAction::triggered, this, &MainWindow::showManual);
   connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_->viewAlone, &QAction::toggled, this, &MainWindow::showViewAlone);
   connect(topBar_->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::showRecent);
+}
+
+/// What can be done with what is selected.
+void MainWindow::showMenu(const QPoint& at) {
+  QMenu menu;
+  menu.setToolTipsVisible(true);
+  if (session_.project.selection().current().kind == Item::Kind::solid) {
+    actions_->solids->addChanges(menu);
+    menu.addSeparator();
+  }
+  menu.addActions({actions_->isolate, actions_->hide, actions_->showAll, actions_->fit});
+  menu.exec(at);
 }
 
 QString MainWindow::folderForDialogs() const {
@@ -133,7 +151,7 @@ void MainWindow::showStereonet() {
 }
 
 PasteJoints& MainWindow::pasteJoints() {
-  if (!pasteJoints_) pasteJoints_ = new PasteJoints(session_.project, this);
+  if (!pasteJoints_) pasteJoints_ = new PasteJoints(session_.project.document(), this);
   return *pasteJoints_;
 }
 

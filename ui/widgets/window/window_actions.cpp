@@ -9,7 +9,9 @@
 #include "session/session.hpp"
 #include "widgets/actions/load_actions.hpp"
 #include "widgets/blocks/block_actions.hpp"
+#include "widgets/geometry/solid_tools.hpp"
 #include "widgets/joints/joint_actions.hpp"
+#include "widgets/kit/parts.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/view/timeline.hpp"
 #include "widgets/view/viewport.hpp"
@@ -21,6 +23,8 @@ WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&windo
   makeFileActions();
   makeViewActions();
   makeRunActions();
+  solids = new SolidTools(session_, window_);
+  for (auto* action : solids->all()) include(action);
   joints = new JointActions(session_, window_);
   for (auto* action : joints->all()) include(action);
   loads = new LoadActions(session_, window_);
@@ -101,20 +105,20 @@ void WindowActions::makeViewActions() {
   isolate = add(tr("Show what is selected alone"), QStringLiteral("eye"), QKeySequence(Qt::Key_I));
   showAll = add(tr("Show all blocks"), {}, QKeySequence(Qt::Key_A));
   explode = add(tr("Draw blocks apart"), QStringLiteral("blocks"), QKeySequence(Qt::Key_E));
-  showActions = add(tr("Show loads, supports and monitors"), QStringLiteral("vectors"), QKeySequence(Qt::Key_G));
-  showActions->setCheckable(true);
-  showActions->setChecked(session_.display.settings().actions);
-  connect(showActions, &QAction::toggled, this, [this](bool shown) {
-    SceneSettings settings = session_.display.settings();
-    settings.actions = shown;
-    session_.display.set(settings);
-  });
   showJoints = add(tr("Show joints"), QStringLiteral("joints"), QKeySequence(Qt::Key_J));
   showJoints->setCheckable(true);
   showJoints->setChecked(session_.display.settings().joints);
   connect(showJoints, &QAction::toggled, this, [this](bool shown) {
     SceneSettings settings = session_.display.settings();
     settings.joints = shown;
+    session_.display.set(settings);
+  });
+  showActions = add(tr("Show loads, supports and monitors"), QStringLiteral("vectors"), QKeySequence(Qt::Key_G));
+  showActions->setCheckable(true);
+  showActions->setChecked(session_.display.settings().actions);
+  connect(showActions, &QAction::toggled, this, [this](bool shown) {
+    SceneSettings settings = session_.display.settings();
+    settings.actions = shown;
     session_.display.set(settings);
   });
   dark = add(tr("Light or dark"), {}, QKeySequence(tr("Ctrl+Shift+D")));
@@ -200,6 +204,14 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   for (const auto& [page, action] : pages)
     if (isSetUp(page)) model->addAction(action);
   model->addSeparator();
+  model->addAction(solids->importGeometry);
+  auto* newSolids = model->addMenu(tr("New solid"));
+  auto* changed = model->addMenu(tr("Change solids"));
+  for (auto* submenu : {newSolids, changed}) submenu->setToolTipsVisible(true);
+  solids->addNew(*newSolids);
+  solids->addChanges(*changed);
+  model->addAction(solids->measure);
+  model->addSeparator();
   auto* made = model->addMenu(tr("Loads and supports"));
   made->setToolTipsVisible(true);
   for (auto* action : loads->all()) {
@@ -216,13 +228,6 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   menu(tr("Help"), {manual, nullptr, knownAnswers, hardCases, nullptr, about});
 }
 
-void WindowActions::allow(QAction* action, const QString& whyNot) {
-  action->setEnabled(whyNot.isEmpty());
-  const QString key = action->shortcut().toString(QKeySequence::NativeText);
-  const QString name = key.isEmpty() ? action->text() : tr("%1 (%2)").arg(action->text(), key);
-  action->setToolTip(whyNot.isEmpty() ? name : name + u'\n' + whyNot);
-}
-
 void WindowActions::refresh() {
   const bool isOpen = session_.project.document().isOpen();
   const QString noProject = isOpen ? QString() : tr("Open a project first");
@@ -235,34 +240,34 @@ void WindowActions::refresh() {
   const Selection& selection = session_.project.selection();
   const QString nothingSelected =
       selection.blocks().empty() && selection.solids().empty() ? tr("Select a block or a solid first") : QString();
-  allow(startPage, {});
+  allow(*startPage, {});
   for (auto* action : {newProject, open, openResults})
-    allow(action, session_.run.job().isBusy() ? tr("A run goes on: stop it first") : QString());
-  allow(save, !isOpen ? noProject
-              : session_.project.document().isSaved() && !session_.project.document().file().empty()
-                  ? tr("Nothing has changed since it was saved")
-                  : QString());
-  for (auto* action : {saveAs, stereonet, pasteJoints}) allow(action, noProject);
-  allow(savePicture, nothingSeen);
-  allow(saveFilm, noFrames);
+    allow(*action, session_.run.job().isBusy() ? tr("A run goes on: stop it first") : QString());
+  allow(*save, !isOpen ? noProject
+               : session_.project.document().isSaved() && !session_.project.document().file().empty()
+                   ? tr("Nothing has changed since it was saved")
+                   : QString());
+  for (auto* action : {saveAs, stereonet, pasteJoints}) allow(*action, noProject);
+  allow(*savePicture, nothingSeen);
+  allow(*saveFilm, noFrames);
   for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, showActions})
-    allow(action, nothingSeen);
-  for (auto* action : {hide, isolate}) allow(action, nothingSelected);
-  for (auto* action : blocks->all()) allow(action, blocks->whyNot(action));
-  allow(showJoints, noProject);
-  for (auto* action : joints->all()) allow(action, joints->whyNot(action));
-  for (auto* action : loads->all()) allow(action, loads->whyNot());
-  allow(mesh, session_.run.whyNotMesh());
-  allow(solve, session_.run.whyNotSolve());
+    allow(*action, nothingSeen);
+  for (auto* action : {hide, isolate}) allow(*action, nothingSelected);
+  for (auto* action : blocks->all()) allow(*action, blocks->whyNot(action));
+  allow(*showJoints, noProject);
+  for (auto* action : joints->all()) allow(*action, joints->whyNot(action));
+  for (auto* action : loads->all()) allow(*action, loads->whyNot());
+  allow(*mesh, session_.run.whyNotMesh());
+  allow(*solve, session_.run.whyNotSolve());
   pause->setText(paused ? tr("Resume") : tr("Pause"));
   pause->setIcon(theme::icon(paused ? QStringLiteral("play") : QStringLiteral("pause")));
-  allow(pause, notRunning);
-  allow(oneStep, notRunning);
-  allow(stop, session_.run.job().isBusy() ? QString() : tr("Nothing runs"));
-  for (auto* action : {play, previousFrame, nextFrame, firstFrame, lastFrame}) allow(action, noFrames);
-  for (const auto& [page, action] : pages) allow(action, noProject);
+  allow(*pause, notRunning);
+  allow(*oneStep, notRunning);
+  allow(*stop, session_.run.job().isBusy() ? QString() : tr("Nothing runs"));
+  for (auto* action : {play, previousFrame, nextFrame, firstFrame, lastFrame}) allow(*action, noFrames);
+  for (const auto& [page, action] : pages) allow(*action, noProject);
   for (auto* action : {dark, viewAlone, clearSelection, quit, accuracy, manual, knownAnswers, hardCases, about})
-    allow(action, {});
+    allow(*action, {});
 }
 
 }  // namespace talus

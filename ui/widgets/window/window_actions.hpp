@@ -17,8 +17,9 @@ struct Session;
 class BlockActions;
 class JointActions;
 class LoadActions;
-class Viewport;
+class SolidTools;
 class Timeline;
+class Viewport;
 
 /// Everything that can be done in the window, once: menus, buttons, shortcuts and the command search share these.
 /// A disabled one says why in its tooltip.
@@ -44,6 +45,7 @@ class WindowActions : public QObject {
   QAction *manual, *knownAnswers, *hardCases, *about;
   std::map<WorkflowPage, QAction*> pages;
   LoadActions* loads;
+  SolidTools* solids;  ///< and their actions
 
   /// Connects what only the view and the timeline can do.
   void drive(Viewport& viewport, Timeline& timeline);
@@ -59,7 +61,6 @@ class WindowActions : public QObject {
   void makeViewActions();
   void makeRunActions();
   void refresh();
-  void allow(QAction* action, const QString& whyNot);
 
   Session& session_;
   QWidget& window_;

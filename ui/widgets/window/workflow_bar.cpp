@@ -6,12 +6,15 @@
 #include <QPushButton>
 #include <QStackedWidget>
 
+#include "document/item_at.hpp"
+#include "geometry/solid_surface.hpp"
 #include "jobs/solver_job.hpp"
 #include "mesh/volume_sum.hpp"
 #include "model/stage_length.hpp"
 #include "session/session.hpp"
 #include "widgets/actions/load_actions.hpp"
 #include "widgets/blocks/block_view_tools.hpp"
+#include "widgets/geometry/solid_tools.hpp"
 #include "widgets/joints/joint_actions.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
@@ -31,20 +34,16 @@ QHBoxLayout* makeRow(QWidget* page) {
   return row;
 }
 
-/// The strip of actions that a page has: its number among them.
-int strip(WorkflowPage page) {
-  switch (page) {
-    case WorkflowPage::solve:
-      return 1;
-    case WorkflowPage::results:
-      return 2;
-    case WorkflowPage::joints:
-      return 3;
-    case WorkflowPage::loads:
-      return 4;
-    default:
-      return 0;
-  }
+/// A button that opens a menu.
+template <class Fill>
+void addChoices(QHBoxLayout& row, const char* icon, const QString& words, const QString& tip, const Fill& fill) {
+  auto* button = makeAction(QLatin1String(icon), words, tip);
+  auto* menu = new QMenu(words, button);
+  menu->setToolTipsVisible(true);
+  fill(*menu);
+  button->setMenu(menu);
+  button->setPopupMode(QToolButton::InstantPopup);
+  row.addWidget(button);
 }
 
 }  // namespace
@@ -61,11 +60,10 @@ WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(se
   row->addWidget(title_);
   row->addWidget(makeLine(Qt::Vertical));
   pages_ = new QStackedWidget;
-  pages_->addWidget(makeSetUpPage());
+  for (const WorkflowPage page : all_pages)
+    if (isSetUp(page)) pages_->addWidget(makeSetUpPage(page));
   pages_->addWidget(makeSolvePage());
   pages_->addWidget(makeResultsPage());
-  pages_->addWidget(makeJointsPage());
-  pages_->addWidget(makeLoadsPage());
   row->addWidget(pages_);
   outcome_ = new ElidedLabel({}, "small");
   outcome_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -83,6 +81,7 @@ WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(se
   connect(&session_.project, &CurrentProject::systemChanged, this, &WorkflowBar::refresh);
   connect(&session_.project.document(), &Document::projectChanged, this, &WorkflowBar::refresh);
   connect(&session_.project.problems(), &ProjectProblems::changed, this, &WorkflowBar::refresh);
+  connect(&session_.surfaces, &SolidSurfaces::changed, this, &WorkflowBar::refreshOutcome);
   connect(&session_.playback, &Playback::framesChanged, this, &WorkflowBar::refresh);
   connect(&session_.run, &CurrentRun::reportChanged, this, &WorkflowBar::refresh);
   connect(&session_.run, &CurrentRun::progressed, this, &WorkflowBar::refreshOutcome);
@@ -92,52 +91,59 @@ WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(se
   refresh();
 }
 
-QWidget* WorkflowBar::makeSetUpPage() {
-  auto* page = new QWidget;
-  auto* row = makeRow(page);
-  row->addWidget(makeActionButton(actions_.mesh, true));
-  row->addWidget(makeActionButton(actions_.fit, true));
-  row->addWidget(makeActionButton(actions_.savePicture, true));
-  blockTools_ = new BlockViewTools(session_.colouring, session_.display);
-  row->addSpacing(8);
-  row->addWidget(blockTools_);
+QWidget* WorkflowBar::makeSetUpPage(WorkflowPage page) {
+  auto* strip = new QWidget;
+  auto* row = makeRow(strip);
+  if (page == WorkflowPage::joints) {
+    addJointActions(*row);
+  } else if (page == WorkflowPage::loads) {
+    addLoadActions(*row);
+  } else {
+    if (page == WorkflowPage::geometry)
+      addGeometryActions(*row);
+    else
+      row->addWidget(makeActionButton(actions_.mesh, true));
+    row->addWidget(makeActionButton(actions_.fit, true));
+    row->addWidget(makeActionButton(actions_.savePicture, true));
+  }
+  if (page == WorkflowPage::blocks || page == WorkflowPage::mesh) {
+    row->addSpacing(8);
+    row->addWidget(new BlockViewTools(session_.colouring, session_.display));
+  }
   row->addStretch();
-  return page;
+  return strip;
 }
 
-QWidget* WorkflowBar::makeJointsPage() {
-  auto* page = new QWidget;
-  auto* row = makeRow(page);
+void WorkflowBar::addGeometryActions(QHBoxLayout& row) {
+  const SolidTools& solids = *actions_.solids;
+  row.addWidget(makeActionButton(solids.importGeometry, true));
+  addChoices(row, "plus", tr("New"), tr("New solid"), [&](QMenu& menu) { solids.addNew(menu); });
+  addChoices(row, "vectors", tr("Change"), tr("Move, turn, scale, copy or combine the selected solids"),
+             [&](QMenu& menu) { solids.addChanges(menu); });
+  row.addWidget(makeActionButton(solids.measure, true));
+}
+
+void WorkflowBar::addJointActions(QHBoxLayout& row) {
   for (auto* action : {actions_.joints->threePoints, actions_.joints->alongFace, actions_.joints->assignToFace,
                        actions_.pasteJoints, actions_.stereonet})
-    row->addWidget(makeActionButton(action, true));
-  row->addStretch();
-  return page;
+    row.addWidget(makeActionButton(action, true));
 }
 
-QWidget* WorkflowBar::makeLoadsPage() {
-  auto* page = new QWidget;
-  auto* row = makeRow(page);
-  const auto offer = [&](const QString& words, const char* icon, const QString& tip,
-                         const std::vector<QAction*>& made) {
-    auto* button = makeAction(QLatin1String(icon), words, tip);
-    auto* menu = new QMenu(button);
-    menu->setToolTipsVisible(true);
-    for (auto* action : made) menu->addAction(action);
-    button->setMenu(menu);
-    button->setPopupMode(QToolButton::InstantPopup);
-    row->addWidget(button);
-  };
+void WorkflowBar::addLoadActions(QHBoxLayout& row) {
   const LoadActions& loads = *actions_.loads;
-  offer(tr("Load"), "loads", tr("A force on a point, a face or a block that is picked in the view"),
-        {loads.loadAtPoint, loads.loadOnFace, loads.loadOnBlock});
-  offer(tr("Support"), "fixed", tr("A point, a face or a block that is held, picked in the view"),
-        {loads.holdPoint, loads.holdFace, loads.holdBlock});
-  offer(tr("Monitor"), "monitor", tr("A point whose history is recorded, picked in the view"),
-        {loads.monitor, loads.stressMonitor});
-  row->addWidget(makeActionButton(loads.velocity, true));
-  row->addStretch();
-  return page;
+  addChoices(row, "loads", tr("Load"), tr("A force on a point, a face or a block that is picked in the view"),
+             [&](QMenu& menu) {
+               menu.addActions({loads.loadAtPoint, loads.loadOnFace, loads.loadOnBlock});
+             });
+  addChoices(row, "fixed", tr("Support"), tr("A point, a face or a block that is held, picked in the view"),
+             [&](QMenu& menu) {
+               menu.addActions({loads.holdPoint, loads.holdFace, loads.holdBlock});
+             });
+  addChoices(row, "monitor", tr("Monitor"), tr("A point whose history is recorded, picked in the view"),
+             [&](QMenu& menu) {
+               menu.addActions({loads.monitor, loads.stressMonitor});
+             });
+  row.addWidget(makeActionButton(loads.velocity, true));
 }
 
 QWidget* WorkflowBar::makeSolvePage() {
@@ -175,8 +181,7 @@ QWidget* WorkflowBar::makeResultsPage() {
 void WorkflowBar::refresh() {
   const WorkflowPage page = session_.display.page();
   title_->setText(pageTitle(page));
-  blockTools_->setVisible(page == WorkflowPage::blocks || page == WorkflowPage::mesh);
-  pages_->setCurrentIndex(strip(page));
+  pages_->setCurrentIndex(static_cast<int>(page));
   refreshOutcome();
   refreshPrimary();
 }
@@ -216,6 +221,21 @@ QString WorkflowBar::ofBlocks(const QString& words) const {
   return session_.project.systemIsCurrent() ? words : tr("%1, before the last change").arg(words);
 }
 
+QString WorkflowBar::solidsOutcome() const {
+  const QString count = numbers::counted(session_.project.document().project().solids.size(), "solid");
+  const SolidSurfaces& solids = session_.surfaces;
+  if (solids.isBusy()) return tr("%1, being read").arg(count);
+  if (!solids.problems().empty()) {
+    const InputError& first = solids.problems().front();
+    return tr("%1; %2: %3")
+        .arg(count, placeWords(session_.project.document().project(), text(first.place())), text(first.problem()));
+  }
+  double volume = 0;
+  for (std::size_t i = 0; solids.current() && i < solids.current()->size(); ++i)
+    volume += (*solids.current())[i].volume;
+  return volume > 0 ? tr("%1, %2 m³").arg(count, numbers::significant(volume, 4)) : count;
+}
+
 QString WorkflowBar::outcome() const {
   if (!session_.project.document().isOpen()) return {};
   if (session_.run.job().state() == JobState::meshing) return cuttingOutcome();
@@ -223,7 +243,7 @@ QString WorkflowBar::outcome() const {
   const auto& system = session_.project.system();
   switch (session_.display.page()) {
     case WorkflowPage::geometry:
-      return numbers::counted(project.solids.size(), "solid");
+      return solidsOutcome();
     case WorkflowPage::joints:
       return numbers::counted(project.joints.size(), "joint") + QStringLiteral(", ") +
              numbers::counted(project.cuts.size(), "cut");

@@ -4,6 +4,7 @@
 
 #include "widgets/window/window_actions.hpp"
 
+class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -20,15 +21,17 @@ class WorkflowBar : public QFrame {
   WorkflowBar(Session& session, WindowActions& actions);
 
  private:
-  QWidget* makeSetUpPage();
-  QWidget* makeJointsPage();
-  QWidget* makeLoadsPage();
+  QWidget* makeSetUpPage(WorkflowPage page);
+  void addGeometryActions(QHBoxLayout& row);
+  void addJointActions(QHBoxLayout& row);
+  void addLoadActions(QHBoxLayout& row);
   QWidget* makeSolvePage();
   QWidget* makeResultsPage();
   void refresh();
   void refreshOutcome();
   void refreshPrimary();
   QString outcome() const;
+  QString solidsOutcome() const;
   /// What is said of blocks, and whether they are those of the project as it is.
   QString ofBlocks(const QString& words) const;
   QString runOutcome() const;
@@ -40,7 +43,6 @@ class WorkflowBar : public QFrame {
   WindowActions& actions_;
   QLabel *title_, *outcome_;
   QStackedWidget* pages_;
-  QWidget* blockTools_;
   QProgressBar* bar_;
   QPushButton* primary_;
 };

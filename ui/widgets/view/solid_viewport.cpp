@@ -1,0 +1,121 @@
+#include "widgets/view/solid_viewport.hpp"
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <vtkRenderer.h>
+
+#include <cmath>
+
+#include "geometry/solid_surface.hpp"
+#include "render/scene/slope_view.hpp"
+#include "session/solid_surfaces.hpp"
+#include "widgets/kit/theme.hpp"
+#include "widgets/view/camera_moves.hpp"
+#include "widgets/view/render_surface.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int rested_ms = 300;  // after that it is drawn finely
+constexpr double degrees_per_pixel = 0.4;
+constexpr double nearer_per_notch = 0.85;
+
+}  // namespace
+
+SolidViewport::SolidViewport(QWidget* parent) : QWidget(parent), surface_(makeRenderSurface(this)) {
+  setMinimumSize(320, 240);
+  surface_->widget()->setAccessibleName(tr("Preview of the solid"));
+  surface_->widget()->installEventFilter(this);
+  surface_->widget()->hide();
+  stillTimer_.setSingleShot(true);
+  stillTimer_.setInterval(rested_ms);
+  connect(&stillTimer_, &QTimer::timeout, this, [this] { draw(true); });
+}
+
+SolidViewport::~SolidViewport() { clear(); }
+
+void SolidViewport::clear() {
+  if (!scene_) return;
+  surface_->makeContextCurrent();  // the card's memory is freed as the renderer leaves
+  surface_->window().RemoveRenderer(scene_->renderer());
+  scene_.reset();
+  surface_->widget()->hide();
+}
+
+void SolidViewport::setSolid(const SolidSurface& solid, bool anew) {
+  const auto standing = scene_ && moved_ && !anew ? std::optional(scene_->pose()) : std::nullopt;
+  clear();
+  system_ = {.blocks = {surfaceBlock(solid, 0, BodyKind::tetrahedra)}, .joint_names = {}};
+  SceneSettings settings;
+  settings.theme = theme::now().dark ? Theme::dark : Theme::light;
+  settings.legend = settings.time_stamp = settings.smooth_outlines = false;
+  settings.text_height = theme::now().type.small * devicePixelRatioF();
+  settings.places = oddPlaces(solid);
+  scene_ = std::make_unique<Scene>(system_, settings);
+  surface_->window().AddRenderer(scene_->renderer());
+  look_at_slope(*scene_, system_, nullptr);
+  moved_ = standing.has_value();
+  if (standing) scene_->set_pose(*standing);
+  surface_->widget()->show();
+  draw(true);
+}
+
+void SolidViewport::fit() {
+  moved_ = false;
+  scene_->fit();
+  draw(true);
+}
+
+void SolidViewport::draw(bool fine) {
+  if (!scene_) return;
+  SceneSettings settings = scene_->settings();
+  settings.fine = fine;
+  scene_->set_settings(settings);
+  surface_->requestRender();
+}
+
+void SolidViewport::moveCamera(const CameraPose& pose) {
+  moved_ = true;
+  scene_->set_pose(pose);
+  if (scene_->settings().fine)
+    draw(false);
+  else
+    surface_->requestRender();
+  stillTimer_.start();
+}
+
+void SolidViewport::resizeEvent(QResizeEvent*) {
+  surface_->widget()->setGeometry(rect());
+  if (scene_ && !moved_) fit();
+}
+
+bool SolidViewport::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != surface_->widget() || !scene_) return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::MouseButtonPress) {
+    last_ = static_cast<QMouseEvent*>(event)->position();
+    return true;
+  }
+  if (event->type() == QEvent::MouseMove) {
+    const auto& mouse = *static_cast<QMouseEvent*>(event);
+    const QPointF by = mouse.position() - last_;
+    last_ = mouse.position();
+    if (mouse.buttons().testFlag(Qt::LeftButton))
+      moveCamera(turned(scene_->pose(), -by.x() * degrees_per_pixel, by.y() * degrees_per_pixel));
+    else if (mouse.buttons().testFlag(Qt::MiddleButton))
+      moveCamera(panned(scene_->pose(), by, size()));
+    return true;
+  }
+  if (event->type() == QEvent::Wheel) {
+    const auto& wheel = *static_cast<QWheelEvent*>(event);
+    const double notches = wheel.angleDelta().y() / 120.0;
+    moveCamera(zoomed(scene_->pose(), std::pow(nearer_per_notch, notches), wheel.position(), size()));
+    return true;
+  }
+  if (event->type() != QEvent::MouseButtonDblClick) return QWidget::eventFilter(watched, event);
+  fit();
+  return true;
+}
+
+}  // namespace talus

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "render/scene/scene.hpp"
+
+namespace talus {
+
+class RenderSurface;
+struct SolidSurface;
+
+/// A small 3-D view of a solid that is in no project yet, for dialogs: left drag turns it, middle drag moves it, the
+/// wheel zooms, a double click shows all of it. What is odd in its surface is marked where it is.
+class SolidViewport : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SolidViewport(QWidget* parent = nullptr);
+  ~SolidViewport() override;
+
+  /// The camera stays where it is unless `anew`.
+  void setSolid(const SolidSurface& solid, bool anew);
+  void clear();
+  bool isEmpty() const { return scene_ == nullptr; }
+  const RenderSurface& surface() const { return *surface_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void moveCamera(const CameraPose& pose);
+  void fit();
+  void draw(bool fine);
+
+  RenderSurface* surface_;
+  BlockSystem system_;  ///< what scene_ draws; it keeps a reference
+  std::unique_ptr<Scene> scene_;
+  QTimer stillTimer_;  ///< fires when the camera has rested
+  QPointF last_;
+  bool moved_ = false;  ///< by hand since it was fitted
+};
+
+}  // namespace talus
