@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/units.hpp"
 #include "render/paint/numbers.hpp"
@@ -326,11 +327,14 @@ void Scene::State::fit_to(double width, double height) {
     area.left += beside * text_height();
     area.right -= beside * text_height();
   }
-  const std::vector<bool> unseen = flags(hidden);
   ViewExtent wanted = hidden.empty() ? extent : ViewExtent();
-  for (const BlockActors* part : parts())
+  for (const BlockActors* part : parts()) {
+    std::vector<char> taken(part->positions().size(), false);  // a vertex has several triangles
     for (const int t : part->drawn())
-      for (const int vertex : part->surface().triangles[t].vertices) wanted.include(part->positions()[vertex]);
+      for (const int vertex : part->surface().triangles[t].vertices)
+        if (char& known = taken[static_cast<std::size_t>(vertex)]; !std::exchange(known, true))
+          wanted.include(part->positions()[vertex]);
+  }
   set_pose(fitted(pose(), wanted.points(), area.width(), area.height(), height));
   fits_itself = true;
 }
