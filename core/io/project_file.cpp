@@ -12,6 +12,7 @@
 #include "io/whole_file.hpp"
 #include "model/place.hpp"
 #include "model/rules/validate.hpp"
+#include "model/solid_shape.hpp"
 
 extern const char project_schema[];
 
@@ -44,9 +45,10 @@ bool climbs_out(const std::filesystem::path& path) {
 
 void for_each_file(const Project& project, const auto& visit) {
   for (std::size_t i = 0; i < project.solids.size(); ++i) {
-    if (const auto* shape = std::get_if<FileShape>(&project.solids[i].shape)) {
-      visit(Place() / "solids" / i / "file", shape->path);
-    }
+    const SolidShape& shape = project.solids[i].shape;
+    const Place solid = Place() / "solids" / i;
+    if (const std::string* path = file_of(shape))
+      visit((std::holds_alternative<TerrainShape>(shape) ? solid / "terrain" : solid) / "file", *path);
   }
 }
 

@@ -101,5 +101,27 @@ TEST_F(ProjectOnDisk, ALinkMayNotLeadOutOfTheFolder) {
   EXPECT_EQ(read_project(inner / "a.talus", {.allow_outside = true}), project);
 }
 
+TEST_F(ProjectOnDisk, TerrainMayNotComeFromOutsideTheFolderEither) {
+  const auto refused = [](const auto& read) {
+    try {
+      read();
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.place(), testing::EndsWith("/solids/3/terrain/file"));
+      EXPECT_THAT(error.problem(), HasSubstr("outside"));
+      return true;
+    }
+    return false;
+  };
+  const std::string text = test::replaced(test::full_project, "land.asc", "../land.asc");
+  EXPECT_TRUE(refused([&] { parse_project(text); }));
+  EXPECT_NO_THROW(parse_project(text, {.allow_outside = true}));
+  const fs::path inner = folder / "inner";
+  fs::create_directories(inner);
+  std::ofstream(folder / "land.asc") << "x";
+  fs::create_symlink(folder / "land.asc", inner / "land.asc");
+  std::ofstream(inner / "a.talus") << test::full_project;
+  EXPECT_TRUE(refused([&] { read_project(inner / "a.talus"); }));
+}
+
 }  // namespace
 }  // namespace talus
