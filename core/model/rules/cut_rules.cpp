@@ -5,6 +5,7 @@
 #include "model/number_text.hpp"
 #include "model/require.hpp"
 #include "model/rock/joint_network.hpp"
+#include "model/rules/solid_rules.hpp"
 
 namespace talus {
 namespace {
@@ -31,11 +32,7 @@ void check_drawing(const Cut& cut, const Place& place) {
 }
 
 void check_network(const JointNetwork& network, const Place& place) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<Eigen::Index>(i);
-    require(network.box.min[axis] < network.box.max[axis], place / "box" / "max" / i, "must be greater than min",
-            "give the box in which the discs have their centres a thickness");
-  }
+  check(network.box, place / "box");
   require_positive(network.density, place / "density", "density", "m² of joint per m³ of rock");
   require_positive(network.radius, place / "radius", "radius", "m");
   require(!network.radius_deviation || network.radius_law == RadiusLaw::lognormal, place / "radius_deviation",

@@ -63,7 +63,10 @@ void check_joint(const Project& project, const std::string& joint, const Place& 
 
 void check_joints(const Project& project) {
   for (std::size_t i = 0; i < project.cuts.size(); ++i) {
-    check_joint(project, project.cuts[i].joint, Place() / "cuts" / i / "joint");
+    const Place cut = Place() / "cuts" / i;
+    check_joint(project, project.cuts[i].joint, cut / "joint");
+    const auto& ends = project.cuts[i].ends_at;
+    for (std::size_t k = 0; k < ends.size(); ++k) check_joint(project, ends[k], cut / "ends_at" / k);
   }
   for (std::size_t i = 0; i < project.interfaces.size(); ++i) {
     check_joint(project, project.interfaces[i].joint, Place() / "interfaces" / i / "joint");
@@ -76,35 +79,18 @@ void check_joints(const Project& project) {
   if (!project.default_joint.empty()) check_joint(project, project.default_joint, Place() / "default_joint");
 }
 
-void check_cut_solids(const Project& project) {
+void check_solids(const Project& project, const std::vector<std::string>& named, const Place& list) {
   const auto names = names_of(project.solids);
-  for (std::size_t i = 0; i < project.cuts.size(); ++i) {
-    const auto& limited_to = project.cuts[i].solids;
-    for (std::size_t j = 0; j < limited_to.size(); ++j) {
-      require(contains(names, limited_to[j]), Place() / "cuts" / i / "solids" / j,
-              "there is no solid '" + limited_to[j] + "'", suggest_name(limited_to[j], names));
-    }
-  }
+  for (std::size_t i = 0; i < named.size(); ++i)
+    require(contains(names, named[i]), list / i, "there is no solid '" + named[i] + "'", suggest_name(named[i], names));
 }
 
-void check_parts_of_solids(const Project& project) {
-  const auto names = names_of(project.solids);
-  for (std::size_t i = 0; i < project.solids.size(); ++i) {
-    const auto* combined = std::get_if<CombinedShape>(&project.solids[i].shape);
-    if (!combined) continue;
-    for (std::size_t k = 0; k < combined->solids.size(); ++k) {
-      require(contains(names, combined->solids[k]), Place() / "solids" / i / "combine" / "solids" / k,
-              "there is no solid '" + combined->solids[k] + "'", suggest_name(combined->solids[k], names));
-    }
-  }
-}
-
-void check_joints_where_cuts_end(const Project& project) {
-  for (std::size_t i = 0; i < project.cuts.size(); ++i) {
-    const auto& joints = project.cuts[i].ends_at;
-    for (std::size_t k = 0; k < joints.size(); ++k)
-      check_joint(project, joints[k], Place() / "cuts" / i / "ends_at" / k);
-  }
+void check_solids(const Project& project) {
+  for (std::size_t i = 0; i < project.cuts.size(); ++i)
+    check_solids(project, project.cuts[i].solids, Place() / "cuts" / i / "solids");
+  for (std::size_t i = 0; i < project.solids.size(); ++i)
+    if (const auto* combined = std::get_if<CombinedShape>(&project.solids[i].shape))
+      check_solids(project, combined->solids, Place() / "solids" / i / "combine" / "solids");
 }
 
 void check_expected_quantity(const Project& project, const std::string& text, const Place& place) {
@@ -169,9 +155,7 @@ void validate_references(const Project& project) {
     check_material(project, project.solids[i].material, Place() / "solids" / i / "material");
   }
   check_joints(project);
-  check_cut_solids(project);
-  check_parts_of_solids(project);
-  check_joints_where_cuts_end(project);
+  check_solids(project);
   for (std::size_t i = 0; i < project.blocks.size(); ++i) {
     const auto& material = project.blocks[i].material;
     if (material) check_material(project, *material, Place() / "blocks" / i / "material");

@@ -20,17 +20,7 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-void check_shape(const BoxShape& box, const Place& solid) {
-  const Place place = solid / "box";
-  require_finite(box.min, place / "min");
-  require_finite(box.max, place / "max");
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<Eigen::Index>(i);
-    require(box.min[axis] < box.max[axis], place / "max" / i,
-            "must be greater than min: " + number_text(box.max[axis]) + " against " + number_text(box.min[axis]),
-            "swap the two corners' values or give the box a thickness");
-  }
-}
+void check_shape(const BoxShape& box, const Place& solid) { check(box, solid / "box"); }
 
 void check_shape(const PolyhedronShape& shape, const Place& solid) {
   stop_at_first_broken([&] { validate_polyhedron(shape, solid / "polyhedron"); });
@@ -123,6 +113,17 @@ bool is_solid_file(const std::string& path) {
 bool is_terrain_file(const std::string& path) {
   static const std::set<std::string> endings{".asc", ".tif", ".tiff", ".xyz", ".csv", ".txt", ".stl", ".obj", ".ply"};
   return endings.contains(ending_of(path));
+}
+
+void check(const BoxShape& box, const Place& place) {
+  require_finite(box.min, place / "min");
+  require_finite(box.max, place / "max");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    require(box.min[axis] < box.max[axis], place / "max" / i,
+            "must be greater than min: " + number_text(box.max[axis]) + " against " + number_text(box.min[axis]),
+            "swap the two corners' values or give the box a thickness");
+  }
 }
 
 void check(const Solid& solid, const Place& place) {

@@ -12,7 +12,8 @@ bool is_solid_file(const std::string& path);
 /// Formats that hold a surface of the ground: grids of heights (.asc, .tif), points (.xyz, .csv), triangles.
 bool is_terrain_file(const std::string& path);
 
-/// The rules of a solid, at `place` in the project. Throws InputError for the first that is broken.
+/// The rules of a box and of a solid, at `place` in the project. Each throws InputError for the first that is broken.
+void check(const BoxShape& box, const Place& place);
 void check(const Solid& solid, const Place& place);
 
 /// Solids that are made of others are made of two or more, each of which stands before them and is a part once. Throws
