@@ -19,7 +19,7 @@ namespace talus {
 /// merged or dropped.
 /// A project that is still being set up is cut, too: it may lack stages and the default joint.
 /// Throws InputError for what the user can mend (what `validate_for_cutting` refuses, overlapping solids, a cut that
-/// misses, a file that is not STEP, an override in no block, a mesh of more tetrahedra than the project allows),
+/// misses, a file that cannot be read, an override in no block, a mesh of more tetrahedra than the project allows),
 /// SplintersFound for splinters that are refused, Cancelled when `progress` says so.
 BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress);
 

@@ -52,7 +52,7 @@ const valijson::Schema& compiled_schema(bool unfinished) {
 }
 
 /// The smaller comes first among several faults of one text.
-enum class Weight { not_computed, unknown_key, other };
+enum class Weight { unknown_key, other };
 
 struct Fault {
   Weight weight;
@@ -110,9 +110,7 @@ bool has_type(const Json& value, const Json& type) {
 
 std::vector<std::string> known_keys(const Json& rule) {
   std::vector<std::string> keys;
-  for (const auto& [key, property] : rule.at("properties").items()) {
-    if (!property.contains("notComputedYet")) keys.push_back(key);
-  }
+  for (const auto& [key, property] : rule.at("properties").items()) keys.push_back(key);
   return keys;
 }
 
@@ -196,11 +194,6 @@ std::optional<Fault> wrong_length(const Json& value, const Json& rule, const Pla
 
 /// What is wrong with `value` itself (not with what it holds), by the schema's rule for it.
 std::optional<Fault> explain(const Json& value, const Json& rule, const Place& place) {
-  if (rule.contains("notComputedYet")) {
-    return Fault{Weight::not_computed, place,
-                 "this version does not compute this yet: " + rule.value("description", std::string()),
-                 rule.at("notComputedYet").get<std::string>()};
-  }
   if (rule.contains("type") && !has_type(value, rule.at("type"))) {
     return Fault{Weight::other, place, "must be " + type_words(rule.at("type")) + ", is " + shown(value),
                  remedy_from(rule)};

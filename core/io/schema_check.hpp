@@ -5,9 +5,8 @@
 namespace talus {
 
 /// Checks a project's text against resources/schema/project.schema.json. Throws InputError for the first fault, in
-/// plain words: what the format knows but this version does not compute goes first, then unknown keys (with the
-/// nearest known one), then the rest in the order of the text. An `unfinished` project may lack what the schema asks of
-/// the project itself: its solids and stages.
+/// plain words: unknown keys (with the nearest known one) go first, then the rest in the order of the text. An
+/// `unfinished` project may lack what the schema asks of the project itself: its solids and stages.
 void check_against_schema(const JsonText& json, bool unfinished = false);
 
 }  // namespace talus

@@ -1440,7 +1440,7 @@
         <translation>Talus-Projekt</translation>
     </message>
     <message>
-        <source>A rock slope and how it is to be run. SI units; angles in degrees; x east, y north, z up. Comments are allowed in the file. The keyword notComputedYet marks what the format knows and this version refuses; its text says what to use instead.</source>
+        <source>A rock slope and how it is to be run. SI units; angles in degrees; x east, y north, z up. Comments are allowed in the file.</source>
         <translation>Ein Felshang und wie er zu rechnen ist. SI-Einheiten; Winkel in Grad; x Ost, y Nord, z aufwärts. In der Datei sind Kommentare erlaubt.</translation>
     </message>
     <message>

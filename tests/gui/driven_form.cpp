@@ -177,7 +177,6 @@ void DrivenForm::fillIn(const Place& place, const Json& target) {
   const Json rule = schema::ruleOf(place);
   switch (schema::kindOf(rule)) {
     case Kind::constant:
-    case Kind::refused:
       break;
     case Kind::number:
       enterNumber(place, rule, target);
@@ -240,7 +239,7 @@ std::set<std::string> fieldsOf(const schema::Json& rule, const std::string& path
     if (key == "properties")
       for (const auto& [name, property] : part.items()) {
         const Kind kind = schema::kindOf(schema::resolved(property));
-        if (kind != Kind::refused && kind != Kind::constant) fields.insert(inside + '/' + name);
+        if (kind != Kind::constant) fields.insert(inside + '/' + name);
         fields.merge(fieldsOf(property, inside + '/' + name));
       }
     else if (key == "definitions")

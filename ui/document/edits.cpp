@@ -98,7 +98,6 @@ Json startOf(const Json& rule, const Json& project) {
         made.push_back(startOf(schema::memberRule(rule, {}), project));
       return made;
     case Kind::object:
-    case Kind::refused:
       break;
   }
   return nullptr;

@@ -59,7 +59,6 @@ Json ruleOf(const Place& place) {
 }
 
 Kind kindOf(const Json& rule) {
-  if (rule.contains("notComputedYet")) return Kind::refused;
   if (rule.contains("const")) return Kind::constant;
   if (rule.contains("enum")) return Kind::choice;
   const std::string type = rule.at("type").is_string() ? rule.at("type").get<std::string>() : "number";  // or null

@@ -45,8 +45,7 @@ enum class Kind {
   table,    ///< rows of numbers
   list,     ///< of anything else
   named,    ///< things by name
-  object,   ///< fields with keys of their own
-  refused   ///< the format knows it, this version does not
+  object    ///< fields with keys of their own
 };
 Kind kindOf(const Json& rule);
 

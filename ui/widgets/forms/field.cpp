@@ -126,7 +126,6 @@ bool isWide(const Json& rule) {
     case Kind::boolean:
     case Kind::number:
     case Kind::text:
-    case Kind::refused:
       return false;
     case Kind::numbers:
     case Kind::texts:
@@ -161,7 +160,6 @@ FormField* makeField(const FieldSite& site) {
     case Kind::object:
       return new ObjectField(site);
     case Kind::constant:
-    case Kind::refused:
       break;
   }
   return new FormField(site);

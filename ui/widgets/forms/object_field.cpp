@@ -60,7 +60,7 @@ void ObjectField::addMembers(Depth depth, bool withoutThings) {
 
 bool ObjectField::isShown(const std::string& key, const FieldSite& field, bool withoutThings) const {
   const schema::Kind kind = schema::kindOf(field.rule);
-  if (kind == schema::Kind::refused || kind == schema::Kind::constant) return false;
+  if (kind == schema::Kind::constant) return false;
   if (withoutThings && (kind == schema::Kind::list || kind == schema::Kind::named || kind == schema::Kind::object))
     return false;
   const auto choices = schema::variants(site().rule);
