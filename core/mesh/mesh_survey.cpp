@@ -31,25 +31,13 @@ MeshSurvey survey_mesh(const BlockSystem& system, Progress& progress, std::size_
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
     if (progress.cancelled()) throw Cancelled{};
     const TetMesh& mesh = system.blocks[b].mesh;
-    MeshQuality whole;
-    double sum = 0;
-    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-      const auto& nodes = mesh.tetrahedra[t];
-      const Vec3 &p = mesh.nodes[nodes[0]], &q = mesh.nodes[nodes[1]], &r = mesh.nodes[nodes[2]],
-                 &s = mesh.nodes[nodes[3]];
-      const double quality = tetrahedron_quality(p, q, r, s);
-      const DihedralRange angles = tetrahedron_dihedrals(p, q, r, s);
+    survey.blocks.push_back(mesh_quality(mesh, [&](std::size_t t, double quality, const DihedralRange& dihedrals) {
       ++survey.quality.counts[survey.quality.bin_of(quality)];
-      ++survey.dihedral.counts[survey.dihedral.bin_of(angles.smallest)];
-      sum += quality;
-      whole.worst = std::min(whole.worst, quality);
-      whole.smallest_dihedral = std::min(whole.smallest_dihedral, angles.smallest);
-      whole.largest_dihedral = std::max(whole.largest_dihedral, angles.largest);
-      keep(survey.worst, {static_cast<int>(b), static_cast<int>(t), quality, angles.smallest, (p + q + r + s) / 4},
-           most_listed);
-    }
-    if (!mesh.tetrahedra.empty()) whole.mean = sum / static_cast<double>(mesh.tetrahedra.size());
-    survey.blocks.push_back(whole);
+      ++survey.dihedral.counts[survey.dihedral.bin_of(dihedrals.smallest)];
+      Vec3 sum = Vec3::Zero();
+      for (const int node : mesh.tetrahedra[t]) sum += mesh.nodes[static_cast<std::size_t>(node)];
+      keep(survey.worst, {static_cast<int>(b), static_cast<int>(t), quality, dihedrals.smallest, sum / 4}, most_listed);
+    }));
   }
   std::sort_heap(survey.worst.begin(), survey.worst.end(), is_worse);
   return survey;

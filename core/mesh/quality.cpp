@@ -44,11 +44,12 @@ DihedralRange tetrahedron_dihedrals(const Vec3& a, const Vec3& b, const Vec3& c,
   return range;
 }
 
-MeshQuality mesh_quality(const TetMesh& mesh) {
+MeshQuality mesh_quality(const TetMesh& mesh, const QualityVisit& each) {
   if (mesh.tetrahedra.empty()) return {};
   MeshQuality quality;
   quality.mean = 0;
-  for (const auto& t : mesh.tetrahedra) {
+  for (std::size_t number = 0; number < mesh.tetrahedra.size(); ++number) {
+    const auto& t = mesh.tetrahedra[number];
     const auto node = [&](std::size_t i) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(t[i])]; };
     const double value = tetrahedron_quality(node(0), node(1), node(2), node(3));
     quality.worst = std::min(quality.worst, value);
@@ -56,6 +57,7 @@ MeshQuality mesh_quality(const TetMesh& mesh) {
     const DihedralRange dihedrals = tetrahedron_dihedrals(node(0), node(1), node(2), node(3));
     quality.smallest_dihedral = std::min(quality.smallest_dihedral, dihedrals.smallest);
     quality.largest_dihedral = std::max(quality.largest_dihedral, dihedrals.largest);
+    if (each) each(number, value, dihedrals);
   }
   quality.mean /= static_cast<double>(mesh.tetrahedra.size());
   return quality;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "mesh/tet_mesh.hpp"
 
 namespace talus {
@@ -18,7 +20,8 @@ DihedralRange tetrahedron_dihedrals(const Vec3& a, const Vec3& b, const Vec3& c,
 
 double tetrahedron_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Of all tetrahedra; 1 where there are none.
-MeshQuality mesh_quality(const TetMesh& mesh);
+/// Of all tetrahedra; 1 where there are none. `each` is told the number, the quality and the dihedrals of every one.
+using QualityVisit = std::function<void(std::size_t tetrahedron, double quality, const DihedralRange& dihedrals)>;
+MeshQuality mesh_quality(const TetMesh& mesh, const QualityVisit& each = {});
 
 }  // namespace talus
