@@ -103,6 +103,13 @@ Json startOf(const Json& rule, const Json& project) {
   return nullptr;
 }
 
+Vec3 keptPlace(const Vec3& point) { return (point * 1e6).array().round() / 1e6; }
+
+Json placeJson(const Vec3& point) {
+  const Vec3 kept = keptPlace(point);
+  return {kept.x(), kept.y(), kept.z()};
+}
+
 void set(Json& project, const Place& place, const Json& value) {
   if (place.empty()) {
     project = value;

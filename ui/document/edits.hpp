@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/vector.hpp"
 #include "document/schema.hpp"
 
 /// Changes of a project, said key by key; none is checked here. What stands in the project afterwards is handed to
@@ -14,6 +15,10 @@ using schema::Place;
 /// What a thing, or a field, is given when it is made: what the schema has as its example or default, with a name that
 /// is not taken and the first of the names that it may refer to.
 Json startOf(const Json& rule, const Json& project);
+
+/// A point [m] as the project keeps it: to the micrometre. A hand is no finer, and digits of rounding say nothing.
+Vec3 keptPlace(const Vec3& point);
+Json placeJson(const Vec3& point);
 
 /// Sets what stands at a place, and what must be there with it.
 void set(Json& project, const Place& place, const Json& value);

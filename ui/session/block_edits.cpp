@@ -19,8 +19,6 @@ namespace {
 using schema::Json;
 using schema::Place;
 
-Json jsonOf(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
-
 QString counted(std::size_t count) { return count == 1 ? QObject::tr("1 block") : QObject::tr("%1 blocks").arg(count); }
 
 /// The project of a document, being changed block by block.
@@ -39,7 +37,7 @@ class Edit {
   /// The point by which the project speaks of a block: the one that gave it its name, else one inside.
   Vec3 placeOf(int index) const {
     const auto built = builtPlaces_.find(block(index).name);
-    return built == builtPlaces_.end() ? inner_point(block(index).mesh) : built->second;
+    return built == builtPlaces_.end() ? edits::keptPlace(inner_point(block(index).mesh)) : built->second;
   }
 
   /// What the project says of a block, which is made where it says nothing yet: the block keeps its name, unless that
@@ -52,7 +50,7 @@ class Edit {
       const std::string& name = block(index).name;
       const bool isTaken = solids_.contains(name);
       const std::string own = isTaken ? names::fresh(name, names::listsBeside("blocks"), changed_) : name;
-      list.push_back({{"name", own}, {"at", jsonOf(place)}});
+      list.push_back({{"name", own}, {"at", edits::placeJson(place)}});
       if (isTaken) renamed_[name] = own;
     }
     return list.at(entry->second);
@@ -175,7 +173,7 @@ void merge(CurrentProject& project, const Blocks& blocks, const std::vector<Bloc
   Edit edit(project);
   for (const auto& [one, other] : pairs)
     edit.json()["merges"].push_back(
-        {{"at", jsonOf(edit.placeOf(one))}, {"with", jsonOf(inner_point(edit.block(other).mesh))}});
+        {{"at", edits::placeJson(edit.placeOf(one))}, {"with", edits::placeJson(inner_point(edit.block(other).mesh))}});
   edit.finish(QObject::tr("merge %1").arg(counted(blocks.size())));
 }
 

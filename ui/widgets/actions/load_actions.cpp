@@ -24,12 +24,6 @@ namespace {
 constexpr double usual_force = 100e3;  // N
 constexpr double usual_speed = 1;      // m/s
 
-/// To the micrometre: a hand is no finer, and digits of rounding say nothing.
-Json placeJson(const Vec3& point) {
-  const auto rounded = [](double metres) { return std::round(metres * 1e6) / 1e6; };
-  return {rounded(point.x()), rounded(point.y()), rounded(point.z())};
-}
-
 /// To a millionth of its size.
 Json vectorJson(const Vec3& vector) {
   const double grain = vector.isZero() ? 1 : std::pow(10, std::floor(std::log10(vector.norm())) - 6);
@@ -134,7 +128,8 @@ void LoadActions::askForLoad(int block, const Vec3& at, std::optional<PickedFace
                                    .face = std::move(face)},
                                   &window_);
   connect(dialog, &QDialog::accepted, this, [this, dialog, name, at] {
-    const Json load{{"block", name.toStdString()}, {"at", placeJson(at)}, {"force", vectorJson(dialog->vector())}};
+    const Json load{
+        {"block", name.toStdString()}, {"at", edits::placeJson(at)}, {"force", vectorJson(dialog->vector())}};
     addThings("loads", std::vector<Json>(1, load), tr("add a load on %1").arg(name));
   });
   dialog->open();
@@ -145,7 +140,7 @@ void LoadActions::makeSupports(int block, const std::vector<Vec3>& points) {
   std::vector<Json> supports;
   for (const Vec3& point : points)
     supports.push_back(
-        Json{{"block", name.toStdString()}, {"at", placeJson(point)}, {"displacement", Json::array({0, 0, 0})}});
+        Json{{"block", name.toStdString()}, {"at", edits::placeJson(point)}, {"displacement", Json::array({0, 0, 0})}});
   if (supports.empty()) return;
   addThings("constraints", supports,
             supports.size() == 1 ? tr("hold a point of %1").arg(name) : tr("hold a face of %1").arg(name));
@@ -168,7 +163,7 @@ void LoadActions::holdWhole(int block) {
       }
     }
     const Place place = edits::add(project, Place("/blocks"));
-    edits::set(project, place / "at", placeJson(inside));
+    edits::set(project, place / "at", edits::placeJson(inside));
     edits::set(project, place / "body", "fixed");
     names::follow(project, "blocks", {{name, project.at(place).at("name").get<std::string>()}});
     return place;
@@ -202,7 +197,7 @@ void LoadActions::makeMonitor(const PickedPlace& picked, bool stress) {
   change(tr("add a monitor on %1").arg(name), [&](Json& project) {
     const Place place = edits::add(project, Place("/monitors"));
     edits::set(project, place / "block", name.toStdString());
-    edits::set(project, place / "at", placeJson(picked.point));
+    edits::set(project, place / "at", edits::placeJson(picked.point));
     if (stress) edits::set(project, place / "stress", true);
     return place;
   });

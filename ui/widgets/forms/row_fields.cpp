@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QPointer>
-#include <cmath>
 
 #include "document/document.hpp"
 #include "document/edits.hpp"
@@ -26,9 +25,6 @@ bool liesInside(const schema::Place& place) {
   const std::string list = schema::Place(place.parent_pointer().parent_pointer()).to_string();
   return list == "/blocks" || list == "/merges";
 }
-
-/// To the micrometre: a hand is no finer, and digits of rounding say nothing.
-double rounded(double metres) { return std::round(metres * 1e6) / 1e6; }
 
 /// A grid with a faint caption over each editor.
 QWidget* makeGrid(const std::vector<QWidget*>& editors, const schema::Json& rule) {
@@ -104,7 +100,7 @@ void VectorField::takePlace(const PickedPlace& picked) {
              .arg(schema::withinSentence(site().title()),
                   names::described(place.parent_pointer(), site().context.document.json())),
          [&](Json& project) {
-           edits::set(project, place, {rounded(point.x()), rounded(point.y()), rounded(point.z())});
+           edits::set(project, place, edits::placeJson(point));
            if (takesBlock) edits::set(project, block, blocks[static_cast<std::size_t>(picked.block)]);
          });
 }

@@ -203,7 +203,7 @@ void PropertyPanel::offerWish(Section* section, const Block& block) {
     if (index >= 0) return project_.selection().select({Item::Kind::blockWish, index});
     auto changed = project_.document().json();
     const schema::Place place = edits::add(changed, schema::Place("/blocks"));
-    edits::set(changed, place / "at", {inside.x(), inside.y(), inside.z()});
+    edits::set(changed, place / "at", edits::placeJson(inside));
     names::follow(changed, "blocks", {{name, changed.at(place).at("name").get<std::string>()}});
     project_.document().change(changed, tr("name a block"));
     project_.selection().select(itemAt(place, project_.document().json()));
