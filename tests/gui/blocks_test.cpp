@@ -232,6 +232,7 @@ TEST_F(BlocksPage, SeveralAreNamedByPatternAndGivenBodyMaterialAndMeshSize) {
   EXPECT_EQ(undoStack().undoText(), QStringLiteral("name 3 blocks"));
   choose(named<QComboBox>("body"), "affine");
   rest(20);
+  EXPECT_EQ(named<QComboBox>("body").currentText(), QStringLiteral("affine")) << "what they will be is shown";
   choose(named<QComboBox>("material"), "marl");
   rest(20);
   type(named<QLineEdit>("mesh_size"), "25 cm");

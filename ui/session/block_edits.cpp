@@ -65,6 +65,12 @@ class Edit {
     holder[key] = value;
   }
 
+  /// What the project says of a block itself; null where that is nothing.
+  const BlockOverride* wishFor(int index) const {
+    const auto entry = entries_.find(keyOf(placeOf(index)));
+    return entry == entries_.end() ? nullptr : &project_.document().project().blocks[entry->second];
+  }
+
   void leaveOut(int index, const char* key) {
     const auto entry = entries_.find(keyOf(placeOf(index)));
     if (entry != entries_.end()) changed_["blocks"].at(entry->second).erase(key);
@@ -110,6 +116,22 @@ void setMember(CurrentProject& project, const Blocks& blocks, const char* key, c
 }
 
 }  // namespace
+
+std::vector<BlockOverride> said(CurrentProject& project, const Blocks& blocks) {
+  const Edit edit(project);
+  const auto& solids = project.document().project().solids;
+  std::vector<BlockOverride> all;
+  for (const int index : blocks) {
+    const auto& built = project.builtFrom().solids.at(static_cast<std::size_t>(edit.block(index).solid));
+    const auto now = std::ranges::find(solids, built.name, &Solid::name);
+    const Solid& solid = now == solids.end() ? built : *now;
+    const BlockOverride* wish = edit.wishFor(index);
+    BlockOverride& one = all.emplace_back(wish ? *wish : BlockOverride{});
+    if (!one.body) one.body = solid.body;
+    if (!one.material) one.material = solid.material;
+  }
+  return all;
+}
 
 void rename(CurrentProject& project, const Blocks& blocks, const QString& pattern) {
   const QString number = QStringLiteral("{n}"), trimmed = pattern.trimmed();

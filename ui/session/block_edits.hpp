@@ -18,6 +18,9 @@ namespace block_edits {
 
 using Blocks = std::vector<int>;
 
+/// Body and material of each as the project says them now, which the blocks may not have been cut with yet.
+std::vector<BlockOverride> said(CurrentProject& project, const Blocks& blocks);
+
 /// `{n}` of the pattern becomes 1, 2, … in the order of the blocks; several need it. Whoever names a block follows.
 void rename(CurrentProject& project, const Blocks& blocks, const QString& pattern);
 /// Nothing given: as their solids have it.

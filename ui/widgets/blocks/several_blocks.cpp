@@ -7,7 +7,6 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "session/block_edits.hpp"
 #include "session/block_survey.hpp"
 #include "session/messages.hpp"
 #include "widgets/kit/model_words.hpp"
@@ -39,7 +38,11 @@ QComboBox* makeChoice(const QString& title, const QStringList& choices, const st
 
 SeveralBlocks::SeveralBlocks(CurrentProject& project, const BlockSurvey& survey, Messages& messages,
                              std::vector<int> blocks)
-    : project_(project), survey_(survey), messages_(messages), blocks_(std::move(blocks)) {
+    : project_(project),
+      survey_(survey),
+      messages_(messages),
+      blocks_(std::move(blocks)),
+      said_(block_edits::said(project_, blocks_)) {
   setMargins(new QVBoxLayout(this), 0, 0);
   addEdits(*add(tr("For all of them")));
   addFacts();
@@ -106,10 +109,7 @@ void SeveralBlocks::addBody(Section& section) {
   QStringList titles;
   for (const BodyKind body : bodies) titles << words::body(body);
   std::set<QString> now;
-  for (const int block : blocks_) {
-    const Block& one = project_.system()->blocks.at(static_cast<std::size_t>(block));
-    now.insert(words::body(one.body_reason.empty() ? one.body : BodyKind::automatic));
-  }
+  for (const BlockOverride& one : said_) now.insert(words::body(*one.body));
   auto* box = makeChoice(tr("Body"), titles, now);
   box->setObjectName(QStringLiteral("body"));
   connect(box, &QComboBox::activated, this, [this, bodies](int index) {
@@ -125,11 +125,7 @@ void SeveralBlocks::addMaterial(Section& section) {
   QStringList titles;
   for (const Material& material : project_.document().project().materials) titles << text(material.name);
   std::set<QString> now;
-  const auto& built = project_.builtFrom().materials;
-  for (const int block : blocks_) {
-    const auto material = project_.system()->blocks.at(static_cast<std::size_t>(block)).material;
-    now.insert(text(built.at(static_cast<std::size_t>(material)).name));
-  }
+  for (const BlockOverride& one : said_) now.insert(text(*one.material));
   auto* box = makeChoice(tr("Material"), titles, now);
   box->setObjectName(QStringLiteral("material"));
   connect(box, &QComboBox::activated, this, [this, titles](int index) {

@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "session/block_edits.hpp"
+
 namespace talus {
 
 class BlockSurvey;
@@ -33,6 +35,7 @@ class SeveralBlocks : public QWidget {
   const BlockSurvey& survey_;
   Messages& messages_;
   std::vector<int> blocks_;
+  std::vector<BlockOverride> said_;  ///< of each, body and material as the project has them now
 };
 
 }  // namespace talus
