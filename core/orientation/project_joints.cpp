@@ -43,6 +43,8 @@ Project with_joints(Project project, std::span<const MeasuredJoint> joints, cons
     cut.polygon = measured.corners;
     project.cuts.push_back(cut);
   }
+  // Contacts on no cut need a joint as soon as there are joints.
+  if (project.default_joint.empty() && !project.joints.empty()) project.default_joint = project.joints.front().name;
   return project;
 }
 

@@ -23,7 +23,8 @@ ProjectJoints joints_of(const Project& project, int most = std::numeric_limits<i
 
 /// The project with a cut for every joint, at the end of its list. Sets become joints; where the project has none of
 /// that name, one is added with the values of `strength`. Joints without a set take the name of `strength`, those
-/// without a place go through `at`. A joint with a spacing stays a single plane: a table says where each one is.
+/// without a place go through `at`. A joint with a spacing stays a single plane: a table says where each one is. Where
+/// the project has no default joint, its first joint is.
 Project with_joints(Project project, std::span<const MeasuredJoint> joints, const Joint& strength, const Vec3& at);
 
 }  // namespace talus

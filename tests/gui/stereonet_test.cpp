@@ -281,5 +281,12 @@ TEST_F(StereonetWindow, JointsWithoutAPlaceGoThroughTheOneThatIsTyped) {
   EXPECT_EQ(project().cuts[3].through, Vec3(5, 5, 8)) << "the middle of the rock, but for what was typed";
 }
 
+TEST_F(StereonetWindow, JointsWithoutAPlaceGoThroughTheMiddleOfRockFromAFile) {
+  window->open(sample("step_slope"));
+  ASSERT_TRUE(wait([&] { return session->surfaces.current() && !session->surfaces.isBusy(); }));
+  click(*paste("45 120 J\n").findChild<QPushButton*>(QStringLiteral("add")));
+  EXPECT_LT((project().cuts.back().through - Vec3(80, 60, 50)).norm(), 1e-6);
+}
+
 }  // namespace
 }  // namespace talus

@@ -127,6 +127,16 @@ const std::vector<SolidSurface>* SolidSurfaces::current() const {
   return shown_->surfaces.empty() ? nullptr : &shown_->surfaces;
 }
 
+std::optional<BoxShape> SolidSurfaces::extent() const {
+  std::optional<BoxShape> extent;
+  for (const SolidSurface& one : shown_->surfaces) {
+    if (!extent) extent = BoxShape{one.min, one.max};
+    extent->min = extent->min.cwiseMin(one.min);
+    extent->max = extent->max.cwiseMax(one.max);
+  }
+  return extent;
+}
+
 std::shared_ptr<const BlockSystem> SolidSurfaces::asBlocks() const { return current() ? shown_->blocks : nullptr; }
 
 const std::vector<InputError>& SolidSurfaces::problems() const { return shown_->problems; }

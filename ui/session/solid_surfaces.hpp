@@ -32,6 +32,8 @@ class SolidSurfaces : public QObject {
   /// In the order of the project, without the solids that others are made of; null until there are some. While
   /// `isBusy()` they are those from before the last change.
   const std::vector<SolidSurface>* current() const;
+  /// Around all of them; empty where `current()` is null.
+  std::optional<BoxShape> extent() const;
   /// The same as blocks that are nothing but their surface, each with the number of its solid. Null where `current()`
   /// is.
   std::shared_ptr<const BlockSystem> asBlocks() const;

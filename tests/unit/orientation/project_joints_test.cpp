@@ -61,6 +61,9 @@ TEST(ProjectJoints, AreAddedWithTheJointsThatTheyName) {
   EXPECT_EQ(changed.cuts[1].through, Vec3(7, 8, 9));
   EXPECT_EQ(changed.cuts[1].joint, "K");
   EXPECT_EQ(changed.cuts[1].dip, 60);
+  EXPECT_EQ(changed.default_joint, "J1") << "contacts on no cut need one";
+  project.default_joint = "K";
+  EXPECT_EQ(with_joints(project, measured, joint_of("joint", 33), Vec3::Zero()).default_joint, "K");
 }
 
 }  // namespace

@@ -18,22 +18,6 @@
 
 namespace talus {
 
-namespace {
-
-/// Around all solids, as far as they are there.
-std::optional<BoxShape> extentOf(const SolidSurfaces& solids) {
-  std::optional<BoxShape> extent;
-  for (std::size_t i = 0; solids.current() && i < solids.current()->size(); ++i) {
-    const SolidSurface& one = (*solids.current())[i];
-    if (!extent) extent = BoxShape{one.min, one.max};
-    extent->min = extent->min.cwiseMin(one.min);
-    extent->max = extent->max.cwiseMax(one.max);
-  }
-  return extent;
-}
-
-}  // namespace
-
 SolidTools::SolidTools(Session& session, QWidget& window) : QObject(&window), session_(session), window_(window) {
   makeActions();
   connect(&session_.project, &CurrentProject::opened, this, &SolidTools::refresh);
@@ -127,7 +111,7 @@ void SolidTools::importFile(const std::filesystem::path& file) {
 void SolidTools::makeNew(NewShape shape, const QString& what) {
   Document& document = session_.project.document();
   try {
-    document.change(with_new_solid(document.project(), shape, extentOf(session_.surfaces)), what);
+    document.change(with_new_solid(document.project(), shape, session_.surfaces.extent()), what);
     session_.display.goTo(WorkflowPage::geometry);
     session_.project.selection().select({Item::Kind::solid, static_cast<int>(document.project().solids.size()) - 1});
   } catch (const InputError& error) {

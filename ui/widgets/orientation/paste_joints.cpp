@@ -14,6 +14,7 @@
 #include "model/solid_shape.hpp"
 #include "orientation/dxf_joints.hpp"
 #include "orientation/project_joints.hpp"
+#include "session/solid_surfaces.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
@@ -29,12 +30,6 @@ constexpr int text_width = 330;
 constexpr double usual_friction = 30;  // degrees, of sets in a project without any joint
 
 QString optional(const std::optional<double>& value) { return value ? numbers::figure(*value, 6) : QString(); }
-
-/// Middle of all solids that the project itself describes; those from files have none.
-Vec3 middleOf(const Project& project) {
-  const auto extent = extent_of(project.solids);
-  return extent ? Vec3((extent->min + extent->max) / 2) : Vec3::Zero();
-}
 
 QStringList cellsOf(const MeasuredJoint& joint) {
   QStringList cells{numbers::figure(joint.plane.dip, 5), numbers::figure(joint.plane.dip_direction, 5),
@@ -61,7 +56,8 @@ const std::array<const char*, 8> columns{"dip", "dip direction", "set", "x", "y"
 
 }  // namespace
 
-PasteJoints::PasteJoints(Document& document, QWidget* parent) : QDialog(parent), document_(document) {
+PasteJoints::PasteJoints(Document& document, const SolidSurfaces& solids, QWidget* parent)
+    : QDialog(parent), document_(document), solids_(solids) {
   setWindowTitle(tr("Paste joints"));
   resize(parent ? usual_dialog_size.boundedTo(parent->size() - QSize(60, 40)) : usual_dialog_size);
   auto* column = new QVBoxLayout(this);
@@ -175,7 +171,9 @@ void PasteJoints::presentFile(const std::filesystem::path& file) {
 
 void PasteJoints::prepare() {
   listStrengths();
-  through_ = middleOf(document_.project());
+  const auto read = solids_.extent();  // files need a moment
+  const auto extent = read ? read : extent_of(document_.project().solids);
+  through_ = extent ? Vec3((extent->min + extent->max) / 2) : Vec3::Zero();
   showPlace();
 }
 

@@ -14,6 +14,7 @@ namespace talus {
 
 class Document;
 class PlainTable;
+class SolidSurfaces;
 
 /// Joints from the clipboard or a file into the project: the text, what was read from it line by line with what is
 /// wrong, and one undoable step that adds the sound lines as cuts with their joint sets. Of a drawing (DXF) the faces
@@ -21,7 +22,7 @@ class PlainTable;
 class PasteJoints : public QDialog {
   Q_OBJECT
  public:
-  explicit PasteJoints(Document& document, QWidget* parent = nullptr);
+  PasteJoints(Document& document, const SolidSurfaces& solids, QWidget* parent = nullptr);
   /// Begins with what is in the clipboard.
   void present();
   void setText(const QString& text);
@@ -46,6 +47,7 @@ class PasteJoints : public QDialog {
   void add();
 
   Document& document_;
+  const SolidSurfaces& solids_;
   JointTable table_;
   Vec3 through_ = Vec3::Zero();  ///< m, for joints without a place
   QPlainTextEdit* text_;

@@ -151,7 +151,7 @@ void MainWindow::showStereonet() {
 }
 
 PasteJoints& MainWindow::pasteJoints() {
-  if (!pasteJoints_) pasteJoints_ = new PasteJoints(session_.project.document(), this);
+  if (!pasteJoints_) pasteJoints_ = new PasteJoints(session_.project.document(), session_.surfaces, this);
   return *pasteJoints_;
 }
 
