@@ -121,6 +121,9 @@ TEST_F(DrivenWindow, ReopensAProjectWithItsResultsUntilItIsEdited) {
   changed.joints[0].friction_angle = 40;
   session->project.document().change(changed, {});
   EXPECT_FALSE(session->playback.isCurrent());
+  session->project.document().undoStack().undo();
+  EXPECT_TRUE(session->playback.isCurrent()) << "what was edited is taken back";
+  session->project.document().undoStack().redo();
   session->project.document().save();
   window->open(file);
   rest(200);

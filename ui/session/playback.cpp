@@ -20,20 +20,20 @@ int nearest(const std::vector<double>& times, double time) {
 
 }  // namespace
 
-Playback::Playback(Document& document, Messages& messages) : loader_(std::make_unique<ResultsLoader>()) {
+Playback::Playback(Document& document, Messages& messages)
+    : document_(document), loader_(std::make_unique<ResultsLoader>()) {
   connect(loader_.get(), &ResultsLoader::opened, this, [this](const auto& index) { takeIndex(*index); });
   connect(loader_.get(), &ResultsLoader::frameReady, this, &Playback::takeFrame);
   connect(loader_.get(), &ResultsLoader::failed, this, [this, &messages](const InputError& error) {
     waiting_ = false;
     messages.add(problemOf(error, Problem::Of::results));
   });
-  connect(&document, &Document::projectChanged, this, [this] {
-    current_ = false;
-    emit framesChanged();
-  });
+  connect(&document, &Document::projectChanged, this, &Playback::framesChanged);
 }
 
 Playback::~Playback() = default;
+
+bool Playback::isCurrent() const { return solved_ == document_.project(); }
 
 void Playback::clear() {
   loader_->close();
@@ -41,7 +41,8 @@ void Playback::clear() {
   frame_.reset();
   times_.clear();
   number_ = -1;
-  live_ = waiting_ = loading_ = current_ = false;
+  live_ = waiting_ = loading_ = false;
+  solved_.reset();
   following_ = true;
   wantedTime_.reset();
   folder_.clear();
@@ -50,11 +51,14 @@ void Playback::clear() {
 }
 
 void Playback::open(const std::filesystem::path& folder) {
-  current_ = true;
+  solved_ = document_.project();
   load(folder);
 }
 
-void Playback::beginRun() { live_ = current_ = true; }
+void Playback::beginRun() {
+  live_ = true;
+  solved_ = document_.project();
+}
 
 void Playback::add(const std::vector<std::shared_ptr<const Frame>>& frames) {
   for (const auto& frame : frames) liveFrames_.add(frame);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jobs/live_frames.hpp"
+#include "model/project.hpp"
 
 namespace talus {
 
@@ -20,14 +21,14 @@ struct ResultsIndex;
 class Playback : public QObject {
   Q_OBJECT
  public:
-  /// The frames are outdated once the document's project is edited; what cannot be read is said as a problem.
+  /// The frames are outdated while the document's project is another one; what cannot be read is said as a problem.
   Playback(Document& document, Messages& messages);
   ~Playback() override;
 
   /// The frames are of a run that goes on.
   bool isLive() const { return live_; }
-  /// The frames belong to the project as it is now; false after it was edited.
-  bool isCurrent() const { return current_; }
+  /// The frames belong to the project as it is now; false after it was edited, until that is undone.
+  bool isCurrent() const;
   /// A results folder is being opened.
   bool isLoading() const { return loading_; }
   /// A frame has been asked for and is not there yet.
@@ -78,12 +79,14 @@ class Playback : public QObject {
   void takeIndex(const ResultsIndex& index);
   void takeFrame(std::shared_ptr<const Frame> frame);
 
+  const Document& document_;
+  std::optional<Project> solved_;  ///< that the frames are of
   std::unique_ptr<ResultsLoader> loader_;
   LiveFrames liveFrames_;
   std::shared_ptr<const Frame> frame_;
   std::vector<double> times_;
   int number_ = -1;
-  bool live_ = false, current_ = false, following_ = true, waiting_ = false, loading_ = false, exporting_ = false;
+  bool live_ = false, following_ = true, waiting_ = false, loading_ = false, exporting_ = false;
   std::optional<double> wantedTime_;  ///< to go on looking at when results take the place of live frames
   std::filesystem::path folder_;
 };
