@@ -1047,6 +1047,18 @@
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>the cuts leave a splinter, %1 m thick</source>
+        <translation>die Schnitte lassen einen Splitter, %1 m dick</translation>
+    </message>
+    <message>
+        <source>the cuts leave %1 splinters, the thinnest %2 m thick</source>
+        <translation>die Schnitte lassen %1 Splitter, der dünnste %2 m dick</translation>
+    </message>
+    <message>
+        <source>drop them, merge them with their neighbours, or move a joint: see Splinters</source>
+        <translation>weglassen, mit den Nachbarn vereinigen oder eine Kluft verschieben: siehe Splitter</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -5034,20 +5046,12 @@ Z %3</translation>
         <translation>nicht geschnitten</translation>
     </message>
     <message>
-        <source>to be cut anew</source>
-        <translation>neu zu schneiden</translation>
-    </message>
-    <message>
         <source>not made</source>
         <translation>nicht gemacht</translation>
     </message>
     <message>
         <source>%1 tet</source>
         <translation>%1 Tet</translation>
-    </message>
-    <message>
-        <source>to be made anew</source>
-        <translation>neu zu machen</translation>
     </message>
     <message>
         <source>mesh sizes</source>
@@ -5152,6 +5156,14 @@ Z %3</translation>
     <message>
         <source>%1 more in the table</source>
         <translation>%1 weitere in der Tabelle</translation>
+    </message>
+    <message>
+        <source>to be cut anew</source>
+        <translation>neu zu schneiden</translation>
+    </message>
+    <message>
+        <source>to be made anew</source>
+        <translation>neu zu machen</translation>
     </message>
 </context>
 <context>

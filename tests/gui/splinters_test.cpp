@@ -51,6 +51,8 @@ TEST_F(SplintersWindow, AreToldAndShownWhereTheyKeepTheRockFromBeingCut) {
   EXPECT_EQ(window->findChild<BottomPanel*>()->currentWidget(), &panel());
   EXPECT_EQ(table().rowCount(), 2);
   EXPECT_EQ(table().item(0, 1)->text(), QStringLiteral("refused"));
+  EXPECT_THAT(session->messages.problems().back().problem.toStdString(),
+              testing::StartsWith("the cuts leave 2 splinters, the thinnest "));
   EXPECT_THAT(session->display.settings().places, SizeIs(2));
   EXPECT_NEAR(session->display.settings().places[0].at.z(), 10, 1e-3);
   keepPicture(*window, "splinters.png");
@@ -83,6 +85,7 @@ TEST_F(SplintersWindow, AreDroppedOrMergedByAButtonAndTold) {
   click(button(panel(), "Merge with neighbours"));
   cut();
   EXPECT_EQ(table().item(0, 1)->text(), QStringLiteral("part of cube.2"));
+  EXPECT_EQ(window->findChild<BottomPanel*>()->currentIndex(), 0) << "the blocks, while there were no splinters";
   session->project.document().undoStack().undo();
   session->project.document().undoStack().undo();
   EXPECT_EQ(project().splinters.rule, SplinterRule::refuse);

@@ -1,5 +1,7 @@
 #include "session/current_run.hpp"
 
+#include <algorithm>
+
 #include "io/project_file.hpp"
 #include "jobs/results_loader.hpp"
 #include "jobs/solver_job.hpp"
@@ -46,6 +48,18 @@ Problem problemOf(const VolumeSum& sum) {
           .problem = QObject::tr("they and what was left out have %1 m³ together, the solids %2 m³")
                          .arg(number(sum.blocks + sum.left_out), number(sum.solids)),
           .remedy = QObject::tr("look for solids that are open or overlap, and for cuts that nearly meet"),
+          .of = Problem::Of::run};
+}
+
+/// Of pieces that are too thin to be blocks; their list tells where each is.
+Problem problemOf(const std::vector<Splinter>& splinters) {
+  const double thinnest = std::ranges::min(splinters, {}, &Splinter::thickness).thickness;
+  return {.place = QObject::tr("blocks"),
+          .problem = splinters.size() == 1 ? QObject::tr("the cuts leave a splinter, %1 m thick").arg(number(thinnest))
+                                           : QObject::tr("the cuts leave %1 splinters, the thinnest %2 m thick")
+                                                 .arg(splinters.size())
+                                                 .arg(number(thinnest)),
+          .remedy = QObject::tr("drop them, merge them with their neighbours, or move a joint: see Splinters"),
           .of = Problem::Of::run};
 }
 
@@ -187,7 +201,7 @@ void CurrentRun::takeEnd(const JobEnd& end) {
       messages_.add(problemOf(*end.report));
       break;
     case JobEnd::Kind::failed:
-      messages_.add(problemOf(*end.failure, Problem::Of::run));
+      messages_.add(end.splinters.empty() ? problemOf(*end.failure, Problem::Of::run) : problemOf(end.splinters));
       playback_.abandonRun();
       project_.abandonBuilding();
       break;

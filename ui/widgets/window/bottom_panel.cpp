@@ -73,7 +73,9 @@ void BottomPanel::showSplinters() {
   const int tab = indexOf(splinters_);
   const auto count = session_.splinters.all().size();
   if (count == 0) {
+    const bool isShown = tab >= 0 && currentIndex() == tab;
     if (tab >= 0) removeTab(tab);
+    if (isShown) setCurrentWidget(tables_);
     return;
   }
   const QString title = tr("Splinters  %1").arg(count);
