@@ -1048,6 +1048,10 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
+        <source>terrain</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
         <source>the cuts leave a splinter, %1 m thick</source>
         <translation>die Schnitte lassen einen Splitter, %1 m dick</translation>
     </message>
@@ -5158,12 +5162,8 @@ Z %3</translation>
         <translation>%1 weitere in der Tabelle</translation>
     </message>
     <message>
-        <source>to be cut anew</source>
-        <translation>neu zu schneiden</translation>
-    </message>
-    <message>
-        <source>to be made anew</source>
-        <translation>neu zu machen</translation>
+        <source>outdated</source>
+        <translation>veraltet</translation>
     </message>
 </context>
 <context>
@@ -7138,6 +7138,10 @@ Nr. %3</translation>
     <message>
         <source>%1 m³</source>
         <translation>%1 m³</translation>
+    </message>
+    <message>
+        <source>There is no rock yet: import geometry, or make a new solid.</source>
+        <translation>Es gibt noch keinen Fels: Geometrie importieren oder einen neuen Körper machen.</translation>
     </message>
 </context>
 <context>

@@ -37,6 +37,7 @@ QString solidFigure(const Solid& solid) {
     return QObject::tr("%1 faces").arg(polyhedron->faces.size());
   if (const auto* file = std::get_if<FileShape>(&solid.shape))
     return text(std::filesystem::path(file->path).extension().string()).mid(1).toUpper();
+  if (std::holds_alternative<TerrainShape>(solid.shape)) return QObject::tr("terrain");  // its file is in the table
   return words::shape(solid.shape);
 }
 
@@ -168,13 +169,13 @@ void ProjectTree::rebuild() {
   const bool current = project_.systemIsCurrent();
   addBlocks(addGroup(WorkflowPage::blocks, !system   ? tr("not cut")
                                            : current ? numbers::whole(system->blocks.size())
-                                                     : tr("to be cut anew")));
+                                                     : tr("outdated")));
   size_t tetrahedra = 0;
   if (system)
     for (const auto& block : system->blocks) tetrahedra += block.mesh.tetrahedra.size();
   auto* mesh = addGroup(WorkflowPage::mesh, !system   ? tr("not made")
                                             : current ? tr("%1 tet").arg(numbers::whole(tetrahedra))
-                                                      : tr("to be made anew"));
+                                                      : tr("outdated"));
   addRow(mesh, {Item::Kind::mesh, 0}, tr("mesh sizes"),
          project.mesh.size ? tr("%1 m").arg(numbers::significant(*project.mesh.size)) : tr("by solid"))
       ->setIcon(0, theme::icon(QStringLiteral("settings")));

@@ -426,6 +426,7 @@ void Viewport::showEmptyState() {
   const bool isShown = !system_ || (showsSolids_ && isCutting);
   empty_->setVisible(isShown);
   if (!isShown) return;
+  emptyButton_->setVisible(isCutting || !project().solids.empty());
   if (isCutting) {
     const int percent = static_cast<int>(100 * session_.run.fraction());
     QStringList lines{tr("Cutting and meshing, %1 %").arg(percent), session_.run.activity()};
@@ -437,8 +438,9 @@ void Viewport::showEmptyState() {
     emptyButton_->setToolTip(tr("The blocks stay as they were before; it can be begun again"));
   } else {
     emptyButton_->setText(tr("Cut and mesh"));
-    emptyText_->setText(session_.surfaces.isBusy()
-                            ? tr("Reading the solids …")
+    emptyText_->setText(session_.surfaces.isBusy() ? tr("Reading the solids …")
+                        : project().solids.empty()
+                            ? tr("There is no rock yet: import geometry, or make a new solid.")
                             : tr("There are no blocks yet: cut the rock along its joints and mesh it to see them."));
     emptyButton_->setEnabled(session_.run.whyNotMesh().isEmpty());
     const QString whyNot = session_.run.whyNotMesh();
