@@ -5,7 +5,9 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QToolButton>
+#include <algorithm>
 
 #include "document/item_place.hpp"
 #include "document/things.hpp"
@@ -53,6 +55,13 @@ bool isScalar(const schema::Json& rule) {
 void DrivenForm::click(const std::string& name) {
   if (auto* button = widget<QAbstractButton>(name)) QTest::mouseClick(button, Qt::LeftButton);
   rest(5);
+}
+
+void DrivenForm::press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+  window->activateWindow();  // as a window manager does when a dialog is closed
+  rest(20);
+  QTest::keyClick(window.get(), key, modifiers);
+  rest(20);
 }
 
 void DrivenForm::type(const std::string& name, const QString& text) {
@@ -107,6 +116,52 @@ void DrivenForm::selectRow(const Item& item) {
   rest(5);
   QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(row).center());
   rest(10);
+}
+
+void DrivenForm::goTo(WorkflowPage page) {
+  const QString name = QStringLiteral("rail-%1").arg(QLatin1String(pageKey(page)));
+  QTest::mouseClick(window->findChild<QWidget*>(name), Qt::LeftButton);
+  rest(30);
+  ASSERT_EQ(session->display.page(), page);
+}
+
+void DrivenForm::chooseInMenus(const QStringList& entries) {
+  QMenu* menu = nullptr;
+  for (const QString& words : entries) {
+    auto* bar = window->findChild<QMenuBar*>();
+    QWidget* from = menu ? static_cast<QWidget*>(menu) : bar;
+    const auto actions = from->actions();
+    const auto entry = std::ranges::find_if(actions, [&](const QAction* one) { return one->text() == words; });
+    ASSERT_NE(entry, actions.end()) << words.toStdString();
+    ASSERT_TRUE((*entry)->isEnabled()) << (*entry)->toolTip().toStdString();
+    const QRect place = menu ? menu->actionGeometry(*entry) : bar->actionGeometry(*entry);
+    QMenu* next = (*entry)->menu();
+    QTest::mouseClick(from, Qt::LeftButton, {}, place.center());
+    ASSERT_TRUE(!next || wait([&] { return next->isVisible(); }, 2000)) << words.toStdString();
+    menu = next;
+  }
+  rest(30);
+}
+
+void DrivenForm::clickOnRock(const Vec3& place) {
+  QTest::keyClick(&area(), Qt::Key_0);
+  ASSERT_TRUE(wait([&] { return !window->viewport().isFlying(); }));
+  const auto at = window->viewport().pointOf(place);
+  ASSERT_TRUE(at && area().rect().contains(at->toPoint()));
+  QTest::mouseClick(&area(), Qt::LeftButton, {}, at->toPoint());
+  rest(30);
+}
+
+int DrivenForm::clickWhileItCan(const char* name) {
+  QToolButton* button = nullptr;
+  for (auto* one : window->findChildren<QToolButton*>())
+    if (one->accessibleName() == QLatin1String(name) && one->isVisible()) button = one;
+  int presses = 0;
+  for (; button && button->isEnabled(); ++presses) {
+    QTest::mouseClick(button, Qt::LeftButton);
+    rest(1);
+  }
+  return presses;
 }
 
 void DrivenForm::makePresent(const Place& place) {

@@ -26,12 +26,24 @@ class DrivenForm : public DrivenWindow {
   }
 
   void click(const std::string& name);
+  /// Keys of the window, which comes to the front.
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
   void type(const std::string& name, const QString& text);
   void choose(const std::string& name, const QString& entry);
   /// A thing more in the list of this key, by the button in the project tree.
   Place addThing(const std::string& list);
   /// Selects by a click on the row of the tree.
   void selectRow(const Item& item);
+  /// By a click in the rail.
+  void goTo(WorkflowPage page);
+  /// Clicks menu by menu: {"Model", "New solid", "New box"}.
+  void chooseInMenus(const QStringList& entries);
+  /// Clicks where a place [m] of the rock's surface is seen from the south-west.
+  void clickOnRock(const Vec3& place);
+  /// Clicks the tool of this name again and again until it is grey; how often that was.
+  int clickWhileItCan(const char* tool);
+  /// What the 3-D view is drawn on.
+  QWidget& area() { return *window->viewport().findChild<QWidget*>(QStringLiteral("view area")); }
 
   /// Makes what stands at a place, whose form is open, say this.
   void enter(const Place& place, const Json& target);

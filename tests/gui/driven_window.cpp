@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QUrl>
 #include <fstream>
 
@@ -117,6 +118,19 @@ void DrivenWindow::drop(const std::filesystem::path& file) {
   QDropEvent event({400, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
   QApplication::sendEvent(window.get(), &event);
   rest(30);
+}
+
+void DrivenWindow::drag(QWidget& widget, QPointF from, QPointF to, Qt::KeyboardModifiers keys) {
+  constexpr int moves = 8;
+  const auto send = [&](QEvent::Type type, QPointF at) {
+    QMouseEvent event(type, at, widget.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, keys);
+    QApplication::sendEvent(&widget, &event);
+  };
+  send(QEvent::MouseButtonPress, from);
+  for (int i = 1; i <= moves; ++i) send(QEvent::MouseMove, from + (to - from) * i / moves);
+  send(QEvent::MouseButtonRelease, to);
+  rest(20);
 }
 
 void DrivenWindow::openAndMesh(const std::filesystem::path& file) {

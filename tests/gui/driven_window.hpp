@@ -81,6 +81,8 @@ class DrivenWindow : public ::testing::Test {
   void rest(int ms);
   /// Drops a file on the window.
   void drop(const std::filesystem::path& file);
+  /// Pulls with the left button from one point of a widget to another.
+  void drag(QWidget& widget, QPointF from, QPointF to, Qt::KeyboardModifiers keys = {});
   /// Opens a project and waits for its blocks.
   void openAndMesh(const std::filesystem::path& file);
   /// A point of the view where a block lies.

@@ -36,7 +36,6 @@ class JointsWindow : public DrivenForm {
   }
   const Project& rock() const { return session->project.document().project(); }
   std::string textNow() const { return session->project.document().text(); }
-  QWidget& area() { return *window->viewport().findChild<QWidget*>(QStringLiteral("view area")); }
   void trigger(const char* action) {
     for (auto* one : window->findChildren<QAction*>())
       if (one->text() == QString::fromUtf8(action)) {

@@ -1,5 +1,4 @@
 // The stages as a strip in time: a click selects, edges and boxes are dragged.
-#include <QMouseEvent>
 #include <QTest>
 
 #include "driven_window.hpp"
@@ -31,16 +30,6 @@ class Stages : public DrivenWindow {
   StageStrip& strip() { return *window->findChild<StageStrip*>(); }
   const std::vector<Stage>& stages() { return session->project.document().project().stages; }
   int steps() { return session->project.document().undoStack().count(); }
-  void drag(QPoint from, QPoint to) {
-    QTest::mousePress(&strip(), Qt::LeftButton, {}, from);
-    for (const QPoint& at : {(from + to) / 2, to}) {
-      QMouseEvent move(QEvent::MouseMove, QPointF(at), strip().mapToGlobal(QPointF(at)), Qt::NoButton, Qt::LeftButton,
-                       Qt::NoModifier);
-      QApplication::sendEvent(&strip(), &move);
-    }
-    QTest::mouseRelease(&strip(), Qt::LeftButton, {}, to);
-    rest(20);
-  }
 };
 
 TEST_F(Stages, AClickSelectsAndWordsSayWhatChanges) {
@@ -55,14 +44,12 @@ TEST_F(Stages, AClickSelectsAndWordsSayWhatChanges) {
 TEST_F(Stages, TheRightEdgeIsDraggedToAnotherLengthInOneStep) {
   const int before = steps();
   const QRectF box = strip().boxOf(1);
-  drag(QPoint(static_cast<int>(box.right()), static_cast<int>(box.center().y())),
-       QPoint(static_cast<int>(box.center().x()), static_cast<int>(box.center().y())));
+  drag(strip(), {box.right(), box.center().y()}, box.center());
   EXPECT_EQ(steps(), before + 1);
   EXPECT_NEAR(*stages()[1].steps, 200, 4) << "half as long, in steps as it was said";
   EXPECT_EQ(stages()[1].time_step, 0.01);
   const QRectF last = strip().boxOf(2);
-  drag(QPoint(static_cast<int>(last.right()) - 2, static_cast<int>(last.center().y())),
-       QPoint(static_cast<int>(last.center().x()), static_cast<int>(last.center().y())));
+  drag(strip(), {last.right() - 2, last.center().y()}, last.center());
   EXPECT_NEAR(*stages()[2].duration, 0.5, 0.03);
   const double whole = *stages()[2].duration / 0.02;
   EXPECT_NEAR(whole, std::round(whole), 1e-6) << "in whole time steps";
@@ -70,7 +57,7 @@ TEST_F(Stages, TheRightEdgeIsDraggedToAnotherLengthInOneStep) {
 
 TEST_F(Stages, AStageIsDraggedToAnotherPlaceInTheOrder) {
   const int before = steps();
-  drag(strip().boxOf(0).center().toPoint(), strip().boxOf(2).center().toPoint() + QPoint(10, 0));
+  drag(strip(), strip().boxOf(0).center(), strip().boxOf(2).center() + QPointF(10, 0));
   EXPECT_EQ(steps(), before + 1);
   EXPECT_EQ(stages()[2].name, "settle");
   EXPECT_EQ(stages()[0].name, "slide");
