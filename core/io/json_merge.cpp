@@ -59,12 +59,20 @@ class Merger {
 
   std::string value(const JsonSpan& span, const OrderedJson& before, const OrderedJson& after) const {
     if (before == after) return text_.substr(span.begin, span.end - span.begin);
+    if (is_bare(span)) return format_json(after, indent_at(text_, span.start), layout_);
     if (before.is_object() && after.is_object()) return members(span, before, after);
     if (before.is_array() && after.is_array()) return elements(span, before, after);
     return format_json(after, indent_at(text_, span.start), layout_);
   }
 
  private:
+  /// "{}" and "[]" on lines of their own have neither layout nor comments to be kept.
+  bool is_bare(const JsonSpan& span) const {
+    const bool is_empty = text_.find_first_not_of(" \t\r\n", span.begin + 1) == span.end - 1;
+    const std::size_t line = text_.rfind('\n', span.start) + 1;
+    return is_empty && line + indent_at(text_, span.start) == span.start;
+  }
+
   std::string elements(const JsonSpan& span, const OrderedJson& before, const OrderedJson& after) const {
     const JsonPieces pieces = split_json(text_, span);
     const auto match = match_elements(before, after);

@@ -85,6 +85,20 @@ TEST(ChangeProjectText, KeysKeepTheirOrderAndNumbersTheirSpelling) {
             "{\"b\": 25e9, \"a\": 1.0, \"c\": 0.1}");
 }
 
+TEST(ChangeProjectText, WhatWasEmptyHasOneThingALine) {
+  EXPECT_EQ(
+      changed("{\n  \"materials\": {}, // none\n  \"at\": []\n}",
+              [](Json& v) {
+                v["materials"]["rock"]["density"] = 2600;
+                v["materials"]["marl"]["density"] = 2300;
+                v["at"] = {1, 2};
+              }),
+      "{\n  \"materials\": {\n    \"rock\": {\"density\": 2600},\n    \"marl\": {\"density\": 2300}\n  }, // none\n"
+      "  \"at\": [1, 2]\n}");
+  EXPECT_EQ(changed("{\"materials\": {/* none */}}", [](Json& v) { v["materials"]["rock"] = 1; }),
+            "{\"materials\": {\"rock\": 1/* none */}}");
+}
+
 TEST(ChangeProjectText, RefusesWhatIsNoJson) {
   EXPECT_THROW(change_project_text("{", "{}"), InputError);
   EXPECT_THROW(change_project_text("{}", "{"), InputError);

@@ -29,9 +29,10 @@ NumberField* makeNumber(const Json& rule, const Json* value, const QString& none
   return field;
 }
 
-Json jsonOf(double number) {
-  constexpr double exact = 9e15;  // whole numbers that a double holds
-  if (number == std::floor(number) && std::abs(number) < exact) return static_cast<std::int64_t>(number);
+Json jsonOf(double number, bool isCount) {
+  constexpr double exact = 9e15, readable = 1e6;  // whole numbers that a double holds; 2e10 reads better as it is
+  if (number == std::floor(number) && std::abs(number) < (isCount ? exact : readable))
+    return static_cast<std::int64_t>(number);
   return number;
 }
 
@@ -50,7 +51,8 @@ NumberEntry::NumberEntry(const FieldSite& place) : FormField(place) {
   entry->setObjectName(text(site().place.to_string()));
   entry->setAccessibleName(site().title());
   connect(entry, &NumberField::problemChanged, this, &FormField::say);
-  connect(entry, &NumberField::committed, this, [this, entry](double number) { put(jsonOf(number)); });
+  const bool isCount = site().rule.at("type") == "integer";
+  connect(entry, &NumberField::committed, this, [this, isCount](double number) { put(jsonOf(number, isCount)); });
   connect(entry, &NumberField::cleared, this, [this, mayBeNull] { mayBeNull ? put(nullptr) : leaveOut(); });
   add(entry);
 }

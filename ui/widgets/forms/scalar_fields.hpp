@@ -13,8 +13,8 @@ class NumberField;
 /// An entry for a number of a rule, in the units that the user chose; `none` is what it means to leave it empty.
 NumberField* makeNumber(const schema::Json& rule, const schema::Json* value, const QString& none,
                         const QString& unit = {}, bool unitBehind = true);
-/// A number as JSON has it: whole ones without a point.
-schema::Json jsonOf(double number);
+/// A number as JSON has it: whole ones without a point, a count however large it is.
+schema::Json jsonOf(double number, bool isCount = false);
 
 /// One number. Left empty, the file leaves it out, or has null where the rule allows that.
 class NumberEntry : public FormField {
