@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "base/error.hpp"
-#include "geometry/mesher/surfaces/height_points.hpp"
+#include "geometry/mesher/surfaces/height_grid.hpp"
 
 /// The drivers of two formats alone: all of them take a tenth of a second.
 extern "C" void GDALRegister_AAIGrid();
@@ -78,14 +78,16 @@ std::vector<double> read_row(GDALRasterBandH band, int row, const std::string& a
 }
 
 }  // namespace
+}  // namespace talus
 
-HeightPoints read_grid(const std::string& path, const std::string& as_written, const Vec3& origin) {
+using namespace talus;
+
+void talus_read_grid(const std::string& path, const std::string& as_written, const Vec3& origin, HeightPoints& result) {
   const Grid grid = open_grid(path, as_written);
   check_coordinates(grid.get(), as_written);
   check_heights(grid.get(), as_written);
   std::array<double, 6> place{0, 1, 0, 0, 0, 1};
   GDALGetGeoTransform(grid.get(), place.data());
-  HeightPoints result;
   SurfaceFinding missing{SurfaceFinding::Kind::no_data, 0, Vec3::Zero(), true};
   const GDALRasterBandH band = GDALGetRasterBand(grid.get(), 1);
   for (int row = 0; row < GDALGetRasterYSize(grid.get()); ++row) {
@@ -102,7 +104,4 @@ HeightPoints read_grid(const std::string& path, const std::string& as_written, c
     }
   }
   if (missing.count > 0) result.findings.push_back(missing);
-  return result;
 }
-
-}  // namespace talus
