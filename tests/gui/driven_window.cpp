@@ -103,11 +103,7 @@ std::filesystem::path DrivenWindow::slidingCube(int steps) {
 })");
 }
 
-void DrivenWindow::rest(int ms) {
-  QElapsedTimer timer;
-  timer.start();
-  while (timer.elapsed() < ms) QApplication::processEvents(QEventLoop::AllEvents, 5);
-}
+void DrivenWindow::rest(int ms) { QTest::qWait(ms); }
 
 void DrivenWindow::drop(const std::filesystem::path& file) {
   QMimeData data;

@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
 #include <QElapsedTimer>
-#include <QEventLoop>
+#include <QTest>
 #include <QTimer>
 #include <cstdio>
 #include <filesystem>
@@ -70,14 +69,13 @@ class DrivenWindow : public ::testing::Test {
   /// Writes a file into the folder.
   std::filesystem::path write(const std::string& name, const std::string& text);
 
-  /// Works off events until the condition holds; false when it does not within the limit.
+  /// Works off events until the condition holds, asleep in between, so that what is waited for has the processor; false
+  /// when it does not within the limit.
   template <class Condition>
   bool wait(Condition condition, int limit_ms = 60000) {
-    QElapsedTimer timer;
-    timer.start();
-    while (!condition() && timer.elapsed() < limit_ms) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 10);
-    return condition();
+    return QTest::qWaitFor(condition, limit_ms);
   }
+  /// The same for a while.
   void rest(int ms);
   /// Drops a file on the window.
   void drop(const std::filesystem::path& file);
