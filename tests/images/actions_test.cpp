@@ -121,6 +121,19 @@ TEST(ActionGlyphs, SayTheLargestOfATableAndWhetherALoadPushes) {
   EXPECT_EQ(largest_of(glyphs, Kind::load), 5e3);
 }
 
+TEST(ActionGlyphs, OfABlockThatIsNotCutYetStandWhereTheProjectNamesIt) {
+  const BlockSystem boxes = two_boxes();
+  Project project;
+  project.blocks.resize(1);
+  project.blocks[0].name = "crest";
+  project.blocks[0].at = {0.5, 0.5, 0.8};
+  project.velocities = {{.block = "nobody", .linear = {1, 0, 0}}, {.block = "crest", .linear = {1, 0, 0}}};
+  const auto glyphs = action_glyphs(project, boxes);
+  ASSERT_EQ(glyphs.size(), 1u) << "one without a place is not shown at the origin";
+  EXPECT_EQ(glyphs[0].index, 1);
+  EXPECT_EQ(glyphs[0].at, Vec3(0.5, 0.5, 0.8));
+}
+
 TEST(ActionGlyphs, StressInSituIsShownByItsPrincipalValues) {
   const BlockSystem boxes = two_boxes();
   Project project;

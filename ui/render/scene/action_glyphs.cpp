@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mesh/moments.hpp"
 #include "model/project.hpp"
@@ -22,7 +23,14 @@ int block_named(const BlockSystem& system, const std::string& name) {
 }
 
 Vec3 centroid_of(const BlockSystem& system, int block) {
-  return block < 0 ? Vec3::Zero().eval() : volume_moments(system.blocks[static_cast<std::size_t>(block)].mesh).centroid;
+  return volume_moments(system.blocks[static_cast<std::size_t>(block)].mesh).centroid;
+}
+
+/// Of a block that is not cut yet, the place by which the project names it; nothing where neither is known.
+std::optional<Vec3> middle_of(const std::string& block, const Project& project, const BlockSystem& system) {
+  if (const int found = block_named(system, block); found >= 0) return centroid_of(system, found);
+  const auto named = std::ranges::find(project.blocks, block, &BlockOverride::name);
+  return named == project.blocks.end() ? std::nullopt : std::optional(named->at);
 }
 
 const Vec3& largest_row(const TimeTable& table) {
@@ -30,7 +38,7 @@ const Vec3& largest_row(const TimeTable& table) {
 }
 
 ActionGlyph glyph_of(const PointLoad& load, const BlockSystem& system) {
-  ActionGlyph glyph{.kind = Kind::load, .block = block_named(system, load.block), .at = load.at, .label = {}};
+  ActionGlyph glyph{.kind = Kind::load, .block = block_named(system, load.block), .label = {}};
   glyph.arrow = load.table.empty() ? load.force : largest_row(load.table);
   glyph.pushes = glyph.block >= 0 && glyph.arrow.dot(centroid_of(system, glyph.block) - load.at) > 0;
   glyph.label = amount_text(glyph.arrow.norm(), "N");
@@ -39,7 +47,6 @@ ActionGlyph glyph_of(const PointLoad& load, const BlockSystem& system) {
 
 ActionGlyph glyph_of(const Constraint& support, const BlockSystem& system) {
   ActionGlyph glyph{.kind = Kind::support, .block = block_named(system, support.block), .label = {}};
-  glyph.at = support.at.value_or(centroid_of(system, glyph.block));
   for (int i = 0; i < 3; ++i) {
     glyph.held[static_cast<std::size_t>(i)] = support.displacement[static_cast<std::size_t>(i)].has_value();
     glyph.arrow[i] = support.displacement[static_cast<std::size_t>(i)].value_or(0);
@@ -51,7 +58,6 @@ ActionGlyph glyph_of(const Constraint& support, const BlockSystem& system) {
 
 ActionGlyph glyph_of(const InitialVelocity& velocity, const BlockSystem& system) {
   ActionGlyph glyph{.kind = Kind::velocity, .block = block_named(system, velocity.block), .label = {}};
-  glyph.at = centroid_of(system, glyph.block);
   glyph.arrow = velocity.linear;
   glyph.spin = velocity.angular;
   glyph.label = velocity.linear.isZero() ? amount_text(velocity.angular.norm(), "rad/s")
@@ -60,7 +66,7 @@ ActionGlyph glyph_of(const InitialVelocity& velocity, const BlockSystem& system)
 }
 
 ActionGlyph glyph_of(const Monitor& monitor, const BlockSystem& system) {
-  return {.kind = Kind::monitor, .block = block_named(system, monitor.block), .at = monitor.at, .label = monitor.name};
+  return {.kind = Kind::monitor, .block = block_named(system, monitor.block), .label = monitor.name};
 }
 
 std::array<ActionGlyph::Principal, 3> principal_stresses(const Voigt& stress) {
@@ -89,11 +95,25 @@ void add_crosses(const InSituStress& stress, int index, const BlockSystem& syste
   }
 }
 
-void add_each(const auto& things, const BlockSystem& system, std::vector<ActionGlyph>& glyphs) {
-  int index = 0;
+std::optional<Vec3> place_of(const PointLoad& load, const Project&, const BlockSystem&) { return load.at; }
+std::optional<Vec3> place_of(const Monitor& monitor, const Project&, const BlockSystem&) { return monitor.at; }
+std::optional<Vec3> place_of(const Constraint& support, const Project& project, const BlockSystem& system) {
+  return support.at ? support.at : middle_of(support.block, project, system);
+}
+std::optional<Vec3> place_of(const InitialVelocity& velocity, const Project& project, const BlockSystem& system) {
+  return middle_of(velocity.block, project, system);
+}
+
+/// All that have a place.
+void add_each(const auto& things, const Project& project, const BlockSystem& system, std::vector<ActionGlyph>& glyphs) {
+  int index = -1;
   for (const auto& thing : things) {
+    ++index;
+    const auto place = place_of(thing, project, system);
+    if (!place) continue;
     glyphs.push_back(glyph_of(thing, system));
-    glyphs.back().index = index++;
+    glyphs.back().index = index;
+    glyphs.back().at = *place;
   }
 }
 
@@ -107,10 +127,10 @@ double size_of(const ActionGlyph& glyph) {
 
 std::vector<ActionGlyph> action_glyphs(const Project& project, const BlockSystem& system) {
   std::vector<ActionGlyph> glyphs;
-  add_each(project.loads, system, glyphs);
-  add_each(project.constraints, system, glyphs);
-  add_each(project.velocities, system, glyphs);
-  add_each(project.monitors, system, glyphs);
+  add_each(project.loads, project, system, glyphs);
+  add_each(project.constraints, project, system, glyphs);
+  add_each(project.velocities, project, system, glyphs);
+  add_each(project.monitors, project, system, glyphs);
   for (std::size_t i = 0; i < project.in_situ.size(); ++i)
     add_crosses(project.in_situ[i], static_cast<int>(i), system, glyphs);
   return glyphs;

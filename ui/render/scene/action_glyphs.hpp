@@ -34,8 +34,9 @@ struct ActionGlyph {
   bool operator==(const ActionGlyph&) const = default;
 };
 
-/// Loads, supports, initial velocities, stress in situ and monitors of a project on its blocks. Of what changes with
-/// time the largest is shown. Stress in situ is shown at three heights of the blocks that bear it.
+/// Loads, supports, initial velocities, stress in situ and monitors of a project on its blocks, as far as they have a
+/// place: a block that moves at the start is to be cut first, or has a name. Of what changes with time the largest is
+/// shown. Stress in situ is shown at three heights of the blocks that bear it.
 std::vector<ActionGlyph> action_glyphs(const Project& project, const BlockSystem& system);
 
 /// The largest arrow, or stress, of a kind: what its longest glyph stands for. 0 where there is none.

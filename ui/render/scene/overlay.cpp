@@ -171,21 +171,44 @@ void paint_scale_bar(Painter& painter, const Overlay& overlay, const OverlayView
   painter.text({left + length, y + 1.3 * tick}, label, style);
 }
 
-/// Right of the scale bar's place: "contacts ● open ● stick ● slip".
+/// Pixels that time and remarks take at the right end.
+double width_of_time(const Overlay& overlay) {
+  const double em = overlay.text_height;
+  double width = text_width(overlay.time, em, FontWeight::semibold) + text_width(overlay.remarks, em);
+  for (const std::string* part : {&overlay.time, &overlay.remarks}) width += part->empty() ? 0 : em;
+  return width;
+}
+
+/// Right of the scale bar's place: "contacts ● open ● stick ● slip"; in several lines where there is no room in one.
 void paint_key(Painter& painter, const Overlay& overlay, const OverlayView& view) {
-  const double em = overlay.text_height, y = margin * em - 0.2 * em;
-  const ThemeColours& colour = colours(overlay.theme);
-  const TextStyle words{.height = 0.9 * em, .colour = colour.muted};
-  double x = (2 * margin + 1.5) * em + std::min(0.2 * view.width, 11 * em);
-  const auto write = [&](const std::string& text) {
-    painter.text({x, y}, text, words);
-    x += text_width(text, 0.9 * em) + 0.8 * em;
+  const double em = overlay.text_height;
+  const TextStyle words{.height = 0.9 * em, .colour = colours(overlay.theme).muted};
+  const double left = (2 * margin + 1.5) * em + std::min(0.2 * view.width, 11 * em);
+  const double right = view.width - margin * em - width_of_time(overlay);
+  struct Part {
+    const KeyEntry* entry;  ///< null: the title
+    double x;
+    int line;
   };
-  if (!overlay.key_title.empty()) write(overlay.key_title);
-  for (const KeyEntry& entry : overlay.key) {
-    painter.disc({x + 0.3 * em, y + 0.35 * em}, 0.28 * em, entry.colour);
-    x += 0.85 * em;
-    write(entry.meaning);
+  std::vector<Part> parts;
+  double x = left;
+  int line = 0;
+  const auto place = [&](const KeyEntry* entry, const std::string& meaning) {
+    const double width = (entry ? 0.85 * em : 0) + text_width(meaning, 0.9 * em);
+    if (x > left && x + width > right) {
+      x = left;
+      ++line;
+    }
+    parts.push_back({entry, x, line});
+    x += width + 0.8 * em;
+  };
+  if (!overlay.key_title.empty()) place(nullptr, overlay.key_title);
+  for (const KeyEntry& entry : overlay.key) place(&entry, entry.meaning);
+  for (const Part& part : parts) {
+    const double y = margin * em - 0.2 * em + (line - part.line) * line_height * em;
+    if (part.entry) painter.disc({part.x + 0.3 * em, y + 0.52 * em}, 0.28 * em, part.entry->colour);
+    painter.text({part.x + (part.entry ? 0.85 * em : 0), y}, part.entry ? part.entry->meaning : overlay.key_title,
+                 words);
   }
 }
 
