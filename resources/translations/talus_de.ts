@@ -1411,6 +1411,45 @@
     </message>
 </context>
 <context>
+    <name>net</name>
+    <message>
+        <source>face</source>
+        <translation>Böschung</translation>
+    </message>
+    <message>
+        <source>daylight envelope of its poles</source>
+        <translation>Daylight-Hüllkurve ihrer Pole</translation>
+    </message>
+    <message>
+        <source>friction cone φ</source>
+        <translation>Reibungskegel φ</translation>
+    </message>
+    <message>
+        <source>slip limit, face dip − φ</source>
+        <translation>Gleitgrenze, Böschungsfallen − φ</translation>
+    </message>
+    <message>
+        <source>lateral limits</source>
+        <translation>seitliche Grenzen</translation>
+    </message>
+    <message>
+        <source>critical intersections</source>
+        <translation>kritische Schnittlinien</translation>
+    </message>
+    <message>
+        <source>critical poles</source>
+        <translation>kritische Pole</translation>
+    </message>
+    <message>
+        <source>intersections of mean planes</source>
+        <translation>Schnitte der mittleren Flächen</translation>
+    </message>
+    <message>
+        <source>intersections of joints</source>
+        <translation>Schnitte der Klüfte</translation>
+    </message>
+</context>
+<context>
     <name>pages</name>
     <message>
         <source>Geometry</source>
@@ -2880,6 +2919,10 @@
         <source>target %1</source>
         <translation>Ziel %1</translation>
     </message>
+    <message>
+        <source>others</source>
+        <translation>andere</translation>
+    </message>
 </context>
 <context>
     <name>talus::AccuracyPanel</name>
@@ -4043,10 +4086,6 @@ Z %3</translation>
         <translation>%1 m³</translation>
     </message>
     <message>
-        <source>is not closed</source>
-        <translation>ist nicht geschlossen</translation>
-    </message>
-    <message>
         <source>%1 triangles</source>
         <translation>%1 Dreiecke</translation>
     </message>
@@ -4057,6 +4096,10 @@ Z %3</translation>
     <message>
         <source>No rock can be made of this surface; it is marked where it is wrong.</source>
         <translation>Aus dieser Oberfläche lässt sich kein Fels machen; wo sie falsch ist, ist markiert.</translation>
+    </message>
+    <message>
+        <source>none, it is not closed</source>
+        <translation>keines, sie ist nicht geschlossen</translation>
     </message>
 </context>
 <context>
@@ -5154,10 +5197,6 @@ Z %3</translation>
         <translation>alle Blöcke</translation>
     </message>
     <message>
-        <source>%1 blocks</source>
-        <translation>%1 Blöcke</translation>
-    </message>
-    <message>
         <source>%1 more in the table</source>
         <translation>%1 weitere in der Tabelle</translation>
     </message>
@@ -6196,10 +6235,6 @@ Diese Datei gibt es nicht mehr</translation>
         <translation>Zuletzt</translation>
     </message>
     <message>
-        <source>A project, results or a STEP file can be dropped anywhere.</source>
-        <translation>Ein Projekt, Ergebnisse oder eine STEP-Datei können überall abgelegt werden.</translation>
-    </message>
-    <message>
         <source>New from a template</source>
         <translation>Neu aus einer Vorlage</translation>
     </message>
@@ -6234,6 +6269,10 @@ Diese Datei gibt es nicht mehr</translation>
     <message>
         <source>Files you open are listed here.</source>
         <translation>Dateien, die Sie öffnen, stehen hier.</translation>
+    </message>
+    <message>
+        <source>Projects, results, files of geometry and tables of joints can be dropped anywhere.</source>
+        <translation>Projekte, Ergebnisse, Geometriedateien und Klufttabellen können überall abgelegt werden.</translation>
     </message>
 </context>
 <context>
@@ -7140,8 +7179,16 @@ Nr. %3</translation>
         <translation>%1 m³</translation>
     </message>
     <message>
+        <source>Import geometry…</source>
+        <translation>Geometrie einlesen…</translation>
+    </message>
+    <message>
         <source>There is no rock yet: import geometry, or make a new solid.</source>
-        <translation>Es gibt noch keinen Fels: Geometrie importieren oder einen neuen Körper machen.</translation>
+        <translation>Es gibt noch keinen Fels: Geometrie einlesen oder einen neuen Körper anlegen.</translation>
+    </message>
+    <message>
+        <source>Solids and terrain from a file, shown before they are taken</source>
+        <translation>Körper und Gelände aus einer Datei, gezeigt, bevor sie übernommen werden</translation>
     </message>
 </context>
 <context>

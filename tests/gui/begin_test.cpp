@@ -151,6 +151,7 @@ TEST_F(Begun, AnEmptyProjectIsOpenedSavedAndOpenedAgainAndSaysWhatItLacks) {
   EXPECT_TRUE(std::any_of(problems.begin(), problems.end(),
                           [](const Problem& one) { return one.field == QStringLiteral("/solids"); }));
   EXPECT_FALSE(stripIsShown()) << "what is not there yet is no fault";
+  EXPECT_TRUE(button(window->viewport(), "Import geometry…")->isEnabled()) << "there is no rock yet";
   ASSERT_TRUE(session->project.saveAs(folder / "empty.talus"));
   EXPECT_TRUE(session->project.document().isSaved());
   window->open(folder / "empty.talus");

@@ -311,11 +311,15 @@ TEST_F(BlocksPage, ColoursAndDistanceAreChosenInTheBar) {
   keepPicture(*window, "removability.png");
   choose(named<QComboBox>("colour by"), "Block");
   EXPECT_EQ(session->display.settings().block_colours, nullptr);
+  const CameraPose together = *window->viewport().pose();
+  const auto distance = [](const CameraPose& pose) { return (pose.position - pose.focal_point).norm(); };
   named<QSlider>("apart").setValue(20);
   EXPECT_EQ(session->display.settings().explosion, 1);
+  EXPECT_GT(distance(*window->viewport().pose()), 1.2 * distance(together)) << "all of them stay in view";
   QTest::keyClick(window.get(), Qt::Key_E);
   EXPECT_EQ(session->display.settings().explosion, 0);
   EXPECT_EQ(named<QSlider>("apart").value(), 0);
+  EXPECT_EQ(distance(*window->viewport().pose()), distance(together));
 }
 
 TEST_F(BlocksPage, HistogramCountsEveryTetrahedronOnceAndTheWorstAreShownInTheView) {

@@ -221,7 +221,13 @@ void DrivenForm::enterMembers(const Place& place, const Json& rule, const Json& 
   for (const auto& key : refused) enter(place / key, target.at(key));
   const Json present = project().at(place);
   for (const auto& [key, value] : present.items())
-    if (!target.contains(key)) click((place / key).to_string() + "#clear");
+    if (!target.contains(key)) leaveOut(place / key);
+}
+
+void DrivenForm::leaveOut(const Place& place) {
+  const Kind kind = schema::kindOf(schema::ruleOf(place));
+  if (kind != Kind::choice && kind != Kind::boolean) return click(place.to_string() + "#clear");
+  if (const auto* box = widget<QComboBox>(place.to_string())) choose(place.to_string(), box->itemText(0));
 }
 
 bool DrivenForm::says(const Place& place, const Json& target) {

@@ -59,6 +59,7 @@ class DrivenForm : public DrivenWindow {
   void enterTable(const Place& place, const Json& rule, const Json& target);
   void enterMembers(const Place& place, const Json& rule, const Json& target);
   void enterElements(const Place& place, const Json& target);
+  void leaveOut(const Place& place);
   void makePresent(const Place& place);
 };
 

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <csignal>
 
 #include "driven_window.hpp"
@@ -85,6 +86,10 @@ TEST_F(Recovered, WorkOfAWindowThatWasKilledIsOfferedAndRecovered) {
   editAndKill(file);
   auto* offer = offered();
   ASSERT_NE(offer, nullptr);
+  const auto buttons = offer->findChildren<QPushButton*>();
+  const auto usual = std::ranges::find_if(buttons, [](const QPushButton* one) { return one->isDefault(); });
+  ASSERT_NE(usual, buttons.end());
+  EXPECT_EQ((*usual)->text(), QStringLiteral("Recover")) << "what Enter does";
   click(*offer, "Recover");
   ASSERT_TRUE(wait([&] { return session->project.document().isOpen(); }));
   EXPECT_EQ(session->project.document().project().joints[0].friction_angle, typed_friction);

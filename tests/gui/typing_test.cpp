@@ -13,6 +13,7 @@
 #include "driven_window.hpp"
 #include "listed_runs.hpp"
 #include "widgets/kit/number_field.hpp"
+#include "widgets/kit/parts.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/run/run_panel.hpp"
 #include "widgets/setup/property_panel.hpp"
@@ -215,6 +216,33 @@ TEST_F(Typing, NoRowOfTheRunPanelIsPressedOverAnother) {
   EXPECT_GT(shown.size(), 20u);
 }
 
+/// The strongest contrast of a part of a picture with its ground.
+double strongestIn(const QImage& picture, const QRect& part, const QColor& ground) {
+  double most = 1;
+  for (int y = part.top(); y <= part.bottom(); ++y)
+    for (int x = part.left(); x <= part.right(); ++x)
+      most = std::max(most, contrastRatio(picture.pixelColor(x, y), ground));
+  return most;
+}
+
+TEST_F(Typing, ADisabledActionOfTheBarLooksDisabled) {
+  for (const bool dark : {false, true}) {
+    theme::install(dark);
+    auto* button = makeAction(QStringLiteral("cut"), QStringLiteral("MMMM"));
+    button->show();
+    for (const bool isEnabled : {true, false}) {
+      button->setEnabled(isEnabled);
+      rest(30);
+      const QImage picture = button->grab().toImage();
+      const double contrast = strongestIn(picture, picture.rect(), picture.pixelColor(1, 1));
+      EXPECT_EQ(contrast > 6, isEnabled) << contrast;
+      EXPECT_EQ(contrast < 3, !isEnabled) << contrast;
+    }
+    delete button;
+  }
+  theme::install(false);
+}
+
 TEST_F(Typing, ADisabledMenuEntryLooksDisabled) {
   for (const bool dark : {false, true}) {
     theme::install(dark);
@@ -225,16 +253,8 @@ TEST_F(Typing, ADisabledMenuEntryLooksDisabled) {
     rest(50);
     const QImage picture = menu.grab().toImage();
     const QColor ground = picture.pixelColor(picture.width() / 2, 3);
-    const auto strongest = [&](const QAction* action) {
-      double most = 1;
-      const QRect row = menu.actionGeometry(const_cast<QAction*>(action));
-      for (int y = row.top(); y <= row.bottom(); ++y)
-        for (int x = row.left(); x <= row.right(); ++x)
-          most = std::max(most, contrastRatio(picture.pixelColor(x, y), ground));
-      return most;
-    };
-    EXPECT_GT(strongest(menu.actions()[0]), 6);
-    EXPECT_LT(strongest(menu.actions()[1]), 3);
+    EXPECT_GT(strongestIn(picture, menu.actionGeometry(menu.actions()[0]), ground), 6);
+    EXPECT_LT(strongestIn(picture, menu.actionGeometry(menu.actions()[1]), ground), 3);
     menu.close();
   }
   theme::install(false);

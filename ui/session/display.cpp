@@ -29,6 +29,8 @@ WorkflowPage pageOf(const QString& place) {
 
 Display::Display(CurrentProject& project, Playback& playback)
     : project_(project), playback_(playback), whole_(project, playback) {
+  settings_.field = field_named("displacement");
+  whole_.follow(settings_.field);
   connect(&playback_, &Playback::frameChanged, this, &Display::takeFrame);
   connect(&project_, &CurrentProject::systemChanged, this, [this] { mark({}); });  // they are places of other blocks
   connect(&whole_, &RunRange::changed, this, [this] {

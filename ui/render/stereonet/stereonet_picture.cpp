@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "model/number_text.hpp"
 #include "render/charts/painted_image.hpp"
 #include "render/paint/numbers.hpp"
 #include "render/paint/painter.hpp"
+#include "render/stereonet/slope_key.hpp"
 
 namespace talus {
 namespace {
@@ -70,7 +70,7 @@ class Key {
     paint_sets();
     if (!drawn.levels.empty()) paint_density(drawn);
     if (net_.slope) {
-      paint_slope(*net_.slope, drawn);
+      paint_slope(drawn);
       paint_counts(*net_.slope);
     }
   }
@@ -104,12 +104,23 @@ class Key {
     }
   }
 
-  void sample(double middle, Rgb colour, double width, bool broken) {
+  void paint_sample(const SlopeKeyRow& entry, double middle) {
+    using Sample = SlopeKeyRow::Sample;
     const PixelPoint from{at_.x, middle}, to{at_.x + 1.4 * em_, middle};
-    if (broken)
-      painter_.dashed(from, to, hairline * em_ * width, 0.28 * em_, colour);
-    else
-      painter_.line(from, to, hairline * em_ * width, colour);
+    switch (entry.sample) {
+      case Sample::line:
+        return painter_.line(from, to, hairline * em_ * entry.width, entry.colour);
+      case Sample::dashes:
+        return painter_.dashed(from, to, hairline * em_ * entry.width, 0.28 * em_, entry.colour);
+      case Sample::area:
+        return painter_.fill(PixelRect{from.x, middle - 0.45 * em_, to.x, middle + 0.45 * em_}, entry.colour, 0.3);
+      case Sample::dot:
+        return painter_.disc({at_.x + 0.7 * em_, middle}, 0.1 * em_, entry.colour);
+      case Sample::cross:
+        break;
+    }
+    NetPainter(painter_, {0, 0}, 1, em_)
+        .paint_symbol({at_.x + 0.7 * em_, middle}, NetSymbol::cross, entry.colour, colours_.surface, 0.3 * em_);
   }
 
   void paint_sets() {
@@ -145,26 +156,11 @@ class Key {
          format_decimals(densest.dip_direction, 0) + "°");
   }
 
-  void paint_slope(const KinematicSetting& slope, const DrawnNet& drawn) {
+  void paint_slope(const DrawnNet& drawn) {
     heading("Slope", std::string(to_string(net_.mode)));
-    sample(row("face", plane_text(slope.face)), face_colour(net_.theme), 2, false);
-    if (net_.mode == FailureMode::planar)
-      sample(row("daylight envelope of its poles"), face_colour(net_.theme), 1.2, false);
-    const std::string friction = number_text(slope.friction_angle) + "°";
-    if (net_.mode == FailureMode::planar || net_.mode == FailureMode::wedge)
-      sample(row("friction cone φ", friction), friction_colour(net_.theme), 1.4, true);
-    if (net_.mode == FailureMode::flexural)
-      sample(row("slip limit, face dip − φ", friction), friction_colour(net_.theme), 1.4, true);
-    if (net_.mode != FailureMode::wedge)
-      sample(row("lateral limits", "±" + number_text(slope.lateral_limit) + "°"), face_colour(net_.theme), 0.8, true);
-    const double middle = row(judges_lines(net_.mode) ? "critical intersections" : "critical poles");
-    painter_.fill(PixelRect{at_.x, middle - 0.45 * em_, at_.x + 1.4 * em_, middle + 0.45 * em_},
-                  zone_colour(net_.theme), 0.3);
-    if (!judges_lines(net_.mode)) return;
-    const NetPainter symbols(painter_, {0, 0}, 1, em_);
-    const double cross = row("intersections of mean planes; dots: of joints");
-    symbols.paint_symbol({at_.x + 0.7 * em_, cross}, NetSymbol::cross, colours_.muted, colours_.surface, 0.3 * em_);
-    if (drawn.intersections > most_intersections) note("too many intersections of single joints to be drawn");
+    for (const SlopeKeyRow& entry : slope_key(net_)) paint_sample(entry, row(entry.words, entry.value));
+    if (judges_lines(net_.mode) && drawn.intersections > most_intersections)
+      note("too many intersections of single joints to be drawn");
   }
 
   void count(const std::string& words, const KinematicCount& count) {

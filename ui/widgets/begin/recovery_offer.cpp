@@ -54,7 +54,7 @@ void RecoveryOffer::addRow(const Leftover& leftover) {
   words->addWidget(new ElidedLabel(tr("%1; %2").arg(when, placeOf(leftover.draft)), "small"));
   line->addLayout(words, 1);
   auto* discard = makeButton(tr("Discard"));
-  auto* recover = makeButton(tr("Recover"), left_ == 1 ? "primary" : nullptr);
+  auto* recover = makeButton(tr("Recover"), rows_->isEmpty() ? "primary" : nullptr);
   discard->setAutoDefault(false);
   connect(recover, &QPushButton::clicked, this, [this, leftover] {
     emit recovered(leftover);
@@ -67,10 +67,11 @@ void RecoveryOffer::addRow(const Leftover& leftover) {
   });
   line->addWidget(discard);
   line->addWidget(recover);
+  const bool newest = rows_->isEmpty();
   rows_->addWidget(card);
-  if (left_ > 1) return;
+  if (!newest) return;
   recover->setDefault(true);
-  recover->setFocus();
+  recover->setFocus();  // what Enter does loses nothing
 }
 
 }  // namespace talus

@@ -207,7 +207,8 @@ QWidget* StartPage::makeLeft() {
   rows->addLayout(recent_);
   rows->addStretch();
   column->addWidget(makeScrolled(list), 1);
-  column->addWidget(makeWrappedLabel(tr("A project, results or a STEP file can be dropped anywhere."), "small"));
+  column->addWidget(makeWrappedLabel(
+      tr("Projects, results, files of geometry and tables of joints can be dropped anywhere."), "small"));
   return left;
 }
 

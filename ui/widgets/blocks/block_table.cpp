@@ -5,13 +5,14 @@
 #include <QScopedValueRollback>
 #include <algorithm>
 
+#include "widgets/kit/elided_cells.hpp"
 #include "widgets/kit/theme.hpp"
 
 namespace talus {
 
 namespace {
 
-constexpr int widest_column = 160, cell_padding = 12, arrow = 14;
+constexpr int widest_column = 180;
 constexpr int rows_measured = 100;
 
 }  // namespace
@@ -31,6 +32,7 @@ BlockTable::BlockTable(CurrentProject& project) : project_(project) {
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setTextElideMode(Qt::ElideRight);
+  setItemDelegate(new ElidedCells(this));
   setWordWrap(false);
   setMouseTracking(true);
   setTabKeyNavigation(false);
@@ -51,9 +53,8 @@ void BlockTable::setContent(std::vector<BlockColumn> columns) {
   rows_.setContent(blocks, std::move(columns));
   if (isNew) sortByColumn(0, Qt::AscendingOrder);
   for (int column = 0; column < rows_.columnCount(); ++column) {
-    const int cells = sizeHintForColumn(column) + cell_padding,
-              head = horizontalHeader()->sectionSizeHint(column) + arrow;
-    setColumnWidth(column, std::min(std::max(cells, head), widest_column));
+    const int head = horizontalHeader()->sectionSizeHint(column);
+    setColumnWidth(column, std::min(std::max(sizeHintForColumn(column), head), widest_column));
   }
   showSelection();
 }

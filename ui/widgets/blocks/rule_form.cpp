@@ -111,6 +111,7 @@ void RuleForm::showQuestion() {
 void RuleForm::askNumber(const QString& title, const QString& unit, std::function<BlockRule(double)> make) {
   auto* field = new NumberField(std::nullopt, {unit, unit});
   field->setObjectName(QStringLiteral("number"));
+  field->setPlaceholderText(unit);
   addRow(title, field);
   const auto value = std::make_shared<std::optional<double>>();
   rule_ = [value, make] { return *value ? std::optional(make(**value)) : std::nullopt; };

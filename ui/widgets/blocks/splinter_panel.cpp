@@ -1,5 +1,6 @@
 #include "widgets/blocks/splinter_panel.hpp"
 
+#include <QHeaderView>
 #include <algorithm>
 #include <cmath>
 
@@ -102,6 +103,7 @@ void SplinterPanel::refresh() {
   table_->setContent(
       {tr("In"), tr("What became of it"), tr("Thickness m"), tr("Volume m³"), tr("E m"), tr("N m"), tr("Z m")}, rows,
       {true, true, false, false, false, false, false});
+  table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   table_->setCurrentCell(-1, -1);
   drop_->setEnabled(session_.project.document().project().splinters.rule != SplinterRule::drop);
   merge_->setEnabled(session_.project.document().project().splinters.rule != SplinterRule::merge);

@@ -22,7 +22,7 @@ struct TablePoint {
 };
 
 /// Pixels, of the titles beside the fields.
-inline constexpr int title_width = 116;
+inline constexpr int title_width = 104;
 
 /// Where a form stands in the window: the document it changes, and the blocks that were cut, whose names it offers.
 struct FormContext {

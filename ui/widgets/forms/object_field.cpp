@@ -122,6 +122,7 @@ QWidget* ObjectField::makeUnset(const FieldSite& field) {
 QWidget* ObjectField::makeClear(const FieldSite& field) {
   auto* button = makeTool(QStringLiteral("close"), tr("Leave it out: %1").arg(field.absent()));
   button->setObjectName(text(field.place.to_string()) + QStringLiteral("#clear"));
+  button->setFixedSize(theme::now().metrics.row, theme::now().metrics.row);  // as high as a field
   connect(button, &QToolButton::clicked, this, [this, field] {
     const auto& project = site().context.document.json();
     change(tr("leave out %1 of %2").arg(schema::withinSentence(field.title()), names::described(site().place, project)),
@@ -136,7 +137,9 @@ void ObjectField::addRow(const FieldSite& field) {
   setMargins(layout, 0, 8);
   auto* title = makeTitle(field);
   layout->addWidget(title, 0, Qt::AlignTop);
-  const bool mayBeCleared = field.optional && field.isSet();
+  const schema::Kind kind = schema::kindOf(field.rule);
+  const bool isChosen = kind == schema::Kind::choice || kind == schema::Kind::boolean;  // the usual is an entry of it
+  const bool mayBeCleared = field.optional && field.isSet() && !isChosen;
   if (!isWide(field.rule)) {
     narrow(*title);
     layout->addWidget(makeField(field), 1);
@@ -151,7 +154,6 @@ void ObjectField::addRow(const FieldSite& field) {
   if (unset) return;
   auto* inside = new QWidget;
   auto* column = new QVBoxLayout(inside);
-  const schema::Kind kind = schema::kindOf(field.rule);
   const bool indented = kind == schema::Kind::object || kind == schema::Kind::list || kind == schema::Kind::named;
   column->setContentsMargins(indented ? 12 : 0, 0, 0, 4);
   column->addWidget(makeField(field));

@@ -38,6 +38,18 @@ Json jsonOf(double number, bool isCount) {
 
 namespace {
 
+constexpr int shortest_entry = 80;  // pixels of text that any entry shows
+
+bool isLong(const QString& words, const QWidget& entry) {
+  return entry.fontMetrics().horizontalAdvance(words) > shortest_entry;
+}
+
+/// A text longer than its entry is seen from its beginning, and whole by its tooltip.
+void showWhole(QLineEdit& entry) {
+  entry.setCursorPosition(0);
+  if (isLong(entry.text(), entry)) entry.setToolTip(entry.text());
+}
+
 /// What an entry says that leaves the field out: "as its solid", "newmark (usual)".
 QString usualWords(const FieldSite& site) {
   return site.rule.contains("default") ? QObject::tr("%1 (usual)").arg(site.absent()) : site.absent();
@@ -85,6 +97,7 @@ TextField::TextField(const FieldSite& place) : FormField(place) {
   entry->setAccessibleName(site().title());
   entry->setPlaceholderText(site().absent());
   entry->setMinimumWidth(60);
+  showWhole(*entry);
   connect(entry, &QLineEdit::editingFinished, this, [this, entry] {
     if (!entry->isModified()) return;
     entry->setModified(false);
@@ -123,6 +136,7 @@ KeyField::KeyField(const FieldSite& place) : FormField(place) {
   auto* entry = new QLineEdit(text(site().place.back()));
   entry->setObjectName(text(site().place.to_string()) + QStringLiteral("#name"));
   entry->setAccessibleName(tr("Name"));
+  showWhole(*entry);
   connect(entry, &QLineEdit::editingFinished, this, [this, entry] {
     if (!entry->isModified()) return;
     entry->setModified(false);
@@ -168,6 +182,7 @@ QComboBox* makeNameBox(const FieldSite& site, const std::function<void(const QSt
     box->setProperty("unset", name.isEmpty());
     if (box->findText(name) < 0 && !name.isEmpty()) box->addItem(name);
     box->setCurrentIndex(name.isEmpty() && site.optional ? 0 : box->findText(name));
+    if (isLong(name, *box)) box->setToolTip(name);
     QObject::connect(box, &QComboBox::activated, box, [box, site, commit, name](int index) {
       const QString chosen = site.optional && index == 0 ? QString() : box->itemText(index);
       if (chosen != name) commit(chosen);
@@ -178,7 +193,7 @@ QComboBox* makeNameBox(const FieldSite& site, const std::function<void(const QSt
   box->setInsertPolicy(QComboBox::NoInsert);
   box->setEditText(name);
   box->lineEdit()->setPlaceholderText(site.absent());
-  box->lineEdit()->setCursorPosition(0);
+  showWhole(*box->lineEdit());
   const auto changed = [box, commit, name] {
     if (box->currentText() != name) commit(box->currentText());
   };

@@ -14,6 +14,7 @@
 #include "widgets/forms/curve_editor.hpp"
 #include "widgets/forms/scalar_fields.hpp"
 #include "widgets/kit/display_units.hpp"
+#include "widgets/kit/elided_cells.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/plot.hpp"
@@ -70,6 +71,7 @@ void TableField::makeTable() {
   table_->setObjectName(text(site().place.to_string()));
   table_->setAccessibleName(site().title());
   table_->setShowGrid(true);
+  table_->setItemDelegate(new ElidedCells(table_));
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(theme::now().metrics.row);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

@@ -44,7 +44,7 @@ NumberField* makeLength(std::optional<double> value, const QString& name) {
 ImportDialog::ImportDialog(CurrentProject& project, std::filesystem::path file, QWidget* parent)
     : QDialog(parent), project_(project), file_(std::filesystem::absolute(file)), job_(pause_ms) {
   setWindowTitle(tr("Import %1").arg(text(file_.filename().string())));
-  resize(parent ? usual_import_size.boundedTo(parent->size() - QSize(60, 60)) : usual_import_size);
+  resizeWithin(*this, usual_import_size);
   choices_.asTerrain = !is_solid_file(file_.string()) && is_terrain_file(file_.string());
   choices_.origin = project_.document().project().origin;
   auto* column = new QVBoxLayout(this);
@@ -86,9 +86,13 @@ QWidget* ImportDialog::makeChoices() {
   triangles_ = makeLabel({});
   auto* facts = new QFormLayout;
   setMargins(facts, 0, 4);
-  facts->addRow(makeLabel(tr("Extent"), "muted"), extent_);
-  facts->addRow(makeLabel(tr("Volume"), "muted"), volume_);
-  facts->addRow(makeLabel(tr("Surface"), "muted"), triangles_);
+  for (const auto& [name, fact] :
+       {std::pair(tr("Extent"), extent_), {tr("Volume"), volume_}, {tr("Surface"), triangles_}}) {
+    auto* title = makeLabel(name, "muted");
+    title->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    facts->addRow(title, fact);
+  }
+  facts->setHorizontalSpacing(16);
   column->addLayout(facts);
   findings_ = new QVBoxLayout;
   setMargins(findings_, 0, 6);
@@ -286,6 +290,7 @@ void ImportDialog::showReading() {
       good ? tr("Drag turns it, the wheel zooms.")
            : sentenceCase(tr("%1; %2").arg(text(reading_.problem->problem()), text(reading_.problem->remedy()))));
   setRole(state_, good ? "small" : "error");
+  view_->setVisible(good);
   clearLayout(*findings_);
   import_->setEnabled(good);
   if (!good) return;
@@ -293,7 +298,8 @@ void ImportDialog::showReading() {
   const Vec3 low = surface.min + choices_.origin, high = surface.max + choices_.origin;
   extent_->setText(
       tr("E %1\nN %2\nZ %3").arg(between(low.x(), high.x()), between(low.y(), high.y()), between(low.z(), high.z())));
-  volume_->setText(surface.closed ? tr("%1 m³").arg(numbers::significant(surface.volume, 5)) : tr("is not closed"));
+  volume_->setText(surface.closed ? tr("%1 m³").arg(numbers::significant(surface.volume, 5))
+                                  : tr("none, it is not closed"));
   triangles_->setText(tr("%1 triangles").arg(numbers::whole(surface.triangles.size())));
   showFindings();
 }

@@ -21,7 +21,7 @@ constexpr int numbers_width = 300, soon_ms = 120, no_drag = -1;
 SectionEditor::SectionEditor(CurrentProject& project, QWidget* parent)
     : QDialog(parent), project_(project), context_{project.document(), {}, nullptr, [this] { soon_.start(); }} {
   setWindowTitle(tr("Section"));
-  resize(parent ? usual_editor_size.boundedTo(parent->size() - QSize(60, 60)) : usual_editor_size);
+  resizeWithin(*this, usual_editor_size);
   auto* row = new QHBoxLayout(this);
   setMargins(row, 0, 0);
   auto* drawn = makePlane("surface");

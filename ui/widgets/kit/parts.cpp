@@ -168,10 +168,17 @@ void Section::addRow(const QString& name, QWidget* field, const QString& tip) {
 }
 
 void Section::addFact(const QString& name, const QString& value, const QString& tip) {
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  setMargins(line, 0, 8);
+  auto* title = new ElidedLabel(name, "muted");
+  title->setMinimumHeight(24);
+  title->setToolTip(tip);
   auto* label = new ElidedLabel(value);
   label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  label->setTextInteractionFlags(Qt::NoTextInteraction);
-  addRow(name, label, tip);
+  line->addWidget(title);
+  line->addWidget(label, 1);
+  addWide(row);
 }
 
 void Section::addWide(QWidget* widget) { rows_->addRow(widget); }
@@ -213,6 +220,12 @@ QScrollArea* makeScrolled(QWidget* content) {
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   return area;
+}
+
+void resizeWithin(QWidget& dialog, const QSize& usual) {
+  constexpr QSize beside(60, 40);  // of the window stays in sight
+  const QWidget* window = dialog.parentWidget();
+  dialog.resize(window ? usual.boundedTo(window->size() - beside) : usual);
 }
 
 QComboBox* makeCombo(const QStringList& items, const QString& name) {

@@ -85,6 +85,7 @@ class Section : public QWidget {
   void addRow(const QString& name, QWidget* field, const QString& tip = {});
   /// A row that is read only.
   void addFact(const QString& name, const QString& value, const QString& tip = {});
+  void setRowVisible(QWidget* field, bool shown) { rows_->setRowVisible(field, shown); }
   void addWide(QWidget* widget);
 
  private:
@@ -92,6 +93,9 @@ class Section : public QWidget {
 };
 
 /// A box that does not ask for the width of its longest item.
+/// Gives a dialog its usual size, or less where the window that it stands over is small.
+void resizeWithin(QWidget& dialog, const QSize& usual);
+
 QComboBox* makeCombo(const QStringList& items, const QString& name);
 /// `content` scrolls up and down, never sideways.
 QScrollArea* makeScrolled(QWidget* content);

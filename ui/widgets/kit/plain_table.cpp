@@ -4,6 +4,7 @@
 #include <QScrollBar>
 #include <algorithm>
 
+#include "widgets/kit/elided_cells.hpp"
 #include "widgets/kit/theme.hpp"
 
 namespace talus {
@@ -22,6 +23,8 @@ PlainTable::PlainTable() {
   setSelectionMode(QAbstractItemView::SingleSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setTextElideMode(Qt::ElideRight);
+  setWordWrap(false);  // words would elide where a line breaks, with room left
+  setItemDelegate(new ElidedCells(this));
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
 }
@@ -44,6 +47,7 @@ void PlainTable::setContent(const QStringList& heads, const std::vector<QStringL
 }
 
 void PlainTable::wrapWords(int most) {
+  setWordWrap(true);
   connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this, most](int column, int, int width) {
     if (column != 0) return;
     const QRect room(0, 0, width - cell_padding, QWIDGETSIZE_MAX);

@@ -72,6 +72,7 @@ void install(bool dark) {
   current = dark ? &darkTokens() : &lightTokens();
   static bool first = true;
   if (first) QApplication::setStyle(new TalusStyle);
+  if (first) QApplication::setWindowIcon(icon(QStringLiteral("logo"), Tone::accent));
   first = false;
   QApplication::setFont(font(now().type.body));
   QApplication::setPalette(palette());

@@ -2,6 +2,7 @@
 
 #include <QByteArray>
 #include <QColor>
+#include <QIcon>
 #include <QProxyStyle>
 #include <QString>
 
@@ -22,6 +23,7 @@ class TalusStyle : public QProxyStyle {
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* returned) const override;
+  QIcon standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
 };

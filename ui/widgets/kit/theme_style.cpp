@@ -21,6 +21,8 @@ int TalusStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     case PM_TabBarIconSize:
     case PM_ToolBarIconSize:
       return now().metrics.icon;
+    case PM_MessageBoxIconSize:
+      return 32;
     case PM_TreeViewIndentation:
       return 16;
     case PM_ScrollBarExtent:
@@ -52,6 +54,22 @@ int TalusStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
       return Qt::LeftButton;  // a click on the track goes there
     default:
       return QProxyStyle::styleHint(hint, option, widget, returned);
+  }
+}
+
+/// Of questions and messages.
+QIcon TalusStyle::standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const {
+  switch (which) {
+    case SP_MessageBoxQuestion:
+      return icon(QStringLiteral("help"), Tone::accent);
+    case SP_MessageBoxInformation:
+      return icon(QStringLiteral("info"), Tone::accent);
+    case SP_MessageBoxWarning:
+      return icon(QStringLiteral("warning"), Tone::warn);
+    case SP_MessageBoxCritical:
+      return icon(QStringLiteral("error"), Tone::error);
+    default:
+      return QProxyStyle::standardIcon(which, option, widget);
   }
 }
 

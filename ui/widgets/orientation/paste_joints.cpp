@@ -59,7 +59,7 @@ const std::array<const char*, 8> columns{"dip", "dip direction", "set", "x", "y"
 PasteJoints::PasteJoints(Document& document, const SolidSurfaces& solids, QWidget* parent)
     : QDialog(parent), document_(document), solids_(solids) {
   setWindowTitle(tr("Paste joints"));
-  resize(parent ? usual_dialog_size.boundedTo(parent->size() - QSize(60, 40)) : usual_dialog_size);
+  resizeWithin(*this, usual_dialog_size);
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   auto* row = new QHBoxLayout;

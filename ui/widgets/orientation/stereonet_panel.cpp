@@ -86,7 +86,7 @@ StereonetPanel::StereonetPanel(CurrentProject& project, DrawnJoints& drawn, Mess
                                QWidget* parent)
     : QDialog(parent), project_(project), drawn_(drawn), messages_(messages), display_(display) {
   setWindowTitle(tr("Stereonet"));
-  resize(parent ? usual_size.boundedTo(parent->size() - QSize(60, 40)) : usual_size);
+  resizeWithin(*this, usual_size);
   auto* row = new QHBoxLayout(this);
   setMargins(row, 0, 0);
   row->addWidget(makeNet(), 1);

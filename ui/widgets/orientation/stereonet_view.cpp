@@ -1,5 +1,6 @@
 #include "widgets/orientation/stereonet_view.hpp"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -8,6 +9,7 @@
 #include <cmath>
 
 #include "orientation/net_curves.hpp"
+#include "render/stereonet/slope_key.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/kit/theme.hpp"
@@ -20,6 +22,8 @@ namespace {
 constexpr double reach = 9, ring = 7.5;  // pixels: how near a click must come; of the ring about what is selected
 constexpr double farthest_word = 1.085, half_word = 14;  // radii; pixels
 constexpr int drag_start = 5;                            // pixels
+constexpr double key_sample = 22, key_line = 17;         // pixels
+constexpr float zone_opacity = 0.3F;
 
 /// Dip and dip direction of the plane whose pole is there; a dip above 90 beyond the rim.
 PlaneAttitude rawPlane(const Vec3& pole) {
@@ -148,6 +152,58 @@ void StereonetView::tell(const QPoint& where, const QPointF& place) {
 
 void StereonetView::resizeEvent(QResizeEvent*) { picture_ = {}; }
 
+namespace {
+
+/// In the user's language.
+QString keyWords(const std::string& words) {
+  static const char* const known[] = {
+      QT_TRANSLATE_NOOP("net", "face"),
+      QT_TRANSLATE_NOOP("net", "daylight envelope of its poles"),
+      QT_TRANSLATE_NOOP("net", "friction cone φ"),
+      QT_TRANSLATE_NOOP("net", "slip limit, face dip − φ"),
+      QT_TRANSLATE_NOOP("net", "lateral limits"),
+      QT_TRANSLATE_NOOP("net", "critical intersections"),
+      QT_TRANSLATE_NOOP("net", "critical poles"),
+      QT_TRANSLATE_NOOP("net", "intersections of mean planes"),
+      QT_TRANSLATE_NOOP("net", "intersections of joints")};  // where translators find them
+  static_cast<void>(known);
+  return QCoreApplication::translate("net", words.c_str());
+}
+
+void paintSample(QPainter& painter, const SlopeKeyRow& row, const QRectF& place) {
+  using Sample = SlopeKeyRow::Sample;
+  QColor colour = colourOf(row.colour);
+  if (row.sample == Sample::cross) {
+    NetArtist(painter, place.center(), 1)(NetMarker{{0, 0}, NetSymbol::cross, row.colour, row.colour, 1});
+  } else if (row.sample == Sample::dot) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawEllipse(place.center(), 1.2, 1.2);
+  } else if (row.sample == Sample::area) {
+    colour.setAlphaF(zone_opacity);
+    painter.fillRect(place.adjusted(0, 3, 0, -3), colour);
+  } else {
+    const Qt::PenStyle style = row.sample == Sample::dashes ? Qt::DashLine : Qt::SolidLine;
+    painter.setPen(QPen(colour, row.width, style));
+    painter.drawLine(QPointF(place.left(), place.center().y()), QPointF(place.right(), place.center().y()));
+  }
+}
+
+}  // namespace
+
+/// In the corner that the net leaves free.
+void StereonetView::paintKey(QPainter& painter) const {
+  double y = 0;
+  painter.setFont(theme::font(theme::now().type.small));
+  for (const SlopeKeyRow& row : slope_key(net_)) {
+    paintSample(painter, row, {0, y, key_sample, key_line});
+    painter.setPen(theme::colours().textMuted);
+    painter.drawText(QRectF(key_sample + 8, y, width(), key_line), Qt::AlignVCenter,
+                     keyWords(row.words) + u' ' + text(row.value));
+    y += key_line;
+  }
+}
+
 void StereonetView::drawPicture() {
   picture_ = QPixmap(size() * devicePixelRatioF());
   picture_.setDevicePixelRatio(devicePixelRatioF());
@@ -156,6 +212,7 @@ void StereonetView::drawPicture() {
   painter.setRenderHint(QPainter::Antialiasing);
   const NetArtist artist(painter, centre(), radius());
   for (const NetShape& shape : drawn_.shapes) std::visit(artist, shape);
+  paintKey(painter);
 }
 
 void StereonetView::paintEvent(QPaintEvent*) {

@@ -47,6 +47,7 @@ class StereonetView : public QWidget {
   std::optional<std::size_t> poleAt(const QPointF& place) const;
   SetWindow windowBetween(const QPointF& from, const QPointF& to, bool cone) const;
   void drawPicture();
+  void paintKey(QPainter& painter) const;
   void tell(const QPoint& where, const QPointF& place);
 
   Stereonet net_;

@@ -17,6 +17,7 @@ PageRows motionRows(const BlockSystem& system, const Frame& frame) {
                    2,
                    {},
                    QObject::tr("All blocks are fixed.")};
+  content.roomy = 1;
   const MotionNames names = motion_names(system);
   size_t node = 0;
   for (size_t b = 0; b < system.blocks.size(); ++b) {

@@ -20,6 +20,7 @@
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/kit/theme.hpp"
+#include "widgets/project/tree_rows.hpp"
 
 namespace talus {
 
@@ -62,7 +63,8 @@ ProjectTree::ProjectTree(CurrentProject& project, Display& display, Messages& me
   setColumnCount(3);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  setColumnHidden(TreeRows::figure_column, true);
+  setItemDelegateForColumn(0, new TreeRows(this));
   header()->setSectionResizeMode(2, QHeaderView::Fixed);
   header()->setMinimumSectionSize(0);
   header()->resizeSection(2, theme::now().metrics.row);
@@ -282,9 +284,9 @@ void ProjectTree::addLoads(QTreeWidgetItem* group) {
            tr("velocity of %1").arg(text(project.velocities[i].block)),
            tr("%1 m/s").arg(numbers::significant(project.velocities[i].linear.norm())));
   for (size_t i = 0; i < project.in_situ.size(); ++i)
-    addRow(
-        group, {Item::Kind::inSitu, static_cast<int>(i)}, tr("stress in situ %1").arg(i + 1),
-        project.in_situ[i].blocks.empty() ? tr("every block") : tr("%1 blocks").arg(project.in_situ[i].blocks.size()));
+    addRow(group, {Item::Kind::inSitu, static_cast<int>(i)}, tr("stress in situ %1").arg(i + 1),
+           project.in_situ[i].blocks.empty() ? tr("every block")
+                                             : numbers::counted(project.in_situ[i].blocks.size(), "block"));
   offerNew(group, {Item::Kind::load, Item::Kind::constraint, Item::Kind::velocity, Item::Kind::inSitu});
 }
 

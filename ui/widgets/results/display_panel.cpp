@@ -23,7 +23,7 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   auto* inner = new QVBoxLayout(content);
   setMargins(inner, 0, 0);
 
-  auto* field = new Section(tr("Field"));
+  auto* field = colours_ = new Section(tr("Field"));
   field->addRow(tr("Colour by"), field_->quantityBox());
   field->addRow(tr("Component"), field_->componentBox());
   range_ = makeCombo({tr("all frames"), tr("this frame")}, tr("Range of the legend"));
@@ -88,7 +88,8 @@ QCheckBox* DisplayPanel::addSwitch(Section* section, const QString& name, bool S
 void DisplayPanel::show() {
   const SceneSettings& settings = display_.settings();
   range_->setCurrentIndex(display_.rangeFollowsRun() ? 0 : 1);
-  range_->setEnabled(settings.field.has_value());
+  for (QWidget* row : {static_cast<QWidget*>(range_), static_cast<QWidget*>(field_->componentBox())})
+    colours_->setRowVisible(row, settings.field.has_value());
   edges_->setCurrentIndex(static_cast<int>(settings.edges));
   for (int i = 0; i < 4; ++i)
     if (deformation_scales[i] == settings.deformation_scale) deformation_->setCurrentIndex(i);

@@ -25,6 +25,7 @@ class DisplayPanel : public QWidget {
 
   Display& display_;
   FieldChooser* field_;
+  Section* colours_;
   QComboBox *range_, *deformation_, *edges_;
   std::vector<std::pair<QCheckBox*, bool SceneSettings::*>> switches_;
 };

@@ -16,7 +16,7 @@ namespace talus {
 
 namespace {
 
-constexpr int cost_width = 62;
+constexpr int cost_width = 72;
 
 double dearest(const auto& effects) {
   double most = 0;
@@ -117,14 +117,14 @@ void EffectList::addRow(const Row& row) {
   grid->addWidget(new Glyph(row.active ? QStringLiteral("check") : QStringLiteral("dash"),
                             row.active ? theme::Tone::ok : theme::Tone::muted, 14),
                   0, 0);
-  grid->addWidget(new ElidedLabel(row.name, row.active ? nullptr : "muted"), 0, 1);
+  grid->addWidget(makeWrappedLabel(row.name, row.active ? nullptr : "muted"), 0, 1);
   if (row.active) grid->addWidget(new ShareBar(row.share), 0, 2);
   auto* cost = makeLabel(row.cost, row.active ? nullptr : "faint");
   cost->setFixedWidth(cost_width);
   cost->setAlignment(Qt::AlignRight);
   grid->addWidget(cost, 0, 3);
-  grid->addWidget(new ElidedLabel(row.reason, "small"), 1, 1, 1, 3);
-  if (!row.items.isEmpty()) grid->addWidget(new ElidedLabel(row.items, "small"), 2, 1, 1, 3);
+  grid->addWidget(makeWrappedLabel(row.reason, "small"), 1, 1, 1, 3);
+  if (!row.items.isEmpty()) grid->addWidget(makeWrappedLabel(row.items, "small"), 2, 1, 1, 3);
   column_->addWidget(widget);
 }
 

@@ -63,8 +63,8 @@ QLabel* StepFacts::add(const QString& name, const QString& tip) {
   const int row = grid_->rowCount();
   auto* label = makeLabel(name, "small");
   label->setToolTip(tip);
-  grid_->addWidget(label, row, 0);
-  auto* value = new ElidedLabel(none);
+  grid_->addWidget(label, row, 0, Qt::AlignTop);
+  auto* value = makeWrappedLabel(none);
   value->setAccessibleName(name);
   grid_->addWidget(value, row, 1);
   values_.push_back(value);
@@ -80,6 +80,7 @@ void StepFacts::followEnergy() {
 
 void StepFacts::refresh() {
   followEnergy();
+  setVisible(!run_.steps().empty());
   if (run_.steps().empty()) {
     for (auto* label : values_) label->setText(none);
     return;

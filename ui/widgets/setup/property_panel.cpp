@@ -173,13 +173,13 @@ void PropertyPanel::showBlock(int index) {
   auto* shape = addSection(tr("Shape"), project_.systemIsCurrent() ? QString() : tr("before the last change"));
   shape->addFact(tr("Volume"), tr("%1 m³").arg(numbers::significant(block.volume, 5)));
   showBody(shape, block);
-  offerWish(shape, block);
   const auto& materials = project_.document().project().materials;
   if (static_cast<size_t>(block.material) < materials.size()) {
     const Material& material = materials[static_cast<size_t>(block.material)];
     shape->addFact(tr("Material"), text(material.name));
     shape->addFact(tr("Mass"), tr("%1 t").arg(numbers::significant(block.volume * material.density / 1e3)));
   }
+  offerWish(shape, block);
   auto* mesh = addSection(tr("Mesh"));
   mesh->addFact(tr("Nodes"), numbers::whole(block.mesh.nodes.size()));
   mesh->addFact(tr("Tetrahedra"), numbers::whole(block.mesh.tetrahedra.size()));
@@ -210,13 +210,17 @@ void PropertyPanel::offerWish(Section* section, const Block& block) {
   };
   connect(
       button, &QPushButton::clicked, this, [this, act] { tryTo(act); }, Qt::QueuedConnection);
-  section->addWide(button);
   auto* excavate = makeButton(tr("Excavate it"), "link");
   excavate->setToolTip(tr("Cuts it and leaves it out; the page Blocks brings it back (Delete)"));
   connect(
       excavate, &QPushButton::clicked, this,
       [this] { tryTo([&] { block_edits::excavate(project_, project_.selection().blocks()); }); }, Qt::QueuedConnection);
-  section->addWide(excavate);
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 4, 0, 0);
+  for (auto* one : {button, excavate}) line->addWidget(one);
+  line->addStretch();
+  section->addWide(row);
 }
 
 void PropertyPanel::showMotion() {

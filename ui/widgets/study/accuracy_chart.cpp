@@ -143,12 +143,21 @@ void AccuracyChart::drawAxes(QPainter& painter) const {
                    tr("Processor time of solving, s"));
   painter.drawText(QRectF(inside.left() - left + 12, 6, inside.width() + left, 18), Qt::AlignLeft | Qt::AlignVCenter,
                    tr("Error, relative"));
-  QRectF key(inside.right() - 140, 6, 140, 18);
-  painter.drawText(key, Qt::AlignRight | Qt::AlignVCenter, tr("best for its cost"));
-  painter.setBrush(c.accent);
-  painter.setPen(Qt::NoPen);
-  const double words = painter.fontMetrics().horizontalAdvance(tr("best for its cost"));
-  painter.drawEllipse(QPointF(key.right() - words - 12, key.center().y()), radius, radius);
+  double end = inside.right();
+  for (const auto& [best, words] : {std::pair(false, tr("others")), {true, tr("best for its cost")}}) {
+    const double width = painter.fontMetrics().horizontalAdvance(words);
+    painter.setPen(c.textMuted);
+    painter.drawText(QRectF(end - width, 6, width, 18), Qt::AlignVCenter, words);
+    drawDot(painter, QPointF(end - width - 12, 15), best);
+    end -= width + 36;
+  }
+}
+
+void AccuracyChart::drawDot(QPainter& painter, const QPointF& place, bool best) const {
+  const Colours& c = theme::colours();
+  painter.setPen(QPen(best ? c.accent : c.textMuted, 1.5));
+  painter.setBrush(best ? c.accent : c.surface);
+  painter.drawEllipse(place, radius, radius);
 }
 
 void AccuracyChart::drawTarget(QPainter& painter) const {
@@ -177,9 +186,7 @@ void AccuracyChart::drawPoints(QPainter& painter) const {
       painter.drawLine(QLineF(place.x(), low, place.x(), high));
       painter.setOpacity(1);
     }
-    painter.setPen(QPen(point.best ? c.accent : c.textMuted, 1.5));
-    painter.setBrush(point.best ? c.accent : c.surface);
-    painter.drawEllipse(place, radius, radius);
+    drawDot(painter, place, point.best);
     if (chosen_ != point.run) continue;
     painter.setPen(QPen(c.pick, 2));
     painter.setBrush(Qt::NoBrush);

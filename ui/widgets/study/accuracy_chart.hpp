@@ -43,6 +43,7 @@ class AccuracyChart : public QWidget {
   void drawAxes(QPainter& painter) const;
   void drawTarget(QPainter& painter) const;
   void drawPoints(QPainter& painter) const;
+  void drawDot(QPainter& painter, const QPointF& place, bool best) const;
 
   std::vector<Point> points_;  ///< the cheapest first
   std::optional<double> target_;

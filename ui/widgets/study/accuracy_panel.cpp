@@ -43,7 +43,7 @@ QString nameOf(StudyAxis axis) {
 AccuracyPanel::AccuracyPanel(CurrentProject& project, CurrentRun& run, QWidget* parent)
     : QDialog(parent), project_(project), run_(run) {
   setWindowTitle(tr("Accuracy"));
-  resize(usual_size);
+  resizeWithin(*this, usual_size);
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   column->addWidget(makeHeading());

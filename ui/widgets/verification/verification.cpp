@@ -16,7 +16,7 @@ Verification::Verification(const std::vector<KnownCase>& knownCases, const std::
                            QWidget* parent)
     : QDialog(parent), tabs_(new QTabWidget) {
   setWindowTitle(tr("Known answers and hard cases"));
-  resize(usual_size);
+  resizeWithin(*this, usual_size);
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   tabs_->setDocumentMode(true);

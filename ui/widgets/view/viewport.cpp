@@ -86,7 +86,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
     if (session_.run.job().isBusy())
       session_.run.job().stop();
     else if (session_.project.document().isOpen())
-      session_.run.mesh();
+      hasRock() ? session_.run.mesh() : emit rockWanted();
   });
   emptyLayout->addWidget(emptyText_);
   emptyLayout->addWidget(emptyButton_, 0, Qt::AlignHCenter);
@@ -242,7 +242,18 @@ void Viewport::takeDisplay() {
   const bool sameColours =
       scene_ && wanted.field == scene_->settings().field && wanted.range == scene_->settings().range;
   if (!sameColours) card_->hide();  // it tells a value of the field
+  const double before = scene_ ? scene_->settings().explosion : wanted.explosion;
+  if (before == 0 && wanted.explosion > 0) togetherPose_ = scene_->pose();
   applySettings();
+  if (wanted.explosion == before) return;
+  if (wanted.explosion > 0)
+    fit();
+  else if (togetherPose_)
+    moveCamera(*togetherPose_);
+}
+
+bool Viewport::showsField() const {
+  return session_.playback.frame() && !showsSolids_ && !isSetUp(session_.display.page());
 }
 
 /// What the user chose, as this screen wants it.
@@ -261,7 +272,7 @@ void Viewport::applySettings() {
   const bool computing = state == JobState::running || state == JobState::meshing || state == JobState::stopping;
   settings.fine = still_ && drag_ == Drag::none && !computing;
   settings.parallel_projection = scene_->settings().parallel_projection;
-  if (!session_.playback.frame() || showsSolids_) settings.field.reset();
+  if (!showsField()) settings.field.reset();
   if (const auto* surfaces = session_.surfaces.current(); surfaces && showsSolids_)
     for (const SolidSurface& surface : *surfaces)
       std::ranges::copy(oddPlaces(surface), std::back_inserter(settings.places));
@@ -397,14 +408,8 @@ void Viewport::isolateSelected() {
 void Viewport::toggleExplosion() {
   if (!scene_) return;
   SceneSettings settings = session_.display.settings();
-  const bool explodes = settings.explosion == 0;
-  if (explodes) togetherPose_ = scene_->pose();
-  settings.explosion = explodes ? apart : 0;
+  settings.explosion = settings.explosion == 0 ? apart : 0;
   session_.display.set(settings);
-  if (explodes)
-    fit();
-  else if (togetherPose_)
-    moveCamera(*togetherPose_);
 }
 
 void Viewport::showAll() {
@@ -420,13 +425,14 @@ std::optional<CameraPose> Viewport::pose() const {
 
 QPixmap Viewport::picture() { return surface_->widget()->grab(); }
 
+bool Viewport::hasRock() const { return !project().solids.empty(); }
+
 void Viewport::showEmptyState() {
   const JobState state = session_.run.job().state();
   const bool isCutting = state == JobState::meshing || (state == JobState::stopping && !session_.playback.isLive());
   const bool isShown = !system_ || (showsSolids_ && isCutting);
   empty_->setVisible(isShown);
   if (!isShown) return;
-  emptyButton_->setVisible(isCutting || !project().solids.empty());
   if (isCutting) {
     const int percent = static_cast<int>(100 * session_.run.fraction());
     QStringList lines{tr("Cutting and meshing, %1 %").arg(percent), session_.run.activity()};
@@ -437,15 +443,16 @@ void Viewport::showEmptyState() {
     emptyButton_->setEnabled(state == JobState::meshing);
     emptyButton_->setToolTip(tr("The blocks stay as they were before; it can be begun again"));
   } else {
-    emptyButton_->setText(tr("Cut and mesh"));
+    emptyButton_->setText(hasRock() ? tr("Cut and mesh") : tr("Import geometry…"));
     emptyText_->setText(session_.surfaces.isBusy() ? tr("Reading the solids …")
-                        : project().solids.empty()
-                            ? tr("There is no rock yet: import geometry, or make a new solid.")
-                            : tr("There are no blocks yet: cut the rock along its joints and mesh it to see them."));
-    emptyButton_->setEnabled(session_.run.whyNotMesh().isEmpty());
-    const QString whyNot = session_.run.whyNotMesh();
-    emptyButton_->setToolTip(whyNot.isEmpty() ? tr("Divides the rock along its cuts into blocks and meshes each (F4)")
-                                              : whyNot);
+                        : hasRock()
+                            ? tr("There are no blocks yet: cut the rock along its joints and mesh it to see them.")
+                            : tr("There is no rock yet: import geometry, or make a new solid."));
+    const QString whyNot = hasRock() ? session_.run.whyNotMesh() : QString();
+    emptyButton_->setEnabled(whyNot.isEmpty());
+    emptyButton_->setToolTip(!whyNot.isEmpty() ? whyNot
+                             : hasRock()       ? tr("Divides the rock along its cuts into blocks and meshes each (F4)")
+                                               : tr("Solids and terrain from a file, shown before they are taken"));
   }
   placeOverlays();
 }

@@ -58,6 +58,8 @@ class Viewport : public QWidget {
   /// What is drawn: the project's blocks, or its solids; null where there is nothing.
   const std::shared_ptr<const BlockSystem>& shown() const { return system_; }
   bool showsSolids() const { return showsSolids_; }
+  /// Blocks are coloured by a field where there are results, on the pages that tell of a run.
+  bool showsField() const;
   /// Loads, supports, velocities, stress in situ and monitors that are shown on this page.
   const std::vector<ActionGlyph>& actions() const { return actions_; }
   /// The one of them that is drawn at a point of the view.
@@ -94,6 +96,8 @@ class Viewport : public QWidget {
  signals:
   /// Of what is selected, at a point of the screen.
   void menuWanted(const QPoint& at);
+  /// The project has none yet.
+  void rockWanted();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -127,6 +131,7 @@ class Viewport : public QWidget {
   void drawNow();
   void becomeStill();
   void showEmptyState();
+  bool hasRock() const;
 
   bool mousePressed(const QMouseEvent& event);
   bool mouseMoved(const QMouseEvent& event);

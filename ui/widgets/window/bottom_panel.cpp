@@ -58,6 +58,8 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   connect(blocks_, &BlocksPanel::titleChanged, this, &BottomPanel::showTitle);
   connect(mesh_, &MeshPanel::titleChanged, this, &BottomPanel::showTitle);
   connect(&session_.display, &Display::pageChanged, this, &BottomPanel::showPage);
+  connect(&session_.project, &CurrentProject::opened, this, &BottomPanel::showStrip);
+  connect(&session_.project.document(), &Document::projectChanged, this, &BottomPanel::showStrip);
   connect(&session_.messages, &Messages::problemsChanged, this, &BottomPanel::countProblems);
   connect(&session_.project.problems(), &ProjectProblems::changed, this, &BottomPanel::countProblems);
   connect(&session_.messages, &Messages::logged, this, [this](const QString& line) {
@@ -86,9 +88,14 @@ void BottomPanel::showSplinters() {
   if (session_.splinters.areRefused()) setCurrentWidget(splinters_);
 }
 
+void BottomPanel::showStrip() {
+  const bool hasStages = !session_.project.document().project().stages.empty();
+  strip_->setVisible(hasStages && session_.display.page() == WorkflowPage::stages);
+}
+
 void BottomPanel::showPage() {
   const WorkflowPage page = session_.display.page();
-  strip_->setVisible(page == WorkflowPage::stages);
+  showStrip();
   if (page == WorkflowPage::blocks)
     tables_->setCurrentWidget(blocks_);
   else if (page == WorkflowPage::mesh)

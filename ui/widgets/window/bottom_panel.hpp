@@ -25,6 +25,7 @@ class BottomPanel : public QTabWidget {
 
  private:
   void showPage();
+  void showStrip();
   void showTitle();
   void countProblems();
   void showSplinters();

@@ -269,7 +269,7 @@ ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) 
   ExportTask task;
   task.system = viewport_->shown();
   task.settings = session_.display.settings();
-  if (!session_.playback.frame() || viewport_->showsSolids()) task.settings.field.reset();
+  if (!viewport_->showsField()) task.settings.field.reset();
   task.settings.parallel_projection = viewport_->pose()->parallel;
   task.pose = *viewport_->pose();
   task.hidden = viewport_->hiddenBlocks();
@@ -297,9 +297,9 @@ void MainWindow::savePicture(const std::filesystem::path& path) {
 void MainWindow::saveFilm(const std::filesystem::path& path) {
   if (session_.playback.times().empty()) return;
   ExportTask task = exportTask(path, 1280);
+  task.settings.field = session_.display.settings().field;
   if (viewport_->showsSolids()) {  // a film is of the blocks
     task.system = session_.project.system();
-    task.settings.field = session_.display.settings().field;
     task.hidden.clear();
   }
   task.frame = session_.playback.source();

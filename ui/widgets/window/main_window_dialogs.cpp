@@ -57,6 +57,7 @@ void MainWindow::connectActions() {
   connect(actions_->stereonet, &QAction::triggered, this, &MainWindow::showStereonet);
   connect(actions_->pasteJoints, &QAction::triggered, this, &MainWindow::askForJoints);
   connect(actions_->solids, &SolidTools::projectWanted, this, &MainWindow::beginBeside);
+  connect(viewport_, &Viewport::rockWanted, actions_->solids->importGeometry, &QAction::trigger);
   connect(viewport_, &Viewport::menuWanted, this, &MainWindow::showMenu);
   connect(tree_, &ProjectTree::menuWanted, this, &MainWindow::showMenu);
   connect(actions_->manual, &QAction::triggered, this, &MainWindow::showManual);

@@ -16,6 +16,8 @@ namespace talus {
 
 namespace {
 
+const QSize usual_size(920, 720);
+
 /// Room around headings and paragraphs, and tables with thin lines: Markdown has no style sheet.
 void spaceOut(QTextDocument& document) {
   constexpr int above_heading = 20, below = 6, cell_padding = 5;
@@ -81,7 +83,7 @@ QString manualHeading(WorkflowPage page, Item::Kind selected) {
 
 ManualWindow::ManualWindow(QWidget* parent) : QDialog(parent), pages_(new QTextBrowser) {
   setWindowTitle(tr("Manual"));
-  resize(760, 680);
+  resizeWithin(*this, usual_size);
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   pages_->setAccessibleName(tr("Manual"));

@@ -212,14 +212,15 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   solids->addChanges(*changed);
   model->addAction(solids->measure);
   model->addSeparator();
+  model->addActions({stereonet, pasteJoints});
+  for (auto* action : joints->all()) model->addAction(action);
+  model->addSeparator();
   auto* made = model->addMenu(tr("Loads and supports"));
   made->setToolTipsVisible(true);
   for (auto* action : loads->all()) {
     if (action == loads->holdPoint || action == loads->velocity || action == loads->monitor) made->addSeparator();
     made->addAction(action);
   }
-  model->addActions({stereonet, pasteJoints});
-  for (auto* action : joints->all()) model->addAction(action);
   model->addSeparator();
   model->addAction(mesh);
   menu(tr("Solve"), {pages.at(WorkflowPage::solve), nullptr, solve, pause, oneStep, stop});

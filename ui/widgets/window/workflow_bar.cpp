@@ -157,6 +157,7 @@ QWidget* WorkflowBar::makeSolvePage() {
   row->addWidget(field->componentBox());
   field->quantityBox()->setFixedWidth(116);
   field->componentBox()->setFixedWidth(116);
+  showWithField(*field->componentBox());
   row->addStretch();
   return page;
 }
@@ -171,11 +172,19 @@ QWidget* WorkflowBar::makeResultsPage() {
   row->addWidget(field->quantityBox());
   row->addSpacing(4);
   row->addWidget(field->componentBox());
+  showWithField(*field->componentBox());
   row->addSpacing(8);
   row->addWidget(makeActionButton(actions_.savePicture, true));
   row->addWidget(makeActionButton(actions_.solve, true));
   row->addStretch();
   return page;
+}
+
+/// A component there is none of takes no room.
+void WorkflowBar::showWithField(QWidget& box) {
+  const auto follow = [this, &box] { box.setVisible(session_.display.settings().field.has_value()); };
+  connect(&session_.display, &Display::changed, &box, follow);
+  follow();
 }
 
 void WorkflowBar::refresh() {

@@ -27,6 +27,7 @@ class WorkflowBar : public QFrame {
   void addLoadActions(QHBoxLayout& row);
   QWidget* makeSolvePage();
   QWidget* makeResultsPage();
+  void showWithField(QWidget& box);
   void refresh();
   void refreshOutcome();
   void refreshPrimary();

@@ -25,6 +25,7 @@ MesherSplinter told(const CutBlock& block, const Vec3& origin) {
 
 std::string described(const Splinter& splinter) {
   std::ostringstream text;
+  text.precision(3);
   text << splinter.thickness << " m thick around " << coordinates(splinter.where) << " (" << splinter.volume << " m³)";
   return text.str();
 }
