@@ -96,15 +96,22 @@ double surface_area(const Block& block) {
   return area;
 }
 
+/// What the project wants a block to be now; left open, what it is.
+BodyKind wanted_body(const Block& block, const Solid& solid, const BlockOverride* wanted) {
+  const BodyKind body = wanted ? wanted->body.value_or(solid.body) : solid.body;
+  return body == BodyKind::automatic ? block.body : body;
+}
+
 BlockToMesh block_to_mesh(const Project& project, const Block& block, const Box& solid_box) {
   const Solid& solid = project.solids[static_cast<std::size_t>(block.solid)];
   const auto named = std::ranges::find(project.blocks, block.name, &BlockOverride::name);
   const BlockOverride* wanted = named == project.blocks.end() ? nullptr : &*named;
-  const bool coarse = corners_suffice(block.body, solid, wanted, std::holds_alternative<TerrainShape>(solid.shape));
+  const BodyKind body = wanted_body(block, solid, wanted);
+  const bool coarse = corners_suffice(body, solid, wanted, std::holds_alternative<TerrainShape>(solid.shape));
   const double usual = solid.mesh_size.value_or(project.mesh.size.value_or(solid_box.sizes().maxCoeff() / 10));
   Box box;
   for (const Vec3& node : block.mesh.nodes) box.extend(node);
-  return {block.body,
+  return {body,
           coarse ? solid_box.diagonal().norm() : (wanted && wanted->mesh_size ? *wanted->mesh_size : usual),
           !coarse,
           block.volume,
