@@ -235,6 +235,80 @@ std::string bench() {
     "stages": [{"name": "go", "type": "dynamic", "time_step": 0.01, "steps": 1}]})";
 }
 
+double areaOf(const JointFace& face) {
+  double sum = 0;
+  for (const FlatTriangle& t : face.triangles) sum += (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
+  return sum;
+}
+
+TEST_F(HandlesWindow, ANetworkIsDrawnAsItsDiscsAsFarAsTheyAreInTheRock) {
+  const auto withNetwork = [&](double from, double to) {
+    Project changed = session->project.document().project();
+    Cut network;
+    network.joint = "B";
+    network.dip = 30;
+    network.fisher_kappa = 20;
+    network.network = JointNetwork{{Vec3::Constant(from), Vec3::Constant(to)}, 2, 0.4};
+    network.through = Vec3::Constant((from + to) / 2);
+    changed.cuts.resize(4);
+    changed.cuts.push_back(network);
+    session->project.document().change(changed, QStringLiteral("network"));
+    const auto before = session->joints.faces();
+    EXPECT_TRUE(wait([&] { return session->joints.faces() != before; }));
+    return areaOf(session->joints.faces()->at(4));
+  };
+  constexpr double drawn = 0.92;  // of a circle is a polygon of nine corners, as more than 800 discs have
+  EXPECT_NEAR(withNetwork(2, 8), drawn * 2 * 6 * 6 * 6, 5);
+  rest(60);
+  keepPicture(window->viewport(), "network.png");
+  EXPECT_NEAR(withNetwork(5, 15), 2 * 5 * 5 * 5, 30) << "an eighth of the box lies in the rock";
+  EXPECT_EQ(session->joints.faces(), session->joints.faces()) << "nothing is drawn again";
+}
+
+TEST_F(HandlesWindow, APictureThatIsSavedHasTheJoints) {
+  const auto saved = [&](const char* name) {
+    window->savePicture(folder / name);
+    EXPECT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
+    return QImage(QString::fromStdString((folder / name).string()));
+  };
+  const QImage with = saved("with.png");
+  keepPicture(*window, "joints_saved.png");
+  session->project.selection().select({Item::Kind::cut, 1});
+  EXPECT_NE(saved("other.png"), with) << "the chosen one is drawn stronger";
+  SceneSettings settings = session->display.settings();
+  settings.joints = false;
+  session->display.set(settings);
+  EXPECT_NE(saved("without.png"), with);
+}
+
+TEST_F(HandlesWindow, TheCameraStaysFromTheSolidsToTheBlocksAndBack) {
+  window->viewport().look(View::front);
+  const CameraPose pose = *window->viewport().pose();
+  const auto stands = [&] {
+    const CameraPose now = *window->viewport().pose();
+    return (now.position - pose.position).norm() + (now.focal_point - pose.focal_point).norm() < 1e-9;
+  };
+  Project changed = session->project.document().project();
+  changed.cuts.resize(1);
+  session->project.document().change(changed, QStringLiteral("one cut"));
+  session->display.goTo(WorkflowPage::blocks);
+  session->run.mesh();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
+  ASSERT_EQ(window->viewport().shown(), session->project.system());
+  EXPECT_TRUE(stands()) << "blocks have come";
+  session->project.selection().selectBlocks({0});
+  window->viewport().hideSelected();
+  session->display.goTo(WorkflowPage::joints);
+  EXPECT_TRUE(window->viewport().showsSolids());
+  EXPECT_TRUE(stands()) << "the solids again";
+  session->display.goTo(WorkflowPage::blocks);
+  EXPECT_TRUE(stands());
+  EXPECT_EQ(window->viewport().hiddenBlocks(), std::vector<int>{0}) << "what was hidden stays so";
+  session->open(write("other.talus", bench()));
+  ASSERT_TRUE(wait([&] { return window->viewport().shown() && !session->surfaces.isBusy(); }));
+  EXPECT_FALSE(stands()) << "another project is looked at anew";
+}
+
 TEST_F(HandlesWindow, ThePageHasRoomInBothThemes) {
   write("bench.talus", bench());
   for (const QSize size : {QSize(1280, 720), QSize(1600, 1000)})

@@ -28,7 +28,7 @@ void add(JointFace& face, const BlockSystem& rock, const Cut& cut) {
 }
 
 /// Four planes that dip out of the bench's face, and two steep ones across.
-std::vector<JointFace> joints(const BlockSystem& rock) {
+std::shared_ptr<std::vector<JointFace>> joints(const BlockSystem& rock) {
   JointFace bedding{0, 0, {}, {}}, cross{1, 1, {}, {}};
   Cut cut;
   cut.dip = 35;
@@ -43,7 +43,7 @@ std::vector<JointFace> joints(const BlockSystem& rock) {
     cut.through = {15, y, 8};
     add(cross, rock, cut);
   }
-  return {bedding, cross};
+  return std::make_shared<std::vector<JointFace>>(std::vector{bedding, cross});
 }
 
 Image drawn(Theme theme, std::vector<int> chosen) {
@@ -73,8 +73,8 @@ TEST(JointsImage, AreDrawnAnewWhenTheyChange) {
   settings.rock_opacity = 0.22;
   settings.fine = false;
   scene.set_settings(settings);
-  std::vector<JointFace> few = joints(rock);
-  few.pop_back();
+  const auto few = joints(rock);
+  few->pop_back();
   scene.set_joints(few, {0});
   view.draw();
   scene.set_joints(joints(rock), {0});

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "jobs/latest_job.hpp"
 #include "model/project.hpp"
-#include "render/scene/joint_face.hpp"
+#include "session/joint_drawing.hpp"
 
 namespace talus {
 
@@ -20,8 +22,10 @@ class DrawnJoints : public QObject {
   DrawnJoints(CurrentProject& project, SolidSurfaces& surfaces);
   ~DrawnJoints() override;
 
-  /// One for every cut, in their order; made anew only where a cut, what it ends at, or the rock is another.
-  const std::vector<JointFace>& faces();
+  using Faces = std::vector<JointFace>;
+  /// One for every cut, in their order; made anew only where a cut, what it ends at, or the rock is another: as long as
+  /// nothing changes they are the same object. Networks are drawn on a thread of their own, and come with `changed()`.
+  std::shared_ptr<const Faces> faces();
   /// The mean place of what is drawn of a cut; empty where nothing of it is in the rock.
   std::optional<Vec3> middleOf(int cut);
   /// The cut that is selected, or those of the joint that is.
@@ -36,10 +40,16 @@ class DrawnJoints : public QObject {
   void changed();
 
  private:
-  struct Made {
+  /// What a cut is drawn from.
+  struct Source {
     Cut cut;
     std::vector<Cut> ends;  ///< those that it ends at
+    std::shared_ptr<const std::vector<JointedRock>> rock;
+    JointFace face() const;
+    bool operator==(const Source&) const = default;
   };
+  std::vector<Source> sources() const;
+  void drawNetworks();
   void follow();
 
   CurrentProject& project_;
@@ -49,8 +59,10 @@ class DrawnJoints : public QObject {
     Cut as;
   };
   std::optional<Trial> trial_;
-  std::vector<Made> made_;  ///< what `faces_` were made from
-  std::vector<JointFace> faces_;
+  std::vector<Source> made_;  ///< what `faces_` are made from, …
+  std::vector<bool> late_;    ///< … but for those that are being made
+  std::shared_ptr<const Faces> faces_;
+  LatestJob networks_;  ///< last: its thread ends before the others go
 };
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 
 #include "geometry/solid_surface.hpp"
 #include "model/solid_shape.hpp"
+#include "render/scene/thinned_surface.hpp"
 #include "session/current_project.hpp"
 
 namespace talus {
@@ -13,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int quiet_ms = 150;  // a pause in typing, and no wait that is noticed
+constexpr std::size_t most_triangles = 6000;  // of a solid that joints are drawn in, over each other
+constexpr int quiet_ms = 150;                 // a pause in typing, and no wait that is noticed
 
 /// The numbers of a solid and of all that it is made of, ascending.
 std::vector<int> withParts(const Project& project, int solid) {
@@ -44,6 +46,11 @@ InputError amongAll(const InputError& error, const std::vector<int>& members) {
     if (number < members.size()) place = lists + std::to_string(members[number]) + error.place().substr(end);
   }
   return {place, error.problem(), error.remedy()};
+}
+
+std::shared_ptr<const SurfaceTree> treeOf(const SolidSurface& surface) {
+  const auto few = thinned({surface.vertices, surface.triangles}, most_triangles);
+  return std::make_shared<const SurfaceTree>(RockSurface{surface.vertices, few});
 }
 
 }  // namespace
@@ -100,11 +107,13 @@ struct SolidSurfaces::Outcome {
     Piece of;
     std::optional<SolidSurface> surface;
     std::optional<InputError> problem;  ///< at its place in `of.alone`
+    std::shared_ptr<const SurfaceTree> tree;
   };
   std::vector<Made> made;
   std::vector<SolidSurface> surfaces;
   std::vector<InputError> problems;
   std::shared_ptr<const BlockSystem> blocks;
+  std::shared_ptr<const std::vector<JointedRock>> jointed = std::make_shared<std::vector<JointedRock>>();
 };
 
 SolidSurfaces::SolidSurfaces(CurrentProject& project)
@@ -139,6 +148,8 @@ std::optional<BoxShape> SolidSurfaces::extent() const {
 
 std::shared_ptr<const BlockSystem> SolidSurfaces::asBlocks() const { return current() ? shown_->blocks : nullptr; }
 
+std::shared_ptr<const std::vector<JointedRock>> SolidSurfaces::jointed() const { return shown_->jointed; }
+
 const std::vector<InputError>& SolidSurfaces::problems() const { return shown_->problems; }
 
 void SolidSurfaces::propose(std::optional<Project> proposal) {
@@ -167,15 +178,18 @@ SolidSurfaces::Outcome SolidSurfaces::make(const std::vector<Piece>& wanted, con
                                            Progress& progress) {
   Outcome outcome;
   BlockSystem blocks;
+  std::vector<JointedRock> jointed;
   for (const Piece& piece : wanted) {
-    Outcome::Made one{piece, {}, {}};
+    Outcome::Made one{piece, {}, {}, {}};
     const auto same = [&](const Outcome::Made& made) { return made.of.looksLike(piece); };
     if (const auto known = std::ranges::find_if(earlier.made, same); known != earlier.made.end()) {
       one.surface = known->surface;
       one.problem = known->problem;
+      one.tree = known->tree;
     } else {
       try {
         one.surface = solid_surfaces(piece.alone, piece.folder, progress).back();  // parts come before
+        one.tree = treeOf(*one.surface);
       } catch (const InputError& error) {
         one.problem = error;
       }
@@ -184,10 +198,12 @@ SolidSurfaces::Outcome SolidSurfaces::make(const std::vector<Piece>& wanted, con
     if (one.surface) {
       outcome.surfaces.push_back(*one.surface);
       blocks.blocks.push_back(surfaceBlock(*one.surface, piece.members.back(), piece.body));
+      jointed.push_back({one.surface->name, one.tree});
     }
     outcome.made.push_back(std::move(one));
   }
   outcome.blocks = std::make_shared<const BlockSystem>(std::move(blocks));
+  outcome.jointed = std::make_shared<const std::vector<JointedRock>>(std::move(jointed));
   return outcome;
 }
 

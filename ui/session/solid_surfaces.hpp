@@ -9,6 +9,7 @@
 #include "jobs/latest_job.hpp"
 #include "model/project.hpp"
 #include "render/scene/scene.hpp"
+#include "session/joint_drawing.hpp"
 
 namespace talus {
 
@@ -37,6 +38,8 @@ class SolidSurfaces : public QObject {
   /// The same as blocks that are nothing but their surface, each with the number of its solid. Null where `current()`
   /// is.
   std::shared_ptr<const BlockSystem> asBlocks() const;
+  /// The same for joints to be drawn in; empty where `current()` is null.
+  std::shared_ptr<const std::vector<JointedRock>> jointed() const;
   /// Why some are not there; places are those of the project file.
   const std::vector<InputError>& problems() const;
   bool isBusy() const { return job_.isBusy(); }

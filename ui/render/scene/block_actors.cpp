@@ -11,10 +11,12 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <limits>
-#include <map>
+#include <utility>
 
 namespace talus {
 namespace {
@@ -30,17 +32,12 @@ void matt(vtkProperty& property) {
   property.SetSpecular(0);
 }
 
-void insert(vtkCellArray& cells, std::initializer_list<int> vertices) {
-  cells.InsertNextCell(static_cast<int>(vertices.size()));
-  for (const int vertex : vertices) cells.InsertCellPoint(vertex);
-}
-
-void set_lines(vtkPolyData& lines, const BlockSurface& surface,
-               const std::function<bool(const BlockSurface::Edge&)>& wanted) {
-  vtkNew<vtkCellArray> cells;
-  for (const BlockSurface::Edge& edge : surface.edges)
-    if (wanted(edge)) insert(*cells, {edge.vertices[0], edge.vertices[1]});
-  lines.SetLines(cells);
+/// Makes the cells those of `corners` vertices each which follow one another.
+void set_cells(vtkCellArray& cells, int corners, std::span<const int> vertices) {
+  vtkNew<vtkTypeInt32Array> connectivity;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(vertices.size()));
+  std::ranges::copy(vertices, connectivity->GetPointer(0));
+  cells.SetData(corners, connectivity);
 }
 
 void set_points(vtkPoints& points, std::span<const Vec3> positions, const Vec3& origin) {
@@ -52,23 +49,32 @@ void set_points(vtkPoints& points, std::span<const Vec3> positions, const Vec3& 
   points.Modified();
 }
 
-/// For each vertex, from the origin to the mean of its block's vertices, m.
+/// For each block, from the origin to the mean of its vertices, m; zero where it has none.
 std::vector<Vec3> ways_to_blocks(const BlockSurface& surface, const Vec3& origin) {
-  std::vector<int> block_of(surface.rest.size(), 0);
-  for (const BlockSurface::Triangle& triangle : surface.triangles)
-    for (const int vertex : triangle.vertices) block_of[static_cast<std::size_t>(vertex)] = triangle.block;
-  std::map<int, std::pair<Vec3, int>> sums;  // by block: of its vertices, and how many they are
-  for (std::size_t i = 0; i < surface.rest.size(); ++i) {
-    auto& [sum, count] = sums.try_emplace(block_of[i], Vec3::Zero(), 0).first->second;
-    sum += surface.rest[i] - origin;
-    ++count;
-  }
   std::vector<Vec3> ways;
-  for (const int block : block_of) ways.push_back(sums[block].first / sums[block].second);
+  for (std::size_t block = 0; block + 1 < surface.begins.size(); ++block) {
+    Vec3 sum = Vec3::Zero();
+    const int begin = surface.begins[block].vertex, end = surface.begins[block + 1].vertex;
+    for (int i = begin; i < end; ++i) sum += surface.rest[static_cast<std::size_t>(i)] - origin;
+    ways.push_back(begin < end ? Vec3(sum / (end - begin)) : sum);
+  }
   return ways;
 }
 
-constexpr double thinnest_line = 1.05;  // pixels; a thinner one passes between their centres and looks dashed
+/// Infinite where there are none.
+double mean_mesh_line(const BlockSurface& surface) {
+  double sum = 0;
+  int count = 0;
+  for (const BlockSurface::Edge& edge : surface.edges) {
+    if (edge.sharp) continue;
+    sum += (surface.rest[edge.vertices[0]] - surface.rest[edge.vertices[1]]).norm();
+    ++count;
+  }
+  return count > 0 ? sum / count : std::numeric_limits<double>::infinity();
+}
+
+constexpr double apart = 6, palest = 0.25;  // pixels between lines that are drawn at full strength; opacity
+constexpr double thinnest_line = 1.05;      // pixels; a thinner one passes between their centres and looks dashed
 
 /// Lines lie on faces: they are drawn as if a little nearer, `lift` depth steps, or half of each would vanish.
 void add_lines(vtkRenderer& renderer, vtkPolyData& lines, vtkActor& actor, int lift) {
@@ -87,16 +93,19 @@ BlockActors::BlockActors(BlockSurface surface, const Vec3& origin)
     : surface_(std::move(surface)),
       origin_(origin),
       from_origin_(ways_to_blocks(surface_, origin)),
-      positions_(surface_.rest) {
+      positions_(surface_.rest),
+      mesh_size_(mean_mesh_line(surface_)) {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   points_->SetDataTypeToDouble();
-  for (vtkPolyData* data : {faces_.Get(), sharp_edges_.Get(), mesh_lines_.Get()}) data->SetPoints(points_);
+  for (vtkPolyData* data : {faces_.Get(), thinned_faces_.Get(), sharp_edges_.Get(), mesh_lines_.Get()})
+    data->SetPoints(points_);
   set_points(*points_, positions_, origin_);
   mapper_->SetInputData(faces_);
   mapper_->SetInterpolateScalarsBeforeMapping(true);
   face_actor_->SetMapper(mapper_);
   matt(*face_actor_->GetProperty());
-  show(std::vector<bool>(1 + (surface_.triangles.empty() ? 0 : surface_.triangles.back().block), true));
+  show(std::vector<bool>(from_origin_.size(), true));
+  show_mesh_lines();
 }
 
 void BlockActors::add_to(vtkRenderer& renderer) {
@@ -106,45 +115,89 @@ void BlockActors::add_to(vtkRenderer& renderer) {
 }
 
 void BlockActors::move(std::span<const Vec3> displacement, double scale, double explosion) {
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    positions_[i] = surface_.rest[i];
-    if (!displacement.empty()) positions_[i] += scale * displacement[surface_.nodes[i]];
-    positions_[i] += explosion * from_origin_[i];
+  for (std::size_t block = 0; block < from_origin_.size(); ++block) {
+    const Vec3 apart = explosion * from_origin_[block];
+    const int end = surface_.begins[block + 1].vertex;
+    for (int i = surface_.begins[block].vertex; i < end; ++i) {
+      positions_[i] = surface_.rest[i] + apart;
+      if (!displacement.empty()) positions_[i] += scale * displacement[surface_.nodes[i]];
+    }
   }
   set_points(*points_, positions_, origin_);
 }
 
-void BlockActors::show(const std::vector<bool>& shown) {
-  vtkNew<vtkCellArray> polygons;
+void BlockActors::show(std::vector<bool> shown) {
+  shown_ = std::move(shown);
   drawn_.clear();
+  std::vector<int> vertices;
   for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
     const BlockSurface::Triangle& triangle = surface_.triangles[t];
-    if (!shown[triangle.block]) continue;
-    insert(*polygons, {triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]});
+    if (!shows(triangle.block)) continue;
+    vertices.insert(vertices.end(), triangle.vertices.begin(), triangle.vertices.end());
     drawn_.push_back(static_cast<int>(t));
   }
+  vtkNew<vtkCellArray> polygons;
+  set_cells(*polygons, 3, vertices);
   faces_->SetPolys(polygons);
   faces_->GetCellData()->SetScalars(nullptr);  // belonged to the former cells; colouring follows
-  set_lines(*sharp_edges_, surface_, [&](const BlockSurface::Edge& edge) { return edge.sharp && shown[edge.block]; });
-  set_lines(*mesh_lines_, surface_, [&](const BlockSurface::Edge& edge) { return !edge.sharp && shown[edge.block]; });
+  fill_thinned();
+  fill_edges(*sharp_edges_, true);
+  has_mesh_lines_ = false;
+}
+
+/// They are many, and drawn on few occasions.
+void BlockActors::show_mesh_lines() {
+  if (!std::exchange(has_mesh_lines_, true)) fill_edges(*mesh_lines_, false);
+}
+
+void BlockActors::fill_edges(vtkPolyData& lines, bool sharp) {
+  std::vector<int> vertices;
+  for (const BlockSurface::Edge& edge : surface_.edges)
+    if (edge.sharp == sharp && shows(edge.block))
+      vertices.insert(vertices.end(), edge.vertices.begin(), edge.vertices.end());
+  vtkNew<vtkCellArray> cells;
+  set_cells(*cells, 2, vertices);
+  lines.SetLines(cells);
+}
+
+void BlockActors::fill_thinned() {
+  std::vector<int> vertices;
+  for (const Face& face : thinned_)
+    if (shows(face.block)) vertices.insert(vertices.end(), face.vertices.begin(), face.vertices.end());
+  vtkNew<vtkCellArray> polygons;
+  set_cells(*polygons, 3, vertices);
+  thinned_faces_->SetPolys(polygons);
+  thinned_faces_->GetCellData()->SetScalars(nullptr);
+}
+
+void BlockActors::thin(std::vector<Face> faces) {
+  thinned_ = std::move(faces);
+  fill_thinned();
 }
 
 void BlockActors::let_through(double opacity) {
+  mapper_->SetInputData(opacity < 1 && !thinned_.empty() ? thinned_faces_ : faces_);
   face_actor_->GetProperty()->SetOpacity(opacity);
   face_actor_->GetProperty()->SetBackfaceCulling(opacity < 1);
 }
 
 void BlockActors::colour_by_block(const std::function<Rgb(int)>& colour) {
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(3);
-  colours->SetNumberOfTuples(static_cast<vtkIdType>(drawn_.size()));
-  for (std::size_t i = 0; i < drawn_.size(); ++i) {
-    const Rgb c = colour(surface_.triangles[drawn_[i]].block);
+  std::vector<Rgb> of_block;
+  for (std::size_t block = 0; block < shown_.size(); ++block)
+    of_block.push_back(shown_[block] ? colour(static_cast<int>(block)) : Rgb{});
+  vtkNew<vtkUnsignedCharArray> faces, thinned;
+  for (vtkUnsignedCharArray* colours : {faces.Get(), thinned.Get()}) colours->SetNumberOfComponents(3);
+  const auto add = [&](vtkUnsignedCharArray& colours, int block) {
+    const Rgb c = of_block[static_cast<std::size_t>(block)];
     const unsigned char tuple[] = {c.red, c.green, c.blue};
-    colours->SetTypedTuple(static_cast<vtkIdType>(i), tuple);
-  }
+    colours.InsertNextTypedTuple(tuple);
+  };
+  for (const int t : drawn_) add(*faces, surface_.triangles[t].block);
+  for (const Face& face : thinned_)
+    if (shows(face.block)) add(*thinned, face.block);
   faces_->GetPointData()->SetScalars(nullptr);
-  faces_->GetCellData()->SetScalars(colours);
+  faces_->GetCellData()->SetScalars(faces);
+  thinned_faces_->GetCellData()->SetScalars(thinned);
   mapper_->SetScalarModeToUseCellData();
   mapper_->SetColorModeToDirectScalars();
 }
@@ -171,68 +224,81 @@ void BlockActors::colour_by_values(std::span<const double> values, bool at_nodes
   mapper_->SetScalarRange(low, high);
 }
 
-void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour) {
+void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour, double metres_per_pixel) {
+  if (mesh_edges > 0) show_mesh_lines();
   sharp_edge_actor_->SetVisibility(block_edges > 0);
   mesh_actor_->SetVisibility(mesh_edges > 0);
+  mesh_actor_->GetProperty()->SetOpacity(std::clamp(mesh_size_ / metres_per_pixel / apart, palest, 1.0));
   sharp_edge_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, block_edges)));
   mesh_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, mesh_edges)));
   for (vtkActor* actor : {sharp_edge_actor_.Get(), mesh_actor_.Get()}) set_colour(*actor->GetProperty(), colour);
 }
 
-Highlight::Highlight() {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(faces_);
-  mapper->ScalarVisibilityOff();
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -1);
-  face_actor_->SetMapper(mapper);
-  face_actor_->GetProperty()->SetLighting(false);
+Highlight::Highlight(const Parts& parts) : parts_(parts) {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Layer& layer = layers_[i];
+    for (vtkPolyData* data : {layer.faces.Get(), layer.lines.Get()}) data->SetPoints(&parts_[i]->points());
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(layer.faces);
+    mapper->ScalarVisibilityOff();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -1);
+    layer.face_actor->SetMapper(mapper);
+    layer.face_actor->GetProperty()->SetLighting(false);
+  }
 }
 
 void Highlight::add_to(vtkRenderer& renderer) {
-  renderer.AddActor(face_actor_);
-  add_lines(renderer, *lines_, *line_actor_, 20);
-}
-
-void Highlight::mark(std::span<const BlockActors* const> parts, const Vec3& origin, const std::vector<bool>& marked) {
-  mark(parts, origin, [&](const BlockSurface&, const BlockSurface::Triangle& t) { return marked[t.block]; });
-}
-
-void Highlight::mark(std::span<const BlockActors* const> parts, const Vec3& origin, const Chosen& marked) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polygons, lines;
-  for (const BlockActors* part : parts) {
-    const auto place = [&](int vertex) {
-      const Vec3 p = part->positions()[vertex] - origin;
-      return static_cast<int>(points->InsertNextPoint(p.data()));
-    };
-    std::vector<bool> touched(part->positions().size(), false);
-    for (const int t : part->drawn()) {
-      const BlockSurface::Triangle& triangle = part->surface().triangles[t];
-      if (!marked(part->surface(), triangle)) continue;
-      const auto& v = triangle.vertices;
-      insert(*polygons, {place(v[0]), place(v[1]), place(v[2])});
-      for (const int vertex : v) touched[static_cast<std::size_t>(vertex)] = true;
-    }
-    for (const BlockSurface::Edge& edge : part->surface().edges)
-      if (edge.sharp && touched[edge.vertices[0]] && touched[edge.vertices[1]])
-        insert(*lines, {place(edge.vertices[0]), place(edge.vertices[1])});
+  for (Layer& layer : layers_) {
+    renderer.AddActor(layer.face_actor);
+    add_lines(renderer, *layer.lines, *layer.line_actor, 20);
   }
-  faces_->SetPoints(points);
-  faces_->SetPolys(polygons);
-  lines_->SetPoints(points);
-  lines_->SetLines(lines);
+}
+
+void Highlight::mark(std::span<const int> blocks) { mark(blocks, {}); }
+
+void Highlight::mark(int block, const Chosen& chosen) { mark({&block, 1}, chosen); }
+
+void Highlight::mark(std::span<const int> blocks, const Chosen& chosen) {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const BlockActors& part = *parts_[i];
+    const BlockSurface& surface = part.surface();
+    std::vector<int> triangles, edges;
+    for (const int block : blocks) {
+      if (!part.shows(block)) continue;
+      const auto &begin = surface.begins[static_cast<std::size_t>(block)],
+                 &end = surface.begins[static_cast<std::size_t>(block) + 1];
+      std::vector<bool> touched(static_cast<std::size_t>(end.vertex - begin.vertex), !chosen);
+      for (int t = begin.triangle; t < end.triangle; ++t) {
+        const BlockSurface::Triangle& triangle = surface.triangles[static_cast<std::size_t>(t)];
+        if (chosen && !chosen(surface, triangle)) continue;
+        triangles.insert(triangles.end(), triangle.vertices.begin(), triangle.vertices.end());
+        for (const int vertex : triangle.vertices) touched[static_cast<std::size_t>(vertex - begin.vertex)] = true;
+      }
+      const auto is_touched = [&](int vertex) { return touched[static_cast<std::size_t>(vertex - begin.vertex)]; };
+      for (int e = begin.edge; e < end.edge; ++e) {
+        const BlockSurface::Edge& edge = surface.edges[static_cast<std::size_t>(e)];
+        if (edge.sharp && std::ranges::all_of(edge.vertices, is_touched))
+          edges.insert(edges.end(), edge.vertices.begin(), edge.vertices.end());
+      }
+    }
+    vtkNew<vtkCellArray> polygons, lines;
+    set_cells(*polygons, 3, triangles);
+    set_cells(*lines, 2, edges);
+    layers_[i].faces->SetPolys(polygons);
+    layers_[i].lines->SetLines(lines);
+  }
 }
 
 void Highlight::style(Rgb colour, double line_width, double tint) {
-  set_colour(*face_actor_->GetProperty(), colour);
-  set_colour(*line_actor_->GetProperty(), colour);
-  face_actor_->GetProperty()->SetOpacity(tint);
-  face_actor_->SetVisibility(any() && tint > 0);
-  line_actor_->SetVisibility(any());
-  line_actor_->GetProperty()->SetLineWidth(static_cast<float>(line_width));
+  for (Layer& layer : layers_) {
+    const bool marks = layer.faces->GetNumberOfPolys() > 0;
+    set_colour(*layer.face_actor->GetProperty(), colour);
+    set_colour(*layer.line_actor->GetProperty(), colour);
+    layer.face_actor->GetProperty()->SetOpacity(tint);
+    layer.face_actor->SetVisibility(marks && tint > 0);
+    layer.line_actor->SetVisibility(marks);
+    layer.line_actor->GetProperty()->SetLineWidth(static_cast<float>(line_width));
+  }
 }
-
-bool Highlight::any() const { return faces_->GetNumberOfPolys() > 0; }
 
 }  // namespace talus

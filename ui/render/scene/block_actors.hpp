@@ -7,6 +7,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -28,50 +29,76 @@ class BlockActors {
   const BlockSurface& surface() const { return surface_; }
   const std::vector<Vec3>& positions() const { return positions_; }  ///< a vertex, m
   const std::vector<int>& drawn() const { return drawn_; }           ///< triangles that are shown
+  bool shows(int block) const { return shown_[static_cast<std::size_t>(block)]; }
+  vtkPoints& points() { return *points_; }  ///< the vertices as they are drawn
 
   void add_to(vtkRenderer& renderer);
   /// `displacement` of all blocks' nodes; empty: none. `explosion`: how far blocks are drawn from where they are, over
   /// the way from the origin to their middle.
   void move(std::span<const Vec3> displacement, double scale, double explosion = 0);
-  /// Draws only the blocks for which `shown[block]`.
-  void show(const std::vector<bool>& shown);
+  /// Draws only the blocks for which `shown[block]`; their colours are to be given anew.
+  void show(std::vector<bool> shown);
+  /// Fewer triangles that show about the same: they are drawn where the faces are seen through.
+  struct Face {
+    std::array<int, 3> vertices;
+    int block;
+  };
+  void thin(std::vector<Face> faces);
   /// Faces are drawn with this opacity, those that look away not at all where it is below 1.
   void let_through(double opacity);
   void colour_by_block(const std::function<Rgb(int block)>& colour);
   /// `values` of all blocks' nodes, or tetrahedra, in the unit of `low` and `high`. Faces without a tetrahedron
   /// behind them get the table's colour for no value.
   void colour_by_values(std::span<const double> values, bool at_nodes, vtkLookupTable& table, double low, double high);
-  /// Line widths in pixels; 0 leaves those edges out.
-  void draw_edges(double block_edges, double mesh_edges, Rgb colour);
+  /// Line widths in pixels; 0 leaves those edges out. Lines of the mesh that lie closer than a few pixels are drawn
+  /// paler, or they would cover what they lie on.
+  void draw_edges(double block_edges, double mesh_edges, Rgb colour, double metres_per_pixel);
 
  private:
+  void fill_thinned();
+  void show_mesh_lines();
+  void fill_edges(vtkPolyData& lines, bool sharp);
+
   BlockSurface surface_;
   Vec3 origin_;
-  std::vector<Vec3> from_origin_;  ///< a vertex: from the origin to the middle of its block
+  std::vector<Vec3> from_origin_;  ///< a block: from the origin to the middle of its vertices
   std::vector<Vec3> positions_;
-  std::vector<int> drawn_;  ///< triangles that are shown, in the order of the cells
+  std::vector<bool> shown_;  ///< a block
+  std::vector<int> drawn_;   ///< triangles that are shown, in the order of the cells
+  bool has_mesh_lines_ = false;
+  double mesh_size_;  ///< m, mean length of the lines of the mesh
   vtkNew<vtkPoints> points_;
-  vtkNew<vtkPolyData> faces_, sharp_edges_, mesh_lines_;
+  std::vector<Face> thinned_;
+  vtkNew<vtkPolyData> faces_, thinned_faces_, sharp_edges_, mesh_lines_;
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkNew<vtkActor> face_actor_, sharp_edge_actor_, mesh_actor_;
 };
 
-/// Orange outline, and a tint, of blocks or faces that are selected or under the pointer.
+/// Outline and tint of blocks or faces that are selected or under the pointer. It is drawn with the points of the
+/// blocks, and goes with them.
 class Highlight {
  public:
-  Highlight();
+  using Parts = std::array<BlockActors*, 2>;
+  explicit Highlight(const Parts& parts);
   void add_to(vtkRenderer& renderer);
-  /// Marks the blocks for which `marked[block]` where they are now.
-  void mark(std::span<const BlockActors* const> parts, const Vec3& origin, const std::vector<bool>& marked);
-  /// The same of single triangles.
+
+  /// Marks these blocks, as far as they are shown.
+  void mark(std::span<const int> blocks);
+  /// Marks the triangles of a block that are chosen.
   using Chosen = std::function<bool(const BlockSurface& surface, const BlockSurface::Triangle& triangle)>;
-  void mark(std::span<const BlockActors* const> parts, const Vec3& origin, const Chosen& marked);
+  void mark(int block, const Chosen& chosen);
   void style(Rgb colour, double line_width, double tint);
-  bool any() const;
 
  private:
-  vtkNew<vtkPolyData> faces_, lines_;
-  vtkNew<vtkActor> face_actor_, line_actor_;
+  void mark(std::span<const int> blocks, const Chosen& chosen);
+
+  /// Of one part.
+  struct Layer {
+    vtkNew<vtkPolyData> faces, lines;
+    vtkNew<vtkActor> face_actor, line_actor;
+  };
+  Parts parts_;
+  std::array<Layer, 2> layers_;
 };
 
 }  // namespace talus

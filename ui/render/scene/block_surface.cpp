@@ -80,13 +80,19 @@ void append_block(const Block& block, int block_index, int first_node, int first
 
 BlockSurface block_surface(const BlockSystem& system, const std::vector<bool>& wanted) {
   BlockSurface out;
+  const auto begin = [&] {
+    out.begins.push_back({static_cast<int>(out.nodes.size()), static_cast<int>(out.triangles.size()),
+                          static_cast<int>(out.edges.size())});
+  };
   int first_node = 0, first_tetrahedron = 0;
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
     const Block& block = system.blocks[b];
+    begin();
     if (wanted[b]) append_block(block, static_cast<int>(b), first_node, first_tetrahedron, out);
     first_node += static_cast<int>(block.mesh.nodes.size());
     first_tetrahedron += static_cast<int>(block.mesh.tetrahedra.size());
   }
+  begin();
   return out;
 }
 

@@ -25,6 +25,11 @@ struct BlockSurface {
     bool sharp;  ///< the surface bends here by more than 15°
   };
   std::vector<Edge> edges;
+  /// Where those of a block begin, which follow each other; after the last block, how many there are.
+  struct Begin {
+    int vertex, triangle, edge;
+  };
+  std::vector<Begin> begins;
 };
 
 /// Around all nodes, undeformed [m]; empty where there are none.

@@ -23,13 +23,21 @@ ViewExtent::ViewExtent() {
   reach_.resize(count, -std::numeric_limits<double>::infinity());
 }
 
-void ViewExtent::include(const Vec3& point) {
+void ViewExtent::include(std::span<const Vec3> points) {
+  if (points.empty()) return;
   any_ = true;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : points) box.extend(point);
+  const Vec3 middle = box.center(), half = box.sizes() / 2;
   for (std::size_t i = 0; i < directions_.size(); ++i) {
-    const double reach = directions_[i].dot(point);
-    if (reach <= reach_[i]) continue;
-    reach_[i] = reach;
-    outermost_[i] = point;
+    const Vec3& direction = directions_[i];
+    if (direction.dot(middle) + direction.cwiseAbs().dot(half) < reach_[i]) continue;
+    for (const Vec3& point : points) {
+      const double reach = direction.dot(point);
+      if (reach <= reach_[i]) continue;
+      reach_[i] = reach;
+      outermost_[i] = point;
+    }
   }
 }
 

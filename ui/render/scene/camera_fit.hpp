@@ -14,7 +14,9 @@ namespace talus {
 class ViewExtent {
  public:
   ViewExtent();
-  void include(const Vec3& point);
+  void include(const Vec3& point) { include(std::span<const Vec3>(&point, 1)); }
+  /// Points that lie together: where the box around them does not reach out none of them is looked at.
+  void include(std::span<const Vec3> points);
   std::vector<Vec3> points() const;
   bool empty() const { return !any_; }
 

@@ -72,7 +72,8 @@ void JointActors::add_to(vtkRenderer& renderer) {
   renderer.AddActor(line_actor_);
 }
 
-void JointActors::show(std::vector<JointFace> faces, std::vector<int> chosen) {
+void JointActors::show(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen) {
+  if (faces == faces_ && chosen == chosen_) return;
   faces_ = std::move(faces);
   chosen_ = std::move(chosen);
   draw();
@@ -84,10 +85,14 @@ void JointActors::use(Theme theme) {
   draw();
 }
 
+std::span<const JointFace> JointActors::shown() const {
+  return faces_ ? std::span<const JointFace>(*faces_) : std::span<const JointFace>();
+}
+
 void JointActors::draw() {
   ColouredCells areas, edges;
   const auto& palette = curve_palette(theme_);
-  for (const JointFace& face : faces_) {
+  for (const JointFace& face : shown()) {
     const Rgb colour = palette[static_cast<std::size_t>(face.set) % palette.size()];
     const bool is_chosen = std::ranges::count(chosen_, face.cut) > 0;
     for (const FlatTriangle& triangle : face.triangles)
@@ -110,7 +115,7 @@ void JointActors::style(double line_width) { line_actor_->GetProperty()->SetLine
 std::optional<int> JointActors::cut_at(const Vec3& from, const Vec3& along) const {
   std::optional<int> found;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const JointFace& face : faces_)
+  for (const JointFace& face : shown())
     for (const FlatTriangle& triangle : face.triangles) {
       const double distance = distance_to(triangle, from, along);
       if (distance >= nearest) continue;

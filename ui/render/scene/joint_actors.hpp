@@ -4,7 +4,9 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/paint/theme.hpp"
@@ -21,17 +23,19 @@ class JointActors {
   /// Positions are drawn relative to `origin`, m.
   explicit JointActors(const Vec3& origin);
   void add_to(vtkRenderer& renderer);
-  void show(std::vector<JointFace> faces, std::vector<int> chosen);
+  /// `faces` null: none.
+  void show(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen);
   void style(double line_width);
   void use(Theme theme);
   /// The cut whose face a line of sight meets first.
   std::optional<int> cut_at(const Vec3& from, const Vec3& along) const;
 
  private:
+  std::span<const JointFace> shown() const;
   void draw();
 
   Vec3 origin_;
-  std::vector<JointFace> faces_;
+  std::shared_ptr<const std::vector<JointFace>> faces_;
   std::vector<int> chosen_;  ///< cuts
   Theme theme_ = Theme::light;
   vtkNew<vtkPolyData> mesh_, lines_;

@@ -12,29 +12,47 @@ namespace talus {
 namespace {
 
 /// Where an edge of the surface passes the plane: the same to the last bit for both triangles at it.
-Vec3 crossing(const RockSurface& rock, const std::vector<double>& height, int a, int b) {
-  if (a > b) std::swap(a, b);
-  const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
-  const Vec3 &from = rock.points[first], &to = rock.points[second];
-  return from + height[first] / (height[first] - height[second]) * (to - from);
+Vec3 crossing(const RockSurface& rock, const std::array<double, 3>& height, const std::array<int, 3>& triangle, int i,
+              int k) {
+  if (triangle[i] > triangle[k]) std::swap(i, k);
+  const Vec3 &from = rock.points[static_cast<std::size_t>(triangle[i])],
+             &to = rock.points[static_cast<std::size_t>(triangle[k])];
+  return from + height[i] / (height[i] - height[k]) * (to - from);
 }
 
 }  // namespace
 
+PlaneSection::PlaneSection(const Vec3& point, const Vec3& normal)
+    : point_(point), along_(normal.unitOrthogonal()), across_(normal.normalized().cross(along_)) {}
+
 PlaneSection::PlaneSection(const RockSurface& rock, const Vec3& point, const Vec3& normal)
-    : point_(point), along_(normal.unitOrthogonal()), across_(normal.normalized().cross(along_)) {
-  std::vector<double> height;
-  height.reserve(rock.points.size());
-  for (const Vec3& p : rock.points) height.push_back(normal.dot(p - point));
+    : PlaneSection(point, normal) {
+  for (const auto& triangle : rock.triangles) cross(rock, triangle, normal);
+}
+
+PlaneSection::PlaneSection(const SurfaceTree& rock, const Vec3& point, const Vec3& normal)
+    : PlaneSection(point, normal) {
+  for (const int t : rock.near_plane(point, normal))
+    cross(rock.rock(), rock.rock().triangles[static_cast<std::size_t>(t)], normal);
+}
+
+PlaneSection PlaneSection::of_polygon(std::span<const Vec3> corners, const Vec3& point, const Vec3& normal) {
+  PlaneSection section(point, normal);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    section.edges_.push_back({section.flat(corners[i]), section.flat(corners[(i + 1) % corners.size()])});
+  return section;
+}
+
+void PlaneSection::cross(const RockSurface& rock, const std::array<int, 3>& triangle, const Vec3& normal) {
+  std::array<double, 3> height{};
+  for (int i = 0; i < 3; ++i) height[i] = normal.dot(rock.points[static_cast<std::size_t>(triangle[i])] - point_);
   // A point on the plane counts as above it: a closed surface then has closed lines in every plane.
-  const auto above = [&](int i) { return height[static_cast<std::size_t>(i)] >= 0; };
-  for (const auto& [a, b, c] : rock.triangles) {
-    const bool one = above(a), two = above(b), three = above(c);
-    if (one == two && two == three) continue;
-    const int alone = two == three ? a : one == three ? b : c;
-    const int next = alone == a ? b : a, last = alone == c ? b : c;
-    edges_.push_back({flat(crossing(rock, height, alone, next)), flat(crossing(rock, height, alone, last))});
-  }
+  const bool one = height[0] >= 0, two = height[1] >= 0, three = height[2] >= 0;
+  if (one == two && two == three) return;
+  const int alone = two == three ? 0 : one == three ? 1 : 2;
+  const int next = alone == 0 ? 1 : 0, last = alone == 2 ? 1 : 2;
+  edges_.push_back(
+      {flat(crossing(rock, height, triangle, alone, next)), flat(crossing(rock, height, triangle, alone, last))});
 }
 
 void PlaneSection::clip(const HalfSpace& to, bool bordered) {

@@ -5,15 +5,10 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "render/scene/surface_tree.hpp"
 
 /// The part of a joint's plane that lies in the rock.
 namespace talus {
-
-/// A closed surface, its triangles counter-clockwise seen from outside. Refers to what its owner keeps.
-struct RockSurface {
-  std::span<const Vec3> points{};                   ///< m
-  std::span<const std::array<int, 3>> triangles{};  ///< indices of points
-};
 
 /// The side of a plane that `inwards` points to.
 struct HalfSpace {
@@ -30,6 +25,9 @@ class PlaneSection {
  public:
   /// Where the plane through `point` across `normal` lies inside the rock.
   PlaneSection(const RockSurface& rock, const Vec3& point, const Vec3& normal);
+  PlaneSection(const SurfaceTree& rock, const Vec3& point, const Vec3& normal);
+  /// All of a polygon in that plane, m.
+  static PlaneSection of_polygon(std::span<const Vec3> corners, const Vec3& point, const Vec3& normal);
 
   /// Only what lies on this side is kept. `bordered`: the new border is a part of the outline.
   void clip(const HalfSpace& to, bool bordered = true);
@@ -44,6 +42,8 @@ class PlaneSection {
     Vec2 from, to;
     bool bordered = true;
   };
+  PlaneSection(const Vec3& point, const Vec3& normal);
+  void cross(const RockSurface& rock, const std::array<int, 3>& triangle, const Vec3& normal);
   Vec2 flat(const Vec3& place) const { return {along_.dot(place - point_), across_.dot(place - point_)}; }
   Vec3 place(const Vec2& flat) const { return point_ + flat.x() * along_ + flat.y() * across_; }
 

@@ -72,20 +72,15 @@ Scene::~Scene() = default;
 
 const SceneSettings& Scene::settings() const { return state_->settings; }
 
-void Scene::set_settings(SceneSettings settings) {
-  state_->settings = std::move(settings);
-  state_->apply_settings();
-}
+void Scene::set_settings(SceneSettings settings) { state_->apply(std::move(settings)); }
 
 void Scene::set_frame(std::shared_ptr<const Frame> frame) {
   check_sizes(state_->system, *frame);
-  state_->frame = std::move(frame);
-  state_->apply_frame();
+  state_->take(std::move(frame));
 }
 
 void Scene::clear_frame() {
-  state_->frame = nullptr;
-  state_->apply_frame();
+  if (state_->frame) state_->take(nullptr);
 }
 
 void Scene::set_stage_names(std::vector<std::string> names) {
@@ -119,26 +114,43 @@ void Scene::set_pose(const CameraPose& pose) {
   state_->set_pose(pose);
 }
 
+void Scene::set_thinned(std::span<const std::span<const std::array<int, 3>>> triangles) {
+  for (BlockActors* part : {&state_->fixed, &state_->movable}) {
+    const BlockSurface& surface = part->surface();
+    std::vector<BlockActors::Face> faces;
+    int first_node = 0;
+    for (std::size_t block = 0; block < triangles.size(); ++block) {
+      const std::size_t nodes = state_->system.blocks[block].mesh.nodes.size();
+      std::vector<int> vertex_of(nodes, -1);
+      for (int v = surface.begins[block].vertex; v < surface.begins[block + 1].vertex; ++v)
+        vertex_of[static_cast<std::size_t>(surface.nodes[v] - first_node)] = v;
+      for (const auto& [a, b, c] : triangles[block])
+        if (vertex_of[a] >= 0) faces.push_back({{vertex_of[a], vertex_of[b], vertex_of[c]}, static_cast<int>(block)});
+      first_node += static_cast<int>(nodes);
+    }
+    part->thin(std::move(faces));
+  }
+  state_->colour();
+  state_->style();
+}
+
 void Scene::set_hidden(std::vector<int> blocks) {
   state_->hidden = std::move(blocks);
-  std::vector<bool> shown = state_->flags(state_->hidden);
-  shown.flip();
-  state_->fixed.show(shown);
-  state_->movable.show(shown);
-  state_->apply_settings();
+  state_->show();
 }
 
 void Scene::set_selected(std::vector<int> blocks) {
+  if (state_->selected == blocks) return;
   state_->selected = std::move(blocks);
-  state_->apply_marks();
+  state_->selection.mark(state_->selected);
 }
 
 void Scene::set_hovered(std::optional<int> block) {
   state_->hovered = block;
-  state_->apply_marks();
+  state_->mark_hovered();
 }
 
-void Scene::set_joints(std::vector<JointFace> faces, std::vector<int> chosen) {
+void Scene::set_joints(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen) {
   state_->joints.show(std::move(faces), std::move(chosen));
 }
 
@@ -149,14 +161,13 @@ std::optional<int> Scene::joint_at(double x, double y) const {
 
 void Scene::set_marked_face(const std::optional<Pick>& pick) {
   state_->marked_face = pick;
-  state_->apply_marks();
+  state_->mark_face();
 }
 
 void Scene::set_troubles(std::vector<ConvergenceTrouble> troubles) {
   state_->troubles = std::move(troubles);
-  state_->apply_marks();
+  state_->mark_troubles();
 }
-
 
 CameraPose Scene::pose_at(const ConvergenceTrouble& trouble) const { return state_->pose_at(trouble); }
 

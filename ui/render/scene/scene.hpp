@@ -116,12 +116,16 @@ class Scene {
   CameraPose pose() const;
   void set_pose(const CameraPose& pose);
 
+  /// For each block triangles of its nodes that show about the same surface with fewer of them: they are drawn where
+  /// the rock is seen through, and drawn again and again. Nothing else knows of them.
+  void set_thinned(std::span<const std::span<const std::array<int, 3>>> triangles);
+
   /// By index into BlockSystem::blocks.
   void set_hidden(std::vector<int> blocks);
   void set_selected(std::vector<int> blocks);
   void set_hovered(std::optional<int> block);
-  /// Joints inside the rock; `chosen`: the cuts that are drawn stronger.
-  void set_joints(std::vector<JointFace> faces, std::vector<int> chosen);
+  /// Joints inside the rock, null: none; `chosen`: the cuts that are drawn stronger.
+  void set_joints(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen);
   /// The cut whose face lies under a pixel, whatever rock is before it. Needs what `pick` needs.
   std::optional<int> joint_at(double x, double y) const;
   /// The flat face that a pick lies on; none: no face is marked.

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "base/units.hpp"
@@ -22,7 +24,9 @@
 namespace talus {
 namespace {
 
-constexpr int most_layers = 8;  // of rock and joints that are told apart behind each other
+// Layers of rock and joints that are told apart from the front and from the back; each is a drawing of all.
+constexpr int most_layers = 8, layers_in_motion = 4;
+constexpr std::size_t most_lines_in_motion = 50000;
 
 /// A point where there are no blocks.
 Eigen::AlignedBox3d bounds_or_point(const BlockSystem& system) {
@@ -88,6 +92,17 @@ bool on_face(const BlockSurface& surface, const BlockSurface::Triangle& triangle
          std::abs(normal.dot(first - node(0))) < 1e-4 * rock_size;
 }
 
+/// Includes the vertices of blocks, at `places`, one block after the other.
+template <class Wanted>
+void include_blocks(ViewExtent& extent, const BlockSurface& surface, std::span<const Vec3> places,
+                    const Wanted& wanted) {
+  for (std::size_t block = 0; block + 1 < surface.begins.size(); ++block) {
+    const auto begin = static_cast<std::size_t>(surface.begins[block].vertex),
+               end = static_cast<std::size_t>(surface.begins[block + 1].vertex);
+    if (wanted(static_cast<int>(block))) extent.include(places.subspan(begin, end - begin));
+  }
+}
+
 void fill(vtkLookupTable& table, const ColourMap& map, Rgb missing) {
   table.SetNumberOfTableValues(256);
   for (int i = 0; i < 256; ++i) {
@@ -107,6 +122,10 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
       block_colours(colours_of_blocks(blocks)),
       fixed(block_surface(blocks, with_body(blocks, true)), origin),
       movable(block_surface(blocks, with_body(blocks, false)), origin),
+      concern({&fixed, &movable}),
+      selection({&fixed, &movable}),
+      hover({&fixed, &movable}),
+      face({&fixed, &movable}),
       joints(origin) {
   fixed.add_to(*renderer);
   movable.add_to(*renderer);
@@ -124,7 +143,6 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
   renderer->SetSSAOBias(0.002 * rock_size);
   renderer->SetSSAOKernelSize(32);
   renderer->SSAOBlurOn();
-  renderer->SetMaximumNumberOfPeels(most_layers);
 
   vtkNew<PainterItem> item;
   item->paint = [this](Painter& painter) {
@@ -144,12 +162,30 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
 
   reset_extent();
   look_from(view_angles(View::iso)[0], view_angles(View::iso)[1]);
-  apply_settings();
+  style();
+  fixed.move({}, 1, settings.explosion);
+  move();
+  colour();
+  make_overlay();
 }
 
 Scene::State::~State() = default;
 
-void Scene::State::apply_settings() {
+/// Tens of thousands of triangles are touched only by what concerns them.
+void Scene::State::apply(SceneSettings wanted) {
+  const SceneSettings before = std::exchange(settings, std::move(wanted));
+  style();
+  if (settings.explosion != before.explosion) fixed.move({}, 1, settings.explosion);
+  if (settings.explosion != before.explosion || settings.deformation_scale != before.deformation_scale) move();
+  if (settings.deformation_scale != before.deformation_scale) reset_extent();
+  if (settings.contacts != before.contacts) place_contacts();
+  const auto colours_of = [](const SceneSettings& s) { return std::tie(s.theme, s.field, s.range, s.block_colours); };
+  if (colours_of(settings) != colours_of(before)) colour();
+  if (settings.troubles != before.troubles) mark_troubles();
+  make_overlay();
+}
+
+void Scene::State::style() {
   const ThemeColours& c = colours(settings.theme);
   backdrop.style(c.view_top, c.view_bottom);
   const auto set = [](Rgb colour, auto setter) {
@@ -162,23 +198,26 @@ void Scene::State::apply_settings() {
   renderer->SetGradientBackground(!occludes());
   backdrop.show(occludes());
   renderer->GetActiveCamera()->SetParallelProjection(settings.parallel_projection);
-  fixed.colour_by_block([&](int block) { return colour_of(block); });
   for (BlockActors* part : {&fixed, &movable}) part->let_through(settings.rock_opacity);
   joints.use(settings.theme);
-  if (settings.deformation_scale != extent_scale) reset_extent();
-  apply_frame();
 }
 
-void Scene::State::apply_frame() {
+void Scene::State::take(std::shared_ptr<const Frame> shown) {
+  frame = std::move(shown);
+  move();
+  colour();
+  make_overlay();
+}
+
+void Scene::State::move() {
   movable.move(frame ? std::span<const Vec3>(frame->displacement) : std::span<const Vec3>(), settings.deformation_scale,
                settings.explosion);
-  fixed.move({}, 1, settings.explosion);
-  field_values = frame && settings.field ? values(*frame, *settings.field) : std::vector<double>{};
+  place_contacts();
+}
+
+void Scene::State::place_contacts() {
   const bool with_contacts = settings.contacts && frame && settings.explosion == 0;  // they lie between blocks
   contact_dots = with_contacts ? contact_places(system, *frame, settings.deformation_scale) : std::vector<Vec3>{};
-  apply_colours();
-  apply_marks();
-  make_overlay();
 }
 
 const BlockColours* Scene::State::chosen_colours() const {
@@ -194,9 +233,11 @@ Rgb Scene::State::colour_of(int block) const {
   return is_fixed ? colours(settings.theme).rock : block_colours[index];
 }
 
-void Scene::State::apply_colours() {
+void Scene::State::colour() {
+  fixed.colour_by_block([this](int block) { return colour_of(block); });
+  field_values = frame && settings.field ? values(*frame, *settings.field) : std::vector<double>{};
   if (field_values.empty()) {
-    movable.colour_by_block([&](int block) { return colour_of(block); });
+    movable.colour_by_block([this](int block) { return colour_of(block); });
     return;
   }
   fill(*table, is_signed(*settings.field) ? vik() : batlow(), colours(settings.theme).rock);
@@ -204,18 +245,32 @@ void Scene::State::apply_colours() {
   movable.colour_by_values(field_values, settings.field->place() == FieldPlace::node, *table, range.low, range.high);
 }
 
-void Scene::State::apply_marks() {
-  const auto both = parts();
-  std::vector<int> troubled;
+void Scene::State::show() {
+  std::vector<bool> shown = flags(hidden);
+  shown.flip();
+  for (BlockActors* part : {&fixed, &movable}) part->show(shown);
+  colour();
+  mark_troubles();
+  selection.mark(selected);
+  mark_hovered();
+  mark_face();
+}
+
+void Scene::State::mark_troubles() {
+  std::set<int> troubled;
   if (settings.troubles)
     for (const ConvergenceTrouble& trouble : troubles)
-      for (const int block : blocks_of(trouble)) troubled.push_back(block);
-  concern.mark(both, origin, flags(troubled));
-  selection.mark(both, origin, flags(selected));
-  face.mark(both, origin, [this](const BlockSurface& surface, const BlockSurface::Triangle& triangle) {
-    return marked_face && on_face(surface, triangle, *marked_face, system, rock_size);
+      for (const int block : blocks_of(trouble)) troubled.insert(block);
+  concern.mark(std::vector<int>(troubled.begin(), troubled.end()));
+}
+
+void Scene::State::mark_hovered() { hover.mark(hovered ? std::vector<int>{*hovered} : std::vector<int>{}); }
+
+void Scene::State::mark_face() {
+  if (!marked_face) return face.mark({});
+  face.mark(marked_face->block, [this](const BlockSurface& surface, const BlockSurface::Triangle& triangle) {
+    return on_face(surface, triangle, *marked_face, system, rock_size);
   });
-  hover.mark(both, origin, flags(hovered ? std::vector<int>{*hovered} : std::vector<int>{}));
 }
 
 /// Lines and dots grow with the writing; the window is asked for its size only now, when it draws.
@@ -224,8 +279,12 @@ void Scene::State::apply_lines() {
   const double unit = text_height() / 14;
   const Rgb edge = mix(c.edge, c.rock, 0.25);
   const double thin = std::max(0.9 * unit, 1.2);  // thinner ones break up into dots
-  movable.draw_edges(settings.edges == Edges::none ? 0 : thin, settings.edges == Edges::mesh ? 0.45 * unit : 0, edge);
-  fixed.draw_edges(settings.edges == Edges::none ? 0 : thin, settings.edges == Edges::mesh ? 0.45 * unit : 0, edge);
+  const double wide = settings.edges == Edges::none ? 0 : thin, fine = settings.edges == Edges::mesh ? 0.45 * unit : 0;
+  for (BlockActors* part : {&fixed, &movable}) {
+    // Very many lines of the mesh wait until nothing moves.
+    const bool waits = !settings.fine && part->surface().edges.size() > most_lines_in_motion;
+    part->draw_edges(wide, waits ? 0 : fine, edge, metres_per_pixel());
+  }
   concern.style(c.warn, 1.6 * unit, field_values.empty() ? 0.12 : 0);
   selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0);  // a tint would falsify a field's colours
   hover.style(c.pick, unit, 0);
@@ -285,14 +344,14 @@ void Scene::State::make_overlay() {
 
 void Scene::State::reset_extent() {
   extent = ViewExtent();
-  extent_scale = settings.deformation_scale;
   for (const BlockActors* part : parts())
-    for (const Vec3& place : part->surface().rest) extent.include(place);
+    include_blocks(extent, part->surface(), part->surface().rest, [](int) { return true; });
 }
 
 void Scene::State::prepare_drawing() {
   renderer->SetUseSSAO(occludes());
   renderer->SetUseDepthPeeling(settings.rock_opacity < 1);  // what is seen through rock, from the back to the front
+  renderer->SetMaximumNumberOfPeels(settings.fine ? most_layers : layers_in_motion);
   renderer->SetUseFXAA(settings.fine && settings.smooth_outlines && pixel_scale == 1);
   overlay.text_height = text_height();
   apply_lines();
@@ -328,13 +387,8 @@ void Scene::State::fit_to(double width, double height) {
     area.right -= beside * text_height();
   }
   ViewExtent wanted = hidden.empty() ? extent : ViewExtent();
-  for (const BlockActors* part : parts()) {
-    std::vector<char> taken(part->positions().size(), false);  // a vertex has several triangles
-    for (const int t : part->drawn())
-      for (const int vertex : part->surface().triangles[t].vertices)
-        if (char& known = taken[static_cast<std::size_t>(vertex)]; !std::exchange(known, true))
-          wanted.include(part->positions()[vertex]);
-  }
+  for (const BlockActors* part : parts())
+    include_blocks(wanted, part->surface(), part->positions(), [&](int block) { return part->shows(block); });
   set_pose(fitted(pose(), wanted.points(), area.width(), area.height(), height));
   fits_itself = true;
 }

@@ -26,10 +26,20 @@ struct Scene::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  void apply_settings();
-  void apply_frame();
-  void apply_colours();
-  void apply_marks();
+  void apply(SceneSettings wanted);
+  /// Shows a frame; null: the undeformed blocks.
+  void take(std::shared_ptr<const Frame> shown);
+  /// Backdrop, projection, opacity.
+  void style();
+  /// Puts the movable blocks, and the contacts between them, where frame and settings say.
+  void move();
+  void place_contacts();
+  void colour();
+  /// Draws what is not hidden, its colours and marks.
+  void show();
+  void mark_troubles();
+  void mark_hovered();
+  void mark_face();
   void apply_lines();
   void make_overlay();
   /// Where a point of the chosen blocks at rest lies in the frame that is shown: goes with their nearest vertex in
@@ -105,7 +115,6 @@ struct Scene::State {
   std::vector<double> field_values;  ///< of the frame, SI
   std::vector<std::string> stage_names;
   ViewExtent extent;
-  double extent_scale = 1;  ///< deformation the extent was made for
   bool fits_itself = true;  ///< no pose was set since the last look or fit
   double pixel_scale = 1;   ///< supersampling: pixels drawn for each pixel of the picture
 

@@ -73,13 +73,14 @@ void ExportJob::work(const ExportTask& task) {
 
 void ExportJob::draw(const ExportTask& task) {
   SceneSettings settings = task.settings;
-  settings.fine = true;
+  settings.fine = settings.smooth_outlines = true;
   settings.text_height = 0;  // as the picture's size asks for, not the window's
   Scene scene(*task.system, settings);
   scene.set_stage_names(task.stageNames);
   scene.set_hidden(task.hidden);
   scene.set_troubles(task.troubles);
   scene.set_actions(task.actions);
+  scene.set_joints(task.joints, task.chosenCuts);
   scene.set_pose(task.pose);
   if (task.path.extension() == ".png") {
     if (task.frameCount > 0) scene.set_frame(task.frame(task.firstFrame));

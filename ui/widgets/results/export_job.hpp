@@ -22,6 +22,8 @@ struct ExportTask {
   std::vector<int> hidden;
   std::vector<ConvergenceTrouble> troubles;
   std::vector<ActionGlyph> actions;
+  std::shared_ptr<const std::vector<JointFace>> joints{};  ///< null: none are drawn
+  std::vector<int> chosenCuts{};                           ///< whose joints are drawn stronger
   std::vector<std::string> stageNames;
   /// Frames by number, called on the exporting thread.
   std::function<std::shared_ptr<const Frame>(int)> frame;

@@ -8,10 +8,10 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "geometry/solid_surface.hpp"
 #include "jobs/solver_job.hpp"
-#include "render/scene/slope_view.hpp"
 #include "session/session.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
@@ -31,22 +31,13 @@ constexpr int hover_ms = 40;
 constexpr double told_seconds = 2;         // time left that is worth a word
 constexpr double rock_with_joints = 0.22;  // opacity of rock that joints are seen through
 constexpr double apart = 0.6;              // of their way from the middle: as far as blocks are drawn from each other
+constexpr int no_pause = 0;                // before blocks that have come are made ready to be drawn
 constexpr int flight_ms = 450;             // from where the camera stands to a place that was asked for
-
-/// A tetrahedron that is fixed and one that may move.
-BlockSystem smallest_system() {
-  Block block;
-  block.mesh = {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 1, 2, 3}}};
-  block.surface = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{0, 3, 2}}};
-  Block ground = block;
-  ground.body = BodyKind::fixed;
-  return {.blocks = {ground, block}, .joint_names = {}};
-}
 
 }  // namespace
 
 Viewport::Viewport(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), surface_(makeRenderSurface(this)) {
+    : QWidget(parent), session_(session), surface_(makeRenderSurface(this)), drawing_(no_pause) {
   setMinimumSize(280, 180);
   QWidget* area = surface_->widget();
   area->setMouseTracking(true);
@@ -118,13 +109,14 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(&session_.display, &Display::placeWanted, this, [this](const MarkedPlace& place) {
     if (scene_) flyTo(scene_->pose_at(place));
   });
-  connect(&session_.project, &CurrentProject::systemChanged, this, &Viewport::rebuildScene);
+  connect(&session_.project, &CurrentProject::systemChanged, this, &Viewport::followSystem);
   connect(&session_.surfaces, &SolidSurfaces::changed, this, &Viewport::followSystem);
   connect(&session_.display, &Display::pageChanged, this, &Viewport::followSystem);
   connect(&session_.project.document(), &Document::projectChanged, this, &Viewport::followSystem);
   connect(&session_.playback, &Playback::frameChanged, this, &Viewport::showFrame);
   connect(&session_.display, &Display::changed, this, &Viewport::takeDisplay);
   connect(&session_.run, &CurrentRun::progressed, this, &Viewport::showEmptyState);
+  connect(&session_.project, &CurrentProject::opened, this, [this] { standing_.reset(); });
   connect(&session_.project, &CurrentProject::opened, this, &Viewport::showEmptyState);
   // Places that were taken would be of blocks that are there no longer.
   connect(&session_.project, &CurrentProject::opened, &session_.picking, &Picking::cancel);
@@ -136,7 +128,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applySelection);
   connect(&session_.project.selection(), &Selection::changed, this, &Viewport::applyJoints);
   connect(&session_.joints, &DrawnJoints::changed, this, &Viewport::applyJoints);
-  connect(&session_.display, &Display::pageChanged, this, &Viewport::applySettings);
+  connect(&session_.display, &Display::pageChanged, this, &Viewport::drawRoughlyFirst);
   connect(&session_.display, &Display::pageChanged, this, &Viewport::applyJoints);
   connect(&session_.display, &Display::changed, this, &Viewport::followSystem);
   connect(&session_.display, &Display::changed, this, &Viewport::applyJoints);
@@ -148,28 +140,8 @@ Viewport::Viewport(Session& session, QWidget* parent)
     scene_->set_hovered(hoveredInView());
     render();
   });
-  rebuildScene();
+  showScene({});
   QTimer::singleShot(0, this, &Viewport::warmUp);
-}
-
-/// In software the first drawing takes ten times as long as the next: better before there is a run to watch.
-void Viewport::warmUp() {
-  if (scene_) return;
-  const BlockSystem system = smallest_system();
-  SceneSettings settings = screenSettings();
-  settings.field.reset();
-  Scene scene(system, settings);
-  for (const bool fine : {false, true}) {
-    settings.fine = fine;
-    scene.set_settings(settings);
-    surface_->warmUp(*scene.renderer());
-  }
-}
-
-Viewport::~Viewport() {
-  if (!scene_) return;
-  surface_->makeContextCurrent();
-  surface_->window().RemoveRenderer(scene_->renderer());
 }
 
 /// Blocks, once they are cut; where they are to be cut anew the Geometry page shows the solids that they will be cut
@@ -183,52 +155,85 @@ std::shared_ptr<const BlockSystem> Viewport::wantedSystem() const {
   return solids ? solids : blocks;
 }
 
+/// What is drawn of many blocks takes a moment to make: those before stay in view meanwhile.
 void Viewport::followSystem() {
-  if (wantedSystem() != system_)
-    rebuildScene();
+  const auto wanted = wantedSystem();
+  if (wanted == wanted_) return showEmptyState();
+  wanted_ = wanted;
+  drawing_.cancel();
+  card_->hide();
+  const auto known = std::ranges::find(made_, wanted, &Drawn::system);
+  const bool areSolids = wanted != session_.project.system();
+  const auto solids = areSolids ? session_.surfaces.jointed() : std::make_shared<const std::vector<JointedRock>>();
+  if (!wanted)
+    showScene({});
+  else if (known != made_.end())
+    showScene(Drawn(*known));
+  else if (isMadeAtOnce(*wanted))
+    showScene(drawn(wanted, session_.display.settings(), *solids));
   else
-    showEmptyState();
+    drawing_.begin([wanted, solids,
+                    settings = session_.display.settings()](Progress&) { return drawn(wanted, settings, *solids); },
+                   [this](const Drawn& made) { showScene(made); });
 }
 
-void Viewport::rebuildScene() {
-  // Solids that are edited stay under the eye; others than before are looked at anew.
-  const auto standing = scene_ && showsSolids_ ? std::optional(scene_->pose()) : std::nullopt;
-  const auto countBefore = system_ ? system_->blocks.size() : 0;
+/// The camera stays where it is as long as it is the same project; only other solids than before are looked at anew.
+bool Viewport::mayStand(const Drawn& next) const {
+  const bool areSolids = next.system != session_.project.system();
+  return !(areSolids && showsSolids_ && system_ && system_->blocks.size() != next.system->blocks.size());
+}
+
+void Viewport::showScene(const Drawn& next) {
+  if (scene_) standing_ = scene_->pose();
+  if (next.scene && !mayStand(next)) standing_.reset();
   flight_.stop();
   card_->hide();
-  hidden_.clear();
   actions_.clear();
-  if (scene_) {
-    surface_->makeContextCurrent();  // the card's memory is freed as the renderer leaves
-    surface_->window().RemoveRenderer(scene_->renderer());
-    scene_.reset();
-  }
-  system_ = wantedSystem();
+  for (Drawn& one : made_)
+    if (one.scene == scene_) one.hidden = hidden_;
+  scene_ = next.scene;
+  system_ = next.system;
+  hidden_ = next.hidden;
   showsSolids_ = system_ != session_.project.system();
-  fitted_ = false;
+  fitted_ = standing_.has_value();
+  const bool isNew = scene_ && std::ranges::find(made_, system_, &Drawn::system) == made_.end();
+  if (isNew) {
+    made_.push_back(next);
+    surface_->window().AddRenderer(scene_->renderer());
+  }
+  // The blocks and the solids that they are cut from are looked at in turn.
+  keepScenes([this](const Drawn& one) {
+    return one.system == system_ || one.system == session_.project.system() ||
+           one.system == session_.surfaces.asBlocks();
+  });
+  for (const Drawn& one : made_) one.scene->renderer()->SetDraw(one.scene == scene_);
   surface_->widget()->setVisible(system_ != nullptr);
   tools_->setVisible(system_ != nullptr);
   showEmptyState();
-  if (!system_) return;
-  scene_ = std::make_unique<Scene>(*system_, session_.display.settings());
+  if (!scene_) return;
   scene_->set_stage_names(session_.run.stageNames());
-  surface_->window().AddRenderer(scene_->renderer());
-  look_at_slope(*scene_, *system_, nullptr);
-  if (standing && showsSolids_ && system_->blocks.size() == countBefore) {
-    scene_->set_pose(*standing);
-    fitted_ = true;
-  }
-  applySettings();
+  if (standing_)
+    scene_->set_pose(*standing_);
+  else if (isNew)
+    scene_->fit();
+  drawRoughlyFirst();
   applySelection();
   applyJoints();
   applyTroubles();
   applyActions();
   showFrame();
+}
+
+/// Many triangles are drawn finely once they have been drawn.
+void Viewport::drawRoughlyFirst() {
+  if (!scene_) return;
+  still_ = isMadeAtOnce(*system_);
   stillTimer_.start();
+  applySettings();
 }
 
 void Viewport::showFrame() {
-  if (!scene_) return;
+  if (!scene_ || isStale()) return;
   if (session_.playback.frame() && !showsSolids_)
     scene_->set_frame(session_.playback.frame());
   else
@@ -239,9 +244,8 @@ void Viewport::showFrame() {
 
 void Viewport::takeDisplay() {
   const SceneSettings& wanted = session_.display.settings();
-  const bool sameColours =
-      scene_ && wanted.field == scene_->settings().field && wanted.range == scene_->settings().range;
-  if (!sameColours) card_->hide();  // it tells a value of the field
+  const auto told = [](const SceneSettings& s) { return std::tie(s.field, s.range, s.explosion); };
+  if (!scene_ || told(wanted) != told(scene_->settings())) card_->hide();  // it tells a value, at a place
   const double before = scene_ ? scene_->settings().explosion : wanted.explosion;
   if (before == 0 && wanted.explosion > 0) togetherPose_ = scene_->pose();
   applySettings();
@@ -256,7 +260,6 @@ bool Viewport::showsField() const {
   return session_.playback.frame() && !showsSolids_ && !isSetUp(session_.display.page());
 }
 
-/// What the user chose, as this screen wants it.
 SceneSettings Viewport::screenSettings() const {
   SceneSettings settings = session_.display.settings();
   settings.smooth_outlines = false;
@@ -297,7 +300,7 @@ void Viewport::applyJoints() {
   if (showsJoints())
     scene_->set_joints(session_.joints.faces(), session_.joints.selectedCuts());
   else
-    scene_->set_joints({}, {});
+    scene_->set_joints(nullptr, {});
   render();
 }
 

@@ -6,10 +6,12 @@
 #include <QTimer>
 #include <QVariantAnimation>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "document/selection.hpp"
+#include "jobs/latest_job.hpp"
 #include "render/scene/scene.hpp"
 #include "widgets/view/camera_moves.hpp"
 
@@ -24,6 +26,7 @@ class PlacePicker;
 class RenderSurface;
 class ViewOverlay;
 class ViewTool;
+struct JointedRock;
 struct PickedPlace;
 class Selection;
 enum class WorkflowPage;
@@ -52,6 +55,8 @@ class Viewport : public QWidget {
 
   /// Empty until there are blocks.
   std::optional<CameraPose> pose() const;
+  /// What the user chose, as this screen wants it on this page.
+  SceneSettings screenSettings() const;
   /// The camera is on its way to a place that was asked for.
   bool isFlying() const { return flight_.state() == QAbstractAnimation::Running; }
   const std::vector<int>& hiddenBlocks() const { return hidden_; }
@@ -107,10 +112,22 @@ class Viewport : public QWidget {
   void warmUp();
   std::shared_ptr<const BlockSystem> wantedSystem() const;
   void followSystem();
-  void rebuildScene();
+  /// A system and what is drawn of it; null: nothing.
+  struct Drawn {
+    std::shared_ptr<const BlockSystem> system;  ///< the scene keeps a reference
+    std::shared_ptr<Scene> scene;
+    std::vector<int> hidden;  ///< blocks, while it is not in view
+  };
+  static Drawn drawn(const std::shared_ptr<const BlockSystem>& system, const SceneSettings& settings,
+                     const std::vector<JointedRock>& solids);
+  void showScene(const Drawn& next);
+  bool mayStand(const Drawn& next) const;
+  void keepScenes(const std::function<bool(const Drawn&)>& isKept);
+  static bool isMadeAtOnce(const BlockSystem& system);
+  /// What is drawn is not what is there any more: its successor is being made ready.
+  bool isStale() const { return wanted_ != system_; }
   void showFrame();
   void takeDisplay();
-  SceneSettings screenSettings() const;
   void applySettings();
   void applySelection();
   void applyJoints();
@@ -129,6 +146,7 @@ class Viewport : public QWidget {
   void moveCamera(const CameraPose& pose);
   void render();
   void drawNow();
+  void drawRoughlyFirst();
   void becomeStill();
   void showEmptyState();
   bool hasRock() const;
@@ -152,10 +170,13 @@ class Viewport : public QWidget {
 
   Session& session_;
   RenderSurface* surface_;
-  std::shared_ptr<const BlockSystem> system_;  ///< what scene_ draws; it keeps a reference
+  std::vector<Drawn> made_;                    ///< what can be shown without a wait
+  std::shared_ptr<const BlockSystem> system_;  ///< what scene_ draws
   bool showsSolids_ = false;                   ///< that is solids which are not cut yet
-  std::unique_ptr<Scene> scene_;
-  bool fitted_ = false;  ///< the camera has been placed since the blocks came
+  std::shared_ptr<Scene> scene_;
+  std::shared_ptr<const BlockSystem> wanted_;  ///< what is to be drawn
+  std::optional<CameraPose> standing_;         ///< where the camera stood last, of this project
+  bool fitted_ = false;                        ///< the camera has been placed since the blocks came
   std::vector<int> hidden_;
   std::vector<ActionGlyph> actions_;  ///< that the scene was told of
 
@@ -186,6 +207,7 @@ class Viewport : public QWidget {
   QWidget* empty_;
   QLabel* emptyText_;
   QPushButton* emptyButton_;
+  LatestJob drawing_;  ///< makes scenes; last: its thread ends before the others go
 };
 
 }  // namespace talus

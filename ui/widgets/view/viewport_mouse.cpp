@@ -175,6 +175,7 @@ void Viewport::pickForHover() {
 }
 
 void Viewport::selectIn(const QPolygonF& outline, bool touched, bool added) {
+  if (isStale()) return;
   const double ratio = devicePixelRatioF();
   std::vector<std::array<double, 2>> corners;
   for (const QPointF& corner : outline) corners.push_back({corner.x() * ratio, corner.y() * ratio});
@@ -195,6 +196,7 @@ Item Viewport::itemOf(int block) const {
 }
 
 std::vector<int> Viewport::selectedInView() const {
+  if (isStale()) return {};
   const Selection& shared = selection();
   if (!shared.blocks().empty()) return showsSolids_ ? std::vector<int>{} : shared.blocks();
   std::vector<int> chosen;
@@ -204,6 +206,7 @@ std::vector<int> Viewport::selectedInView() const {
 }
 
 std::optional<int> Viewport::hoveredInView() const {
+  if (isStale()) return std::nullopt;
   const Selection& shared = selection();
   if (!showsSolids_) return shared.hoveredBlock();
   for (std::size_t b = 0; b < system_->blocks.size(); ++b)

@@ -13,7 +13,7 @@
 namespace talus {
 
 std::optional<Pick> Viewport::pickAt(QPointF point) const {
-  if (!scene_) return std::nullopt;
+  if (!scene_ || isStale()) return std::nullopt;
   const double ratio = devicePixelRatioF();
   return scene_->pick(point.x() * ratio, point.y() * ratio);
 }

@@ -265,16 +265,20 @@ void MainWindow::present(std::optional<QSize> wanted) {
   show();
 }
 
-ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) const {
+ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) {
   ExportTask task;
   task.system = viewport_->shown();
-  task.settings = session_.display.settings();
+  task.settings = viewport_->screenSettings();
   if (!viewport_->showsField()) task.settings.field.reset();
   task.settings.parallel_projection = viewport_->pose()->parallel;
   task.pose = *viewport_->pose();
   task.hidden = viewport_->hiddenBlocks();
   task.troubles = session_.run.troubles();
   task.actions = viewport_->actions();
+  if (viewport_->showsJoints()) {
+    task.joints = session_.joints.faces();
+    task.chosenCuts = session_.joints.selectedCuts();
+  }
   task.stageNames = session_.run.stageNames();
   task.path = path;
   task.film.width = width;
@@ -300,6 +304,8 @@ void MainWindow::saveFilm(const std::filesystem::path& path) {
   task.settings.field = session_.display.settings().field;
   if (viewport_->showsSolids()) {  // a film is of the blocks
     task.system = session_.project.system();
+    task.settings.rock_opacity = session_.display.settings().rock_opacity;
+    task.joints.reset();
     task.hidden.clear();
   }
   task.frame = session_.playback.source();

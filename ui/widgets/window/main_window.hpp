@@ -94,7 +94,7 @@ class MainWindow : public QMainWindow {
   /// At the page that tells of what is selected, or of the page of the workflow.
   void showManual();
   void showAbout();
-  ExportTask exportTask(const std::filesystem::path& path, int width) const;
+  ExportTask exportTask(const std::filesystem::path& path, int width);
   QString folderForDialogs() const;
   void updateTitle();
 

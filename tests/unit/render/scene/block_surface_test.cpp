@@ -35,6 +35,22 @@ TEST(BlockSurface, LeavesInnerNodesOutAndNumbersThroughAllBlocks) {
   }
 }
 
+TEST(BlockSurface, SaysWhereEachBlockBegins) {
+  BlockSystem system;
+  system.blocks = {cube({0, 0, 0}), cube({5, 0, 0}), cube({9, 0, 0})};
+  const BlockSurface surface = block_surface(system, {true, false, true});
+  ASSERT_EQ(surface.begins.size(), 4u);
+  for (std::size_t block = 0; block < 3; ++block)
+    for (int t = surface.begins[block].triangle; t < surface.begins[block + 1].triangle; ++t) {
+      EXPECT_EQ(surface.triangles[static_cast<std::size_t>(t)].block, static_cast<int>(block));
+      for (const int vertex : surface.triangles[static_cast<std::size_t>(t)].vertices)
+        EXPECT_TRUE(vertex >= surface.begins[block].vertex && vertex < surface.begins[block + 1].vertex);
+    }
+  EXPECT_EQ(surface.begins[1].triangle, surface.begins[2].triangle) << "one that is left out has none";
+  EXPECT_EQ(surface.begins[3].triangle, 24);
+  EXPECT_EQ(surface.begins[3].edge, static_cast<int>(surface.edges.size()));
+}
+
 TEST(BlockSurface, TellsSharpEdgesFromMeshLines) {
   BlockSystem system;
   system.blocks = {cube({0, 0, 0})};

@@ -1,0 +1,75 @@
+// How what the 3-D view draws of blocks or solids is made, and goes.
+#include <vtkRenderer.h>
+
+#include <algorithm>
+
+#include "render/scene/slope_view.hpp"
+#include "session/joint_drawing.hpp"
+#include "widgets/view/render_surface.hpp"
+#include "widgets/view/viewport.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr std::size_t made_at_once = 5000;  // triangles: it takes no time that is noticed
+
+/// A tetrahedron that is fixed and one that may move.
+BlockSystem smallest_system() {
+  Block block;
+  block.mesh = {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 1, 2, 3}}};
+  block.surface = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{0, 3, 2}}};
+  Block ground = block;
+  ground.body = BodyKind::fixed;
+  return {.blocks = {ground, block}, .joint_names = {}};
+}
+
+}  // namespace
+
+/// In software the first drawing takes ten times as long as the next: better before there is a run to watch.
+void Viewport::warmUp() {
+  if (scene_) return;
+  const BlockSystem system = smallest_system();
+  SceneSettings settings = screenSettings();
+  settings.field.reset();
+  Scene scene(system, settings);
+  for (const bool fine : {false, true}) {
+    settings.fine = fine;
+    scene.set_settings(settings);
+    surface_->warmUp(*scene.renderer());
+  }
+}
+
+Viewport::~Viewport() {
+  keepScenes([](const Drawn&) { return false; });
+}
+
+bool Viewport::isMadeAtOnce(const BlockSystem& system) {
+  std::size_t triangles = 0;
+  for (const Block& block : system.blocks) triangles += block.surface.size();
+  return triangles < made_at_once;
+}
+
+/// Of solids: joints are drawn in them, as far as these are given.
+Viewport::Drawn Viewport::drawn(const std::shared_ptr<const BlockSystem>& system, const SceneSettings& settings,
+                                const std::vector<JointedRock>& solids) {
+  auto scene = std::make_shared<Scene>(*system, settings);
+  std::vector<std::span<const std::array<int, 3>>> thinned;
+  for (const JointedRock& solid : solids) thinned.push_back(solid.surface->rock().triangles);
+  scene->set_thinned(thinned);
+  look_at_slope(*scene, *system, nullptr);
+  return {system, std::move(scene), {}};
+}
+
+/// Frees the card's memory of those that are not kept.
+void Viewport::keepScenes(const std::function<bool(const Drawn&)>& isKept) {
+  if (made_.empty()) return;
+  surface_->makeContextCurrent();
+  std::erase_if(made_, [&](const Drawn& one) {
+    if (isKept(one)) return false;
+    surface_->window().RemoveRenderer(one.scene->renderer());
+    return true;
+  });
+}
+
+}  // namespace talus
