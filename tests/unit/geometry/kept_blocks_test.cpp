@@ -192,7 +192,7 @@ TEST(Splinters, AreWhatIsThinnerThanTheProjectSays) {
   p.splinters.thickness = 0.333;
   EXPECT_EQ(build(p).blocks.size(), 4u);
   p.splinters.thickness = 0.334;
-  EXPECT_THAT(error_of(p), HasSubstr("leave a splinter 0.333333 m thick around (0.5, 0.5, 0.5) (1 m³)"));
+  EXPECT_THAT(error_of(p), HasSubstr("leave a splinter 0.333 m thick around (0.5, 0.5, 0.5) (1 m³)"));
   p.splinters.rule = SplinterRule::merge;
   const BlockSystem system = build(p);
   EXPECT_THAT(names_of(system), ElementsAre("column.2", "column.3", "column.4"));
