@@ -116,7 +116,7 @@ void EveryPlace::importGeometry() {
   import(write("land.asc", example::hillside()));
   look("import-terrain");
   closeAll();
-  import(write("prism.stl", example::open_prism));
+  import(write("prism.stl", example::open_prism()));
   look("import-open-surface");
   closeAll();
   import(write("rubbish.stl", "solid nothing\nendsolid nothing\n"));

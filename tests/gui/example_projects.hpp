@@ -45,8 +45,8 @@ inline const char* const slope = R"({
   "output": {"every": 0.05}
 })";
 
-/// Half of a box, in millimetres; one of its triangles is missing.
-inline const char* const open_prism = R"(solid prism
+/// Half of a box of 1000 × 3000 × 2000 units, longest along y.
+inline const char* const tall_prism = R"(solid prism
 facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 3000 0 vertex 1000 0 0 endloop endfacet
 facet normal 0 0 0 outer loop vertex 0 0 2000 vertex 1000 0 2000 vertex 0 3000 2000 endloop endfacet
 facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1000 0 0 vertex 1000 0 2000 endloop endfacet
@@ -54,8 +54,16 @@ facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1000 0 2000 vertex 0 0 2000 en
 facet normal 0 0 0 outer loop vertex 1000 0 0 vertex 0 3000 0 vertex 0 3000 2000 endloop endfacet
 facet normal 0 0 0 outer loop vertex 1000 0 0 vertex 0 3000 2000 vertex 1000 0 2000 endloop endfacet
 facet normal 0 0 0 outer loop vertex 0 3000 0 vertex 0 0 0 vertex 0 0 2000 endloop endfacet
+facet normal 0 0 0 outer loop vertex 0 3000 0 vertex 0 0 2000 vertex 0 3000 2000 endloop endfacet
 endsolid prism
 )";
+
+/// The same with a hole: its last triangle is missing.
+inline std::string open_prism() {
+  std::string prism = tall_prism;
+  const std::size_t last = prism.rfind("facet normal");
+  return prism.erase(last, prism.rfind("endsolid") - last);
+}
 
 /// Heights of a hillside in the coordinates of a national grid.
 inline std::string hillside() {

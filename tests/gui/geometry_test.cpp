@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "driven_window.hpp"
+#include "example_projects.hpp"
 #include "geometry/solid_surface.hpp"
 #include "widgets/geometry/import_dialog.hpp"
 #include "widgets/geometry/measure_card.hpp"
@@ -22,19 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-/// Half of a box of 1000 × 3000 × 2000 units, longest along y.
-const char* const tall_prism = R"(solid prism
-facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 3000 0 vertex 1000 0 0 endloop endfacet
-facet normal 0 0 0 outer loop vertex 0 0 2000 vertex 1000 0 2000 vertex 0 3000 2000 endloop endfacet
-facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1000 0 0 vertex 1000 0 2000 endloop endfacet
-facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1000 0 2000 vertex 0 0 2000 endloop endfacet
-facet normal 0 0 0 outer loop vertex 1000 0 0 vertex 0 3000 0 vertex 0 3000 2000 endloop endfacet
-facet normal 0 0 0 outer loop vertex 1000 0 0 vertex 0 3000 2000 vertex 1000 0 2000 endloop endfacet
-facet normal 0 0 0 outer loop vertex 0 3000 0 vertex 0 0 0 vertex 0 0 2000 endloop endfacet
-facet normal 0 0 0 outer loop vertex 0 3000 0 vertex 0 0 2000 vertex 0 3000 2000 endloop endfacet
-endsolid prism
-)";
 
 class GeometryPage : public DrivenWindow {
  protected:
@@ -110,7 +98,7 @@ TEST_F(GeometryPage, AStepFileThatIsDroppedBecomesASolidThatIsSeen) {
 
 TEST_F(GeometryPage, TrianglesInMillimetresWithYUpwardsAreImportedUpright) {
   window->open(slidingCube());
-  auto* asked = importing(write("prism.stl", tall_prism));
+  auto* asked = importing(write("prism.stl", example::tall_prism));
   choose(*asked, "Unit of the file", 2);
   choose(*asked, "Axis of the file that points upwards", 1);
   ASSERT_TRUE(wait([&] { return !asked->isReading(); }));
@@ -233,7 +221,7 @@ TEST_F(GeometryPage, DISABLED_DrawsPictures) {
   const QString out = qEnvironmentVariable("TALUS_PICTURES");
   const bool dark = qEnvironmentVariableIsSet("TALUS_DARK");
   session->display.setDark(dark);
-  auto* asked = importing(write("prism.stl", tall_prism));
+  auto* asked = importing(write("prism.stl", example::tall_prism));
   choose(*asked, "Unit of the file", 2);
   choose(*asked, "Axis of the file that points upwards", 1);
   ASSERT_TRUE(wait([&] { return !asked->isReading(); }));

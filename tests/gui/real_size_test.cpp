@@ -176,20 +176,20 @@ class RealSize : public DrivenWindow {
     std::set<QString> said;
     bool goesBack = false;
     const SolverJob& job = session->run.job();
-    const auto told = QObject::connect(&session->run, &CurrentRun::progressed, window.get(), [&] {
-      if (session->project.system() != nullptr) return;
-      const double now = session->run.fraction();
-      goesBack |= now < share;
-      share = now;
-      said.insert(session->run.activity());
-    });
     phases.watch(phase, "going on", [&] {
-      ASSERT_TRUE(wait([&] { return !job.isBusy() || (stop_at && share >= *stop_at); }, cut_limit_ms));
+      ASSERT_TRUE(wait(
+          [&] {
+            if (const double now = session->run.fraction(); session->project.system() == nullptr) {
+              goesBack |= now < share;
+              share = now;
+              said.insert(session->run.activity());
+            }
+            return !job.isBusy() || (stop_at && share >= *stop_at);
+          },
+          cut_limit_ms));
     });
-    QObject::disconnect(told);
     EXPECT_FALSE(goesBack);
-    EXPECT_GT(said.size(), stop_at ? 1u : 3u)  // a cut that is cancelled has less to say
-        << "what is done: " << QStringList(said.begin(), said.end()).join(QStringLiteral(", ")).toStdString();
+    EXPECT_GT(said.size(), 3u) << "it says what is done";
     if (stop_at) {
       ASSERT_TRUE(session->run.job().isBusy());
       watch(phase, "cancelled", [&] {

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "driven_window.hpp"
+#include "example_projects.hpp"
 #include "listed_runs.hpp"
 #include "mesh/volume_sum.hpp"
 #include "widgets/blocks/splinter_panel.hpp"
@@ -20,15 +21,7 @@ class SplintersWindow : public DrivenWindow {
  protected:
   /// The two cuts take 0.1 mm off the upper edges of a cube of 10 m.
   void open() {
-    window->open(write("cube.talus", R"({
-  "talus": 1, "materials": {"rock": {"density": 2600, "young": 1e9, "poisson": 0.25}},
-  "joints": {"east": {"friction_angle": 30}, "west": {"friction_angle": 30}}, "default_joint": "east",
-  "solids": [{"name": "cube", "material": "rock", "body": "rigid", "mesh_size": 5,
-              "box": {"min": [0, 0, 0], "max": [10, 10, 10]}}],
-  "cuts": [{"joint": "east", "dip": 45, "dip_direction": 90, "through": [10, 5, 9.9999]},
-           {"joint": "west", "dip": 45, "dip_direction": 270, "through": [0, 5, 9.9999]}],
-  "stages": [{"name": "go", "type": "dynamic", "time_step": 0.01, "steps": 1}]
-})"));
+    window->open(write("cube.talus", example::splinters));
     ASSERT_TRUE(session->project.document().isOpen());
     session->display.goTo(WorkflowPage::blocks);
   }
