@@ -103,7 +103,10 @@ std::filesystem::path DrivenWindow::slidingCube(int steps) {
 })");
 }
 
-void DrivenWindow::rest(int ms) { QTest::qWait(ms); }
+void DrivenWindow::rest(int ms) {
+  QTest::qWait(ms);
+  QCoreApplication::processEvents();  // a watchdog beats between what took longer than that and what comes next
+}
 
 void DrivenWindow::drop(const std::filesystem::path& file) {
   QMimeData data;

@@ -69,13 +69,18 @@ class DrivenWindow : public ::testing::Test {
   /// Writes a file into the folder.
   std::filesystem::path write(const std::string& name, const std::string& text);
 
-  /// Works off events until the condition holds, asleep in between, so that what is waited for has the processor; false
-  /// when it does not within the limit.
+  /// Works off events until the condition holds, which is looked at after each of them; asleep in between, so that what
+  /// is waited for has the processor. False when it does not hold within the limit.
   template <class Condition>
   bool wait(Condition condition, int limit_ms = 60000) {
-    return QTest::qWaitFor(condition, limit_ms);
+    QElapsedTimer timer;
+    timer.start();
+    QTimer tick;  // what is waited for may come without an event
+    tick.start(10);
+    while (!condition() && timer.elapsed() < limit_ms) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    return condition();
   }
-  /// The same for a while.
+  /// Works off events for a while.
   void rest(int ms);
   /// Drops a file on the window.
   void drop(const std::filesystem::path& file);
