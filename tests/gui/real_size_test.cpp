@@ -188,8 +188,8 @@ class RealSize : public DrivenWindow {
     });
     QObject::disconnect(told);
     EXPECT_FALSE(goesBack);
-    EXPECT_GT(said.size(), 3u)
-        << "it says what is done: " << QStringList(said.begin(), said.end()).join(QStringLiteral(", ")).toStdString();
+    EXPECT_GT(said.size(), 3u) << "it says what is done: "
+                               << QStringList(said.begin(), said.end()).join(QStringLiteral(", ")).toStdString();
     if (stop_at) {
       ASSERT_TRUE(session->run.job().isBusy());
       watch(phase, "cancelled", [&] {
