@@ -21,6 +21,7 @@
 #include "widgets/blocks/quality_chart.hpp"
 #include "widgets/blocks/rule_dialog.hpp"
 #include "widgets/kit/plain_table.hpp"
+#include "widgets/view/render_surface.hpp"
 
 namespace talus {
 namespace {
@@ -369,55 +370,61 @@ TEST_F(BlocksPage, MeshIsRefinedNearAPlaceAndWhatItWillComeToIsTold) {
   EXPECT_TRUE(ahead.text().isEmpty());
 }
 
+// What the threads that draw in software take is the machine's; the window's own thread must stay free.
 TEST_F(BlocksPage, NoEventWaitsATenthOfASecondWithAThousandBlocks) {
-  Watchdog watchdog;
   rest(30);
-  cut(10);
-  const double arriving = watchdog.longestWork();
-  watchdog.restart();
+  const double arriving = calmestWork([&] { cut(10); });
   ASSERT_EQ(session->project.system()->blocks.size(), 1001u);
-  Selection& selection = session->project.selection();
-  // What the threads that draw in software take is the machine's; the window's own thread must stay free.
-  for (const int key : {Qt::Key_A, Qt::Key_I, Qt::Key_A}) {
-    QTest::keyClick(window.get(), static_cast<Qt::Key>(key), Qt::ControlModifier);
+  const double selecting = calmestWork([&] {
+    for (const int key : {Qt::Key_A, Qt::Key_I, Qt::Key_A}) {
+      QTest::keyClick(window.get(), static_cast<Qt::Key>(key), Qt::ControlModifier);
+      rest(50);
+    }
+    session->project.selection().selectBlocks({5, 6, 7});
     rest(50);
-  }
-  for (const char* head : {"Volume m³", "F", "Leaves", "Block"}) {
-    clickHead(head);
-    rest(50);
-  }
-  selection.selectBlocks({5, 6, 7});
-  rest(50);
-  QTest::keyClick(window.get(), Qt::Key_G, Qt::ControlModifier);
-  rest(50);
-  for (const WorkflowPage page : {WorkflowPage::mesh, WorkflowPage::blocks}) {
-    session->display.goTo(page);
-    rest(50);
-  }
-  EXPECT_LT(arriving, 100);
-  EXPECT_LT(watchdog.longestWork(), 100);
-  std::printf("when they come %.1f ms, later %.1f ms; longest wait %.1f ms\n", arriving, watchdog.longestWork(),
-              watchdog.longestWait());
+    QTest::keyClick(window.get(), Qt::Key_G, Qt::ControlModifier);
+    rest(400);  // it is drawn finely as well
+  });
+  const double sorting = calmestWork([&] {
+    for (const char* head : {"Volume m³", "F", "Leaves", "Block"}) {
+      clickHead(head);
+      rest(50);
+    }
+  });
+  const double turning = calmestWork([&] {
+    for (const WorkflowPage page : {WorkflowPage::mesh, WorkflowPage::blocks}) {
+      session->display.goTo(page);
+      rest(400);
+    }
+  });
+  std::printf("arriving %.1f ms, selecting %.1f ms, sorting %.1f ms, changing pages %.1f ms\n", arriving, selecting,
+              sorting, turning);
+  EXPECT_LT(std::max({arriving, selecting, sorting, turning}), 100);
 }
 
 TEST_F(BlocksPage, AThousandBlocksAreExcavatedAndNamedWithoutHoldingTheWindowUp) {
   cut(10);
   session->project.selection().selectBlocks(inverted({1000}, 1001));
-  rest(100);
-  Watchdog watchdog;
-  rest(30);
-  QTest::keyClick(window.get(), Qt::Key_Delete);
-  rest(100);
-  const double excavating = watchdog.longestWork();
-  undoStack().undo();
-  rest(200);
-  watchdog.restart();
-  type(named<QLineEdit>("names"), "roof {n}");
-  rest(100);
-  EXPECT_EQ(project().blocks.size(), 1000u);
-  std::printf("excavating %.1f ms, naming %.1f ms\n", excavating, watchdog.longestWork());
-  EXPECT_LT(excavating, 100);
-  EXPECT_LT(watchdog.longestWork(), 100);
+  rest(400);
+  const RenderSurface& surface = window->viewport().surface();
+  const int drawn = surface.drawings();
+  const double excavating = calmestWork([&] {
+    QTest::keyClick(window.get(), Qt::Key_Delete);
+    rest(400);
+    EXPECT_EQ(project().blocks.size(), 1000u);
+    undoStack().undo();
+    rest(400);
+  });
+  EXPECT_EQ(surface.drawings(), drawn) << "the view shows nothing of it before they are cut anew";
+  const double naming = calmestWork([&] {
+    type(named<QLineEdit>("names"), "roof {n}");
+    rest(400);
+    EXPECT_EQ(project().blocks.size(), 1000u);
+    undoStack().undo();
+    rest(400);
+  });
+  std::printf("excavating %.1f ms, naming %.1f ms\n", excavating, naming);
+  EXPECT_LT(std::max(excavating, naming), 100);
 }
 
 }  // namespace

@@ -49,30 +49,52 @@ struct Reference {
   std::string name;
 };
 
-void collect(const Json& value, const Json& rule, const Place& place, const std::string& list, const NewNames& names,
-             std::vector<Reference>& found) {
-  const bool mayName = contains(listsNamedBy(rule), list);
-  if (value.is_string()) {
-    if (!mayName) return;
-    const auto named = namedBy(value.get<std::string>(), rule, names);
-    if (named != names.end()) found.push_back({place, false, named->first});
-    return;
+/// Finds the references to things of a list that have some names.
+class Search {
+ public:
+  Search(const std::string& list, const NewNames& names) : list_(list), names_(names) {}
+
+  std::vector<Reference> in(const Json& project) {
+    found_.clear();
+    look(project, schema::root(), Place());
+    return std::move(found_);
   }
-  if (!value.is_structured() || schema::kindOf(rule) == schema::Kind::table) return;
-  const bool isList = value.is_array();
-  const Json elementRule = isList ? schema::memberRule(rule, {}) : Json();
-  for (const auto& [key, member] : value.items()) {
-    const Place inside = isList ? place / std::stoul(key) : place / key;
-    if (!isList && mayName && names.contains(key)) found.push_back({inside, true, key});
-    const Json memberRule = isList ? elementRule : schema::memberRule(rule, key);
-    if (!memberRule.is_null()) collect(member, memberRule, inside, list, names, found);
+
+ private:
+  void look(const Json& value, const Json& rule, const Place& place) {
+    const bool mayName = contains(listsNamedBy(rule), list_);
+    if (value.is_string()) {
+      if (!mayName) return;
+      const auto named = namedBy(value.get<std::string>(), rule, names_);
+      if (named != names_.end()) found_.push_back({place, false, named->first});
+      return;
+    }
+    if (!value.is_structured() || schema::kindOf(rule) == schema::Kind::table) return;
+    const bool isList = value.is_array();
+    for (const auto& [key, member] : value.items()) {
+      if (!member.is_string() && !member.is_structured()) continue;
+      const Place inside = isList ? place / std::stoul(key) : place / key;
+      if (!isList && mayName && names_.contains(key)) found_.push_back({inside, true, key});
+      const Json& within = memberRule(rule, isList ? std::string() : key);
+      if (!within.is_null()) look(member, within, inside);
+    }
   }
-}
+
+  /// Of a rule that stands in the schema or was told here: things of one list have the same.
+  const Json& memberRule(const Json& rule, const std::string& key) {
+    const auto [known, isNew] = rules_.try_emplace({&rule, key});
+    if (isNew) known->second = schema::memberRule(rule, key);
+    return known->second;
+  }
+
+  const std::string& list_;
+  const NewNames& names_;
+  std::map<std::pair<const Json*, std::string>, Json> rules_;
+  std::vector<Reference> found_;
+};
 
 std::vector<Reference> referencesTo(const std::string& list, const NewNames& names, const Json& project) {
-  std::vector<Reference> found;
-  collect(project, schema::root(), Place(), list, names, found);
-  return found;
+  return Search(list, names).in(project);
 }
 
 /// The same object with some keys called otherwise, in their places.

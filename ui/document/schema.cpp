@@ -53,7 +53,8 @@ Json memberRule(const Json& rule, const std::string& key) {
 
 Json ruleOf(const Place& place) {
   if (place.empty()) return root();
-  Json rule = memberRule(ruleOf(place.parent_pointer()), place.back());
+  const Place above = place.parent_pointer();
+  Json rule = above.empty() ? memberRule(root(), place.back()) : memberRule(ruleOf(above), place.back());  // no copy
   if (rule.is_null()) throw std::out_of_range("a project says nothing at " + place.to_string());
   return rule;
 }

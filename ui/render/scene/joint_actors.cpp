@@ -72,11 +72,12 @@ void JointActors::add_to(vtkRenderer& renderer) {
   renderer.AddActor(line_actor_);
 }
 
-void JointActors::show(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen) {
-  if (faces == faces_ && chosen == chosen_) return;
+bool JointActors::show(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen) {
+  if (faces == faces_ && chosen == chosen_) return false;
   faces_ = std::move(faces);
   chosen_ = std::move(chosen);
   draw();
+  return true;
 }
 
 void JointActors::use(Theme theme) {

@@ -23,8 +23,8 @@ class JointActors {
   /// Positions are drawn relative to `origin`, m.
   explicit JointActors(const Vec3& origin);
   void add_to(vtkRenderer& renderer);
-  /// `faces` null: none.
-  void show(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen);
+  /// `faces` null: none. False where they are drawn like this already.
+  bool show(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen);
   void style(double line_width);
   void use(Theme theme);
   /// The cut whose face a line of sight meets first.

@@ -150,8 +150,8 @@ void Scene::set_hovered(std::optional<int> block) {
   state_->mark_hovered();
 }
 
-void Scene::set_joints(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen) {
-  state_->joints.show(std::move(faces), std::move(chosen));
+bool Scene::set_joints(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen) {
+  return state_->joints.show(std::move(faces), std::move(chosen));
 }
 
 std::optional<int> Scene::joint_at(double x, double y) const {

@@ -124,8 +124,8 @@ class Scene {
   void set_hidden(std::vector<int> blocks);
   void set_selected(std::vector<int> blocks);
   void set_hovered(std::optional<int> block);
-  /// Joints inside the rock, null: none; `chosen`: the cuts that are drawn stronger.
-  void set_joints(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen);
+  /// Joints inside the rock, null: none; `chosen`: the cuts that are drawn stronger. False where nothing changes.
+  bool set_joints(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen);
   /// The cut whose face lies under a pixel, whatever rock is before it. Needs what `pick` needs.
   std::optional<int> joint_at(double x, double y) const;
   /// The flat face that a pick lies on; none: no face is marked.

@@ -19,7 +19,7 @@ namespace talus {
 
 namespace {
 
-constexpr int most_names = 200;  // that are written out
+constexpr int most_names = 40;  // that are written out; the table has all
 
 /// "3 of them", behind each word.
 void addCounts(Section& section, const std::map<QString, int>& counts) {

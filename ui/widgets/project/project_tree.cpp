@@ -27,6 +27,14 @@ namespace talus {
 namespace {
 
 constexpr size_t most_blocks = 200;  // that the tree lists: more are found in their table
+const std::vector<std::pair<WorkflowPage, std::vector<Item::Kind>>> offered_new{
+    {WorkflowPage::geometry, {Item::Kind::solid}},
+    {WorkflowPage::joints, {Item::Kind::joint, Item::Kind::cut, Item::Kind::interface}},
+    {WorkflowPage::blocks, {Item::Kind::blockWish, Item::Kind::merge}},
+    {WorkflowPage::materials, {Item::Kind::material}},
+    {WorkflowPage::loads, {Item::Kind::load, Item::Kind::constraint, Item::Kind::velocity, Item::Kind::inSitu}},
+    {WorkflowPage::stages, {Item::Kind::stage}},
+    {WorkflowPage::results, {Item::Kind::monitor, Item::Kind::expectation}}};
 constexpr int kind_role = Qt::UserRole, index_role = Qt::UserRole + 1, page_role = Qt::UserRole + 2;
 
 Item itemOf(const QTreeWidgetItem& row) {
@@ -101,17 +109,15 @@ QTreeWidgetItem* ProjectTree::addGroup(WorkflowPage page, const QString& figure)
   group->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
   group->setData(0, kind_role, static_cast<int>(Item::Kind::none));
   group->setData(0, page_role, static_cast<int>(page));
-  addTopLevelItem(group);
   groups_[page] = group;
   return group;
 }
 
-void ProjectTree::offerNew(QTreeWidgetItem* group, const std::vector<Item::Kind>& kinds) {
+void ProjectTree::offerNew(WorkflowPage page, const std::vector<Item::Kind>& kinds) {
   auto* button =
       makeTool(QStringLiteral("plus"),
                kinds.size() == 1 ? tr("New %1").arg(schema::withinSentence(things::titleOf(kinds[0]))) : tr("New…"));
-  button->setObjectName(QStringLiteral("new/") +
-                        QLatin1String(pageKey(static_cast<WorkflowPage>(group->data(0, page_role).toInt()))));
+  button->setObjectName(QStringLiteral("new/") + QLatin1String(pageKey(page)));
   const auto add = [this](Item::Kind kind) {
     try {
       things::add(project_.document(), kind);
@@ -119,7 +125,7 @@ void ProjectTree::offerNew(QTreeWidgetItem* group, const std::vector<Item::Kind>
       messages_.add(problemOf(error));
     }
   };
-  const auto menu = newMenus_.find(static_cast<WorkflowPage>(group->data(0, page_role).toInt()));
+  const auto menu = newMenus_.find(page);
   // The tree is made anew by what is added, and the button with it: after the click.
   if (menu != newMenus_.end()) {
     showMenuOf(*button, menu->second);
@@ -134,7 +140,7 @@ void ProjectTree::offerNew(QTreeWidgetItem* group, const std::vector<Item::Kind>
           Qt::QueuedConnection);
     showMenuOf(*button, choices);
   }
-  setItemWidget(group, 2, button);
+  setItemWidget(groups_.at(page), 2, button);
 }
 
 QTreeWidgetItem* ProjectTree::addRow(QTreeWidgetItem* group, const Item& item, const QString& name,
@@ -166,7 +172,6 @@ void ProjectTree::rebuild() {
   for (size_t i = 0; i < project.solids.size(); ++i)
     addRow(geometry, {Item::Kind::solid, static_cast<int>(i)}, text(project.solids[i].name),
            solidFigure(project.solids[i]));
-  offerNew(geometry, {Item::Kind::solid});
   addJoints(addGroup(WorkflowPage::joints, numbers::whole(project.joints.size())));
   const bool current = project_.systemIsCurrent();
   addBlocks(addGroup(WorkflowPage::blocks, !system   ? tr("not cut")
@@ -185,7 +190,6 @@ void ProjectTree::rebuild() {
   for (size_t i = 0; i < project.materials.size(); ++i)
     addRow(materials, {Item::Kind::material, static_cast<int>(i)}, text(project.materials[i].name),
            tr("%1 kg/m³").arg(numbers::significant(project.materials[i].density, 4)));
-  offerNew(materials, {Item::Kind::material});
   addLoads(addGroup(WorkflowPage::loads, numbers::whole(project.loads.size() + project.constraints.size() +
                                                         project.velocities.size() + project.in_situ.size())));
   auto* stages = addGroup(WorkflowPage::stages, numbers::whole(project.stages.size()));
@@ -198,7 +202,6 @@ void ProjectTree::rebuild() {
   addRow(stages, {Item::Kind::output, 0}, tr("output"),
          tr("every %1 s").arg(numbers::significant(project.output.every)))
       ->setIcon(0, theme::icon(QStringLiteral("film")));
-  offerNew(stages, {Item::Kind::stage});
   auto* results = addGroup(WorkflowPage::results, {});
   for (size_t i = 0; i < project.monitors.size(); ++i)
     addRow(results, {Item::Kind::monitor, static_cast<int>(i)}, text(project.monitors[i].name),
@@ -208,7 +211,9 @@ void ProjectTree::rebuild() {
     addRow(results, {Item::Kind::expectation, static_cast<int>(i)}, text(project.expect[i].quantity),
            numbers::significant(project.expect[i].value))
         ->setIcon(0, theme::icon(QStringLiteral("check")));
-  offerNew(results, {Item::Kind::monitor, Item::Kind::expectation});
+  // Groups come with their rows: each row that came into a tree which is seen would be laid out.
+  for (const auto& [page, group] : groups_) addTopLevelItem(group);
+  for (const auto& [page, kinds] : offered_new) offerNew(page, kinds);
   for (const auto& [page, group] : groups_) group->setExpanded(unfolded[page]);
   unfoldPage();
   showSelection();
@@ -234,7 +239,6 @@ void ProjectTree::addJoints(QTreeWidgetItem* group) {
            tr("%1 – %2").arg(text(interface.between[0]), text(interface.between[1])), text(interface.joint))
         ->setIcon(0, theme::icon(QStringLiteral("face")));
   }
-  offerNew(group, {Item::Kind::joint, Item::Kind::cut, Item::Kind::interface});
 }
 
 void ProjectTree::addBlocks(QTreeWidgetItem* group) {
@@ -256,7 +260,6 @@ void ProjectTree::addBlocks(QTreeWidgetItem* group) {
   addRow(group, {Item::Kind::splinters, 0}, tr("splinters"),
          schema::choiceWords(std::string(to_string(splinters.rule))))
       ->setIcon(0, theme::icon(QStringLiteral("settings")));
-  offerNew(group, {Item::Kind::blockWish, Item::Kind::merge});
   if (!project_.system()) return;
   const auto& blocks = project_.system()->blocks;
   for (size_t i = 0; i < std::min(blocks.size(), most_blocks); ++i) {
@@ -287,7 +290,6 @@ void ProjectTree::addLoads(QTreeWidgetItem* group) {
     addRow(group, {Item::Kind::inSitu, static_cast<int>(i)}, tr("stress in situ %1").arg(i + 1),
            project.in_situ[i].blocks.empty() ? tr("every block")
                                              : numbers::counted(project.in_situ[i].blocks.size(), "block"));
-  offerNew(group, {Item::Kind::load, Item::Kind::constraint, Item::Kind::velocity, Item::Kind::inSitu});
 }
 
 QTreeWidgetItem* ProjectTree::rowOf(const Item& item) const {

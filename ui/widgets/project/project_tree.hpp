@@ -42,7 +42,7 @@ class ProjectTree : public QTreeWidget {
   QTreeWidgetItem* addGroup(WorkflowPage page, const QString& figure);
   QTreeWidgetItem* addRow(QTreeWidgetItem* group, const Item& item, const QString& name, const QString& figure);
   /// A button at the group that makes a thing of one of these kinds.
-  void offerNew(QTreeWidgetItem* group, const std::vector<Item::Kind>& kinds);
+  void offerNew(WorkflowPage page, const std::vector<Item::Kind>& kinds);
   void addJoints(QTreeWidgetItem* group);
   void addBlocks(QTreeWidgetItem* group);
   void addLoads(QTreeWidgetItem* group);

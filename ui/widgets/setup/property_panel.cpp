@@ -86,6 +86,9 @@ void PropertyPanel::rebuild() {
   delete scrolled_;
   content_ = new QWidget;
   setMargins(new QVBoxLayout(content_), 0, 0);
+  scrolled_ = makeScrolled(content_);
+  scrolled_->hide();
+  column_->addWidget(scrolled_, 1);  // before it is filled: what comes into a window is styled anew with all it holds
   for (auto* tool : {duplicate_, up_, down_, remove_}) tool->setVisible(things::isListed(item.kind));
   context_.blocks.clear();
   if (project_.system())
@@ -95,8 +98,7 @@ void PropertyPanel::rebuild() {
   else
     showThing(item);
   static_cast<QVBoxLayout*>(content_->layout())->addStretch();
-  scrolled_ = makeScrolled(content_);
-  column_->addWidget(scrolled_, 1);
+  scrolled_->show();
   goOnIn(typedIn);
   if (scrolled > 0) {
     content_->layout()->activate();

@@ -109,7 +109,7 @@ void ImageSurface::requestRender() {
 void ImageSurface::makeContextCurrent() { context_->make_current(); }
 
 void ImageSurface::warmUp(vtkRenderer& renderer) {
-  constexpr int side = 64;
+  constexpr int side = 65;  // no power of two: software compiles shaders for those and for all others
   const std::array<int, 2> size{window_->GetSize()[0], window_->GetSize()[1]};
   window_->SetSize(side, side);
   window_->AddRenderer(&renderer);

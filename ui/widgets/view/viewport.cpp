@@ -297,11 +297,9 @@ bool Viewport::showsJoints() const {
 
 void Viewport::applyJoints() {
   if (!scene_) return;
-  if (showsJoints())
-    scene_->set_joints(session_.joints.faces(), session_.joints.selectedCuts());
-  else
-    scene_->set_joints(nullptr, {});
-  render();
+  const bool isOther = showsJoints() ? scene_->set_joints(session_.joints.faces(), session_.joints.selectedCuts())
+                                     : scene_->set_joints(nullptr, {});
+  if (isOther) render();
 }
 
 Selection& Viewport::selection() const { return session_.project.selection(); }
