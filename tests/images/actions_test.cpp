@@ -67,6 +67,30 @@ TEST(ActionImage, DarkStressInSituAndVelocities) {
   expect_baseline(draw_image(scene, picture_width, picture_height));
 }
 
+TEST(ActionImage, FitKeepsWholeArrowsInView) {
+  const BlockSystem boxes = two_boxes();
+  Project project;
+  // The boxes fill the picture from side to side, where the plate is pulled, and a tall arrow presses on one of them.
+  project.loads = {{.block = "plate", .at = Vec3(2.5, 0, 0), .force = {1e5, 0, 0}},
+                   {.block = "B1", .at = Vec3(0.5, 0.5, 1), .force = {0, 0, -1e5}}};
+  SceneSettings settings;
+  settings.parallel_projection = true;
+  Scene scene(boxes, settings);
+  OffscreenWindow window(picture_width, picture_height, 1);
+  window.add(*scene.renderer());
+  scene.look(View::front);
+  scene.set_actions(action_glyphs(project, boxes));
+  scene.fit();
+  for (int x = 0; x < picture_width; x += 2) EXPECT_FALSE(scene.action_at(x, 1)) << "cut off at the top, " << x;
+  for (int y = 0; y < picture_height; y += 2)
+    EXPECT_FALSE(scene.action_at(picture_width - 2, y)) << "cut off at the right, " << y;
+  bool is_shown = false;
+  for (int y = 0; y < picture_height / 3; y += 2)
+    for (int x = 0; x < picture_width; x += 2) is_shown = is_shown || scene.action_at(x, y);
+  EXPECT_TRUE(is_shown);
+  window.remove(*scene.renderer());
+}
+
 TEST(ActionImage, AClickFindsTheGlyphAndItGoesWithItsBlock) {
   const BlockSystem slope = jointed_slope();
   SceneSettings settings;

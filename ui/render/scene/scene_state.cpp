@@ -380,16 +380,26 @@ void Scene::State::look_from(double azimuth, double elevation) {
 void Scene::State::fit_to(double width, double height) {
   overlay.text_height = text_height();
   PixelRect area = free_area(overlay, width, height);
-  if (settings.actions && !actions.empty()) {  // arrows stand out from the rock
-    constexpr double above = 4, beside = 2;    // text heights
-    area.top -= above * text_height();
-    area.left += beside * text_height();
-    area.right -= beside * text_height();
-  }
   ViewExtent wanted = hidden.empty() ? extent : ViewExtent();
   for (const BlockActors* part : parts())
     include_blocks(wanted, part->surface(), part->positions(), [&](int block) { return part->shows(block); });
-  set_pose(fitted(pose(), wanted.points(), area.width(), area.height(), height));
+  std::vector<Vec3> points = wanted.points();
+  const auto look = [&] { set_pose(fitted(pose(), points, area.width(), area.height(), height)); };
+  look();
+  if (settings.actions && !actions.empty()) {
+    constexpr double above = 1.5, beside = 2;  // text heights: labels stand beside the ends of arrows
+    area.top -= above * text_height();
+    area.left += beside * text_height();
+    area.right -= beside * text_height();
+    // Arrows have their length on the screen: the farther the camera, the farther they reach out of the rock.
+    const std::size_t rock = points.size();
+    for (int i = 0; i < 3; ++i) {
+      points.resize(rock);
+      for (std::size_t k = 0; k < actions.size(); ++k)
+        for (const Vec3& end : arrow_of(k)) points.push_back(origin + end);
+      look();
+    }
+  }
   fits_itself = true;
 }
 
