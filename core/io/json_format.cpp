@@ -38,9 +38,9 @@ std::string quoted(const std::string& text) {
   return OrderedJson(text).dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
-std::string format_json(const OrderedJson& value, std::size_t indent, const JsonLayout& layout) {
+std::string format_json(const OrderedJson& value, std::size_t indent, const JsonLayout& layout, bool apart) {
   if (!value.is_structured()) return format_scalar(value);
-  if (!holds_things(value)) {
+  if (!holds_things(value) && !apart) {
     std::string line = one_line(value);
     if (indent + line.size() <= layout.width) return line;
   }

@@ -15,9 +15,10 @@ struct JsonLayout {
 };
 
 /// The value as text: numbers in their shortest form that reads back the same, short objects and lists on one line.
-/// `indent`: spaces in front of the line it begins on; that line itself is not indented.
+/// `indent`: spaces in front of the line it begins on; that line itself is not indented. `apart`: a member a line, even
+/// where all would fit into one.
 /// Throws InputError when a number is not finite.
-std::string format_json(const OrderedJson& value, std::size_t indent, const JsonLayout& layout);
+std::string format_json(const OrderedJson& value, std::size_t indent, const JsonLayout& layout, bool apart = false);
 
 /// A text in JSON's quotes.
 std::string quoted(const std::string& text);

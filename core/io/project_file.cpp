@@ -110,7 +110,7 @@ Project read_project(const std::filesystem::path& file, const ReadOptions& optio
 
 std::string write_project(const Project& project) {
   const JsonLayout layout;
-  return format_json(project_to_json(project), 0, layout) + std::string(layout.newline);
+  return format_json(project_to_json(project), 0, layout, true) + std::string(layout.newline);
 }
 
 std::string write_project(const Project& project, const std::string& previous_text) {

@@ -31,9 +31,9 @@ OrderedJson json_from(const Material& material) {
 }
 
 OrderedJson json_from(const Joint& joint) {
-  OrderedJson json{{"friction_angle", joint.friction_angle},
-                   {"cohesion", joint.cohesion},
-                   {"tensile_strength", joint.tensile_strength}};
+  OrderedJson json{{"friction_angle", joint.friction_angle}};
+  write_unless_usual(json, "cohesion", joint.cohesion, 0.0);
+  write_unless_usual(json, "tensile_strength", joint.tensile_strength, 0.0);
   write(json, "residual_friction_angle", joint.residual_friction_angle);
   write(json, "normal_stiffness", joint.normal_stiffness);
   write(json, "shear_stiffness", joint.shear_stiffness);
@@ -54,7 +54,7 @@ void write_shape(OrderedJson& solid, const PolyhedronShape& shape) {
 
 void write_shape(OrderedJson& solid, const FileShape& shape) {
   solid["file"] = shape.path;
-  solid["scale"] = shape.scale;
+  write_unless_usual(solid, "scale", shape.scale, 1.0);
 }
 
 void write_shape(OrderedJson& solid, const TerrainShape& shape) {
@@ -277,13 +277,14 @@ OrderedJson json_from(const AdaptiveSteps& steps) {
 
 OrderedJson json_from(const SolverSettings& solver) {
   const SolverSettings usual;
-  OrderedJson json{{"strain", to_string(solver.strain)}, {"integrator", to_string(solver.integrator)}};
+  OrderedJson json{{"strain", to_string(solver.strain)}};
+  write_word_unless_usual(json, "integrator", solver.integrator, usual.integrator);
   write_unless_usual(json, "spectral_radius", solver.spectral_radius, usual.spectral_radius);
   write_word_unless_usual(json, "contact", solver.contact, usual.contact);
-  json["contact_stiffness"] = solver.contact_stiffness;
+  write_unless_usual(json, "contact_stiffness", solver.contact_stiffness, usual.contact_stiffness);
   write(json, "penetration_tolerance", solver.penetration_tolerance);
-  json["open_close_limit"] = solver.open_close_limit;
-  json["sleep_tolerance"] = solver.sleep_tolerance;
+  write_unless_usual(json, "open_close_limit", solver.open_close_limit, usual.open_close_limit);
+  write_unless_usual(json, "sleep_tolerance", solver.sleep_tolerance, usual.sleep_tolerance);
   write_word_unless_usual(json, "time_step_control", solver.time_step_control, usual.time_step_control);
   if (solver.adaptive != usual.adaptive) json["adaptive"] = json_from(solver.adaptive);
   return json;
@@ -319,10 +320,10 @@ OrderedJson project_to_json(const Project& project) {
   write_list(json, "velocities", project.velocities);
   write_list(json, "in_situ", project.in_situ);
   write_list(json, "stages", project.stages);
-  json["solver"] = json_from(project.solver);
+  if (project.solver != SolverSettings()) json["solver"] = json_from(project.solver);
   write_list(json, "monitors", project.monitors);
   write_list(json, "expect", project.expect);
-  json["output"]["every"] = project.output.every;
+  if (project.output != Output()) json["output"]["every"] = project.output.every;
   return json;
 }
 

@@ -1,6 +1,7 @@
 #include "orientation/project_joints.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "orientation/drawn_planes.hpp"
@@ -29,7 +30,27 @@ ProjectJoints joints_of(const Project& project, int most) {
   return found;
 }
 
-Project with_joints(Project project, std::span<const MeasuredJoint> joints, const Joint& strength, const Vec3& at) {
+namespace {
+
+/// Parallel planes, so far apart, that meet a box, in place of the one plane of a cut.
+void repeat_through(Cut& cut, double spacing, const BoxShape& box) {
+  const Vec3 up = -pole_of({cut.dip, cut.dip_direction});
+  const Vec3 middle = (box.min + box.max) / 2, half = (box.max - box.min) / 2;
+  const double away = up.dot(middle - cut.through), reach = up.cwiseAbs().dot(half);
+  constexpr double little = 1e-6;  // of a spacing: a plane in a face of the rock cuts nothing
+  const double first = std::floor((away - reach) / spacing + little) + 1;
+  const double last = std::ceil((away + reach) / spacing - little) - 1;
+  if (last <= first) return;
+  const double micrometres = 1e6;
+  cut.through = ((cut.through + first * spacing * up) * micrometres).array().round() / micrometres;
+  cut.spacing = spacing;
+  cut.count = static_cast<int>(last - first) + 1;
+}
+
+}  // namespace
+
+Project with_joints(Project project, std::span<const MeasuredJoint> joints, const Joint& strength, const Vec3& at,
+                    const std::optional<BoxShape>& rock) {
   for (const MeasuredJoint& measured : joints) {
     Joint joint = strength;
     if (!measured.set.empty()) joint.name = measured.set;
@@ -41,6 +62,7 @@ Project with_joints(Project project, std::span<const MeasuredJoint> joints, cons
     cut.dip_direction = measured.plane.dip_direction;
     cut.through = measured.at.value_or(at);
     cut.polygon = measured.corners;
+    if (rock && measured.spacing) repeat_through(cut, *measured.spacing, *rock);
     project.cuts.push_back(cut);
   }
   // Contacts on no cut need a joint as soon as there are joints.

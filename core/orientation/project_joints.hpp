@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,8 +24,10 @@ ProjectJoints joints_of(const Project& project, int most = std::numeric_limits<i
 
 /// The project with a cut for every joint, at the end of its list. Sets become joints; where the project has none of
 /// that name, one is added with the values of `strength`. Joints without a set take the name of `strength`, those
-/// without a place go through `at`. A joint with a spacing stays a single plane: a table says where each one is. Where
-/// the project has no default joint, its first joint is.
-Project with_joints(Project project, std::span<const MeasuredJoint> joints, const Joint& strength, const Vec3& at);
+/// without a place go through `at`. A joint with a spacing stays a single plane, as a survey says where each one is;
+/// where the extent of the `rock` is given it becomes parallel planes that go through all of it, one of them where the
+/// table has it. Where the project has no default joint, its first joint is.
+Project with_joints(Project project, std::span<const MeasuredJoint> joints, const Joint& strength, const Vec3& at,
+                    const std::optional<BoxShape>& rock = {});
 
 }  // namespace talus

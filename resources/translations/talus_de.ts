@@ -1351,6 +1351,13 @@
             <numerusform>Warnungen</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>plane</source>
+        <translation>
+            <numerusform>Ebene</numerusform>
+            <numerusform>Ebenen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
@@ -4521,6 +4528,10 @@ Z %3</translation>
         <source>&lt;b&gt;Talus %1&lt;/b&gt;&lt;p&gt;Rock slopes that come apart along joints: three-dimensional discontinuous deformation analysis with tetrahedral finite elements.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. Built on Qt, VTK, gmsh, SuiteSparse, HDF5 and FFmpeg. Typeface Inter, OFL 1.1.&lt;/p&gt;</source>
         <translation>&lt;b&gt;Talus %1&lt;/b&gt;&lt;p&gt;Felshänge, die entlang ihrer Klüfte auseinandergehen: dreidimensionale diskontinuierliche Deformationsanalyse mit Tetraeder-Elementen.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. Gebaut auf Qt, VTK, gmsh, SuiteSparse, HDF5 und FFmpeg. Schrift Inter, OFL 1.1.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Under the mouse: east, north and height in the coordinates of the survey</source>
+        <translation>Unter der Maus: Ost, Nord und Höhe in den Koordinaten der Vermessung</translation>
+    </message>
 </context>
 <context>
     <name>talus::ManualWindow</name>
@@ -4954,10 +4965,6 @@ Z %3</translation>
         <translation>nicht gelesen</translation>
     </message>
     <message>
-        <source>spacing and persistence are shown but not used: every line becomes one plane without end</source>
-        <translation>Abstand und Persistenz werden gezeigt, aber nicht benutzt: jede Zeile wird eine Ebene ohne Ende</translation>
-    </message>
-    <message>
         <source>paste %1</source>
         <translation>%1 einfügen</translation>
     </message>
@@ -4980,6 +4987,38 @@ Z %3</translation>
     <message>
         <source>Copy a table in a spreadsheet and paste it on the left, or open a table or a drawing with faces (DXF).</source>
         <translation>Eine Tabelle in einer Tabellenkalkulation kopieren und links einfügen, oder eine Tabelle oder eine Zeichnung mit Flächen (DXF) öffnen.</translation>
+    </message>
+    <message>
+        <source>A line with a spacing becomes</source>
+        <translation>Eine Zeile mit einem Abstand wird</translation>
+    </message>
+    <message>
+        <source>parallel planes through all of the rock</source>
+        <translation>parallele Ebenen durch den ganzen Fels</translation>
+    </message>
+    <message>
+        <source>one plane</source>
+        <translation>eine Ebene</translation>
+    </message>
+    <message>
+        <source>What a spacing makes</source>
+        <translation>Was ein Abstand bewirkt</translation>
+    </message>
+    <message>
+        <source>with their spacings %1 in the rock</source>
+        <translation>mit ihren Abständen %1 im Fels</translation>
+    </message>
+    <message>
+        <source>spacing is not used: every line becomes one plane</source>
+        <translation>der Abstand wird nicht verwendet: jede Zeile wird eine Ebene</translation>
+    </message>
+    <message>
+        <source>spacing is not used while there is no rock: every line becomes one plane</source>
+        <translation>der Abstand wird nicht verwendet, solange kein Fels da ist: jede Zeile wird eine Ebene</translation>
+    </message>
+    <message>
+        <source>persistence is shown but not used: planes have no end</source>
+        <translation>die Persistenz wird gezeigt, aber nicht verwendet: Ebenen enden nicht</translation>
     </message>
 </context>
 <context>
@@ -6986,6 +7025,18 @@ Nr. %3</translation>
     <message>
         <source>use %1 for %2</source>
         <translation>%1 für %2 nehmen</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Typical stiffness</source>
+        <translation>Übliche Steifigkeit</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>selbsttätig</translation>
     </message>
 </context>
 <context>

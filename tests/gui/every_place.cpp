@@ -108,6 +108,7 @@ void EveryPlace::importGeometry() {
     window->takeDropped(file);
     auto& dialog = shown<ImportDialog>();
     wait([&] { return !dialog.isReading(); });
+    rest(100);  // the preview is made
     return dialog;
   };
   import(std::filesystem::path(TALUS_SOURCE_DIR) / "samples/step_slope/slope.step");

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/progress.hpp"
 #include "driven_window.hpp"
 #include "example_projects.hpp"
 #include "geometry/solid_surface.hpp"
@@ -17,6 +18,7 @@
 #include "widgets/geometry/section_editor.hpp"
 #include "widgets/geometry/section_plot.hpp"
 #include "widgets/kit/text.hpp"
+#include "widgets/view/solid_viewport.hpp"
 
 namespace talus {
 namespace {
@@ -128,6 +130,13 @@ TEST_F(GeometryPage, TerrainOfASurveyGetsALocalOrigin) {
   ASSERT_TRUE(shape);
   const Vec3 size = land.max - land.min;
   EXPECT_NEAR(land.volume, size.x() * size.y() * (520 - project().origin.z() - shape->base), 1e-6 * land.volume);
+  rest(50);
+  auto* area = window->findChild<QWidget*>(QStringLiteral("view area"));
+  QTest::mouseMove(area, pointOnBlock().toPoint());
+  auto* pointed = window->findChild<QLabel*>(QStringLiteral("pointed"));
+  ASSERT_TRUE(wait([&] { return !pointed->text().isEmpty(); }));
+  EXPECT_TRUE(pointed->text().startsWith(QStringLiteral("E 2600"))) << pointed->text().toStdString();
+  EXPECT_TRUE(pointed->text().contains(QStringLiteral("N 1200"))) << pointed->text().toStdString();
   steps().undo();
   EXPECT_TRUE(project().solids.empty());
   EXPECT_TRUE(project().origin.isZero());
@@ -149,6 +158,26 @@ TEST_F(GeometryPage, WhatCannotBeImportedIsSaidInTheDialogAndChangesNothing) {
     ASSERT_TRUE(wait([&] { return !dialog(); }));
   }
   EXPECT_EQ(project(), before);
+}
+
+TEST_F(GeometryPage, APreviewIsMadeBesideTheWindowAndOnlyTheLastOneIsShown) {
+  openEmpty();
+  const auto prism = write("prism.stl", example::open_prism());
+  auto* asked = importing(prism);
+  auto& view = *asked->findChild<SolidViewport*>();
+  ASSERT_TRUE(wait([&] { return !view.isEmpty(); }));
+  NoProgress nobody;
+  const SolidSurface surface = *readSolid(prism, {}, nobody).surface;
+  view.clear();
+  EXPECT_TRUE(view.isEmpty());
+  view.setSolid(surface, true);
+  EXPECT_TRUE(view.isEmpty()) << "it is not made on the window's thread";
+  ASSERT_TRUE(wait([&] { return !view.isEmpty(); }));
+  view.setSolid(surface, false);
+  EXPECT_FALSE(view.isEmpty()) << "what was there before stays";
+  view.clear();
+  rest(200);
+  EXPECT_TRUE(view.isEmpty()) << "what was taken away does not come back";
 }
 
 TEST_F(GeometryPage, ACornerOfASectionIsDraggedAndTakenBack) {

@@ -155,22 +155,28 @@ TEST_F(JointsWindow, TwoSelectedBlocksAreGivenAJoint) {
 TEST_F(JointsWindow, ATypicalStrengthSetsItsValues) {
   session->display.goTo(WorkflowPage::joints);
   session->project.selection().select({Item::Kind::joint, 1});
-  choose("/joints/B#typical", QStringLiteral("clay mylonite in coal measures, 10 to 25 mm"));
+  choose("/joints/B#strengths", QStringLiteral("clay mylonite in coal measures, 10 to 25 mm"));
   const Joint& filled = rock().joints[1];
   EXPECT_EQ(filled.friction_angle, 16);
   EXPECT_EQ(filled.cohesion, 12e3);
   EXPECT_EQ(filled.residual_friction_angle, 11);
   rest(20);
-  auto* box = widget<QComboBox>("/joints/B#typical");
+  auto* box = widget<QComboBox>("/joints/B#strengths");
   ASSERT_NE(box, nullptr);
   EXPECT_NE(box->toolTip().indexOf(QStringLiteral("Barton 1974")), -1) << box->toolTip().toStdString();
-  choose("/joints/B#typical", QStringLiteral("limestone, dry"));
+  choose("/joints/B#strengths", QStringLiteral("limestone, dry"));
   EXPECT_EQ(rock().joints[1].friction_angle, 34);
   EXPECT_EQ(rock().joints[1].cohesion, 0);
   EXPECT_FALSE(rock().joints[1].residual_friction_angle);
+  choose("/joints/B#stiffnesses", QStringLiteral("soft clay in the joint"));
+  EXPECT_EQ(rock().joints[1].normal_stiffness, 5e7);
+  EXPECT_EQ(rock().joints[1].shear_stiffness, 5e7);
+  EXPECT_EQ(rock().joints[1].friction_angle, 34) << "the strength stays";
+  undo();
   undo();
   undo();
   EXPECT_EQ(rock().joints[1].friction_angle, 35);
+  EXPECT_FALSE(rock().joints[1].normal_stiffness);
 }
 
 TEST_F(JointsWindow, FacesOfADrawingBecomeJointsThatEnd) {

@@ -273,6 +273,35 @@ TEST_F(StereonetWindow, WhatIsWrongInATableIsToldLineByLine) {
   EXPECT_NE(said(dialog, "notes").find("no columns of dip"), std::string::npos) << said(dialog, "notes");
 }
 
+TEST_F(StereonetWindow, SpacingsOfATableOfSetsMakeParallelPlanesThroughTheRock) {
+  PasteJoints& dialog = paste("dip,dip direction,set,spacing\n0,0,B,2\n90,90,J,4\n");
+  auto& spaced = *dialog.findChild<QComboBox*>(QStringLiteral("spaced"));
+  EXPECT_EQ(spaced.currentIndex(), 0) << "one line a set";
+  EXPECT_NE(said(dialog, "notes").find("8 planes in the rock"), std::string::npos) << said(dialog, "notes");
+  dialog.setText(QStringLiteral("dip,dip direction,set,spacing\n0,0,B,2\n1,0,B,2\n"));
+  EXPECT_EQ(spaced.currentIndex(), 1) << "a survey says where each one is";
+  EXPECT_NE(said(dialog, "notes").find("not used"), std::string::npos) << said(dialog, "notes");
+  dialog.setText(QStringLiteral("dip,dip direction,set,spacing\n0,0,B,2\n90,90,J,4\n"));
+  click(*dialog.findChild<QPushButton*>(QStringLiteral("add")));
+  ASSERT_EQ(project().cuts.size(), 5u);
+  EXPECT_EQ(project().cuts[3].count, 5);
+  EXPECT_EQ(project().cuts[3].spacing, 2);
+  EXPECT_EQ(project().cuts[4].count, 3);
+}
+
+TEST_F(StereonetWindow, AllCountsAreSeenOnASmallScreen) {
+  window->resize(1280, 720);
+  rest(30);
+  StereonetPanel& net = panel();
+  type(net, "Face dip", "65");
+  type(net, "Face dip direction", "140");
+  rest(50);
+  auto& counts = table(net, "counts");
+  ASSERT_EQ(counts.rowCount(), 8);
+  const QRect last = counts.visualItemRect(counts.item(7, 0));
+  EXPECT_TRUE(counts.visibleRegion().contains(last)) << "the last row is seen without scrolling";
+}
+
 TEST_F(StereonetWindow, JointsWithoutAPlaceGoThroughTheOneThatIsTyped) {
   PasteJoints& dialog = paste("45 120 J\n");
   type(dialog, "Place z", "8");

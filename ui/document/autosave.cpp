@@ -36,7 +36,7 @@ void Autosave::follow() {
   }
   if (document_.text() == safe_) return;
   const long grown = static_cast<long>(document_.text().size()) - static_cast<long>(safe_.size());
-  if (std::abs(grown) >= large_change)
+  if (safe_.empty() || std::abs(grown) >= large_change)
     keep();
   else if (!timer_.isActive())
     timer_.start();

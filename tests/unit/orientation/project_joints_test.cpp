@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace talus {
 namespace {
 
@@ -64,6 +66,29 @@ TEST(ProjectJoints, AreAddedWithTheJointsThatTheyName) {
   EXPECT_EQ(changed.default_joint, "J1") << "contacts on no cut need one";
   project.default_joint = "K";
   EXPECT_EQ(with_joints(project, measured, joint_of("joint", 33), Vec3::Zero()).default_joint, "K");
+}
+
+TEST(ProjectJoints, WithASpacingGoThroughAllOfTheRock) {
+  const BoxShape rock{{0, 0, 0}, {10, 10, 10}};
+  MeasuredJoint flat{{0, 0}, "B", Vec3(5, 5, 4.5)};
+  flat.spacing = 2;
+  MeasuredJoint steep{{45, 90}, "J"};
+  steep.spacing = 3;
+  MeasuredJoint wide{{0, 0}, "W", Vec3(5, 5, 4.5)};
+  wide.spacing = 12;
+  const std::vector<MeasuredJoint> measured{flat, steep, wide, {{60, 30}, "K"}};
+  const Project changed = with_joints({}, measured, joint_of("joint", 33), Vec3(5, 5, 5), rock);
+  ASSERT_EQ(changed.cuts.size(), 4u);
+  EXPECT_EQ(changed.cuts[0].spacing, 2);
+  EXPECT_EQ(changed.cuts[0].count, 5) << "at 0.5, 2.5 … 8.5 m";
+  EXPECT_EQ(changed.cuts[0].through, Vec3(5, 5, 0.5));
+  // The box reaches 5 √2 = 7.07 m to both sides of its middle.
+  EXPECT_EQ(changed.cuts[1].count, 5);
+  EXPECT_LT((changed.cuts[1].through - Vec3(5 - 6 * std::sqrt(0.5), 5, 5 - 6 * std::sqrt(0.5))).norm(), 2e-6);
+  EXPECT_FALSE(changed.cuts[2].count) << "one plane of them meets the rock";
+  EXPECT_EQ(changed.cuts[2].through, Vec3(5, 5, 4.5));
+  EXPECT_FALSE(changed.cuts[3].spacing);
+  EXPECT_FALSE(with_joints({}, measured, joint_of("joint", 33), Vec3(5, 5, 5)).cuts[0].spacing);
 }
 
 }  // namespace

@@ -43,9 +43,11 @@ PixelRect beside(const PlaceMark& mark, const MarkedPicture& picture) {
   const double em = picture.text_height;
   const double width = text_width(mark.label, label_height * em, FontWeight::semibold) + 2 * padding * em;
   const double away = (outer_end + gap) * em, bottom = mark.at.y - card_height * em / 2;
-  const bool fits = mark.at.x + away + width <= picture.width;
-  const double left = std::max(0.0, fits ? mark.at.x + away : mark.at.x - away - width);
-  return {left, bottom, left + width, bottom + card_height * em};
+  const auto at = [&](double left) { return PixelRect{left, bottom, left + width, bottom + card_height * em}; };
+  const PixelRect right = at(mark.at.x + away);
+  const bool is_free =
+      std::none_of(picture.covered.begin(), picture.covered.end(), [&](const PixelRect& o) { return meet(right, o); });
+  return right.right <= picture.width && is_free ? right : at(std::max(0.0, mark.at.x - away - width));
 }
 
 PixelRect moved_up(PixelRect rect, double by) {
@@ -69,9 +71,11 @@ PixelRect clear_of(const PixelRect& wanted, std::span<const PixelRect> others, c
 }  // namespace
 
 std::vector<PixelRect> label_places(std::span<const PlaceMark> marks, const MarkedPicture& picture) {
-  std::vector<PixelRect> places;
-  for (const PlaceMark& mark : marks)
-    places.push_back(inside(mark.at, picture) ? clear_of(beside(mark, picture), places, picture) : PixelRect{});
+  std::vector<PixelRect> places, taken = picture.covered;
+  for (const PlaceMark& mark : marks) {
+    places.push_back(inside(mark.at, picture) ? clear_of(beside(mark, picture), taken, picture) : PixelRect{});
+    taken.push_back(places.back());
+  }
   return places;
 }
 

@@ -19,12 +19,13 @@ struct PlaceMark {
 /// What marks have to know of the picture they are painted over.
 struct MarkedPicture {
   Theme theme = Theme::light;
-  double text_height = 16;       ///< pixels; every other length is a multiple of it
-  double width = 0, height = 0;  ///< pixels
+  double text_height = 16;              ///< pixels; every other length is a multiple of it
+  double width = 0, height = 0;         ///< pixels
+  std::vector<PixelRect> covered = {};  ///< something else lies there: labels keep out of it
 };
 
-/// Where each label goes: beside its mark, inside the picture, none over another. Marks outside the picture get an
-/// empty place and are not painted.
+/// Where each label goes: beside its mark, inside the picture, none over another or where the picture is covered. Marks
+/// outside the picture get an empty place and are not painted.
 std::vector<PixelRect> label_places(std::span<const PlaceMark> marks, const MarkedPicture& picture);
 
 /// The labels alone, each on a card beside its place; the first one is painted last, so that it lies on top.

@@ -154,6 +154,8 @@ bool Scene::set_joints(std::shared_ptr<const std::vector<JointFace>> faces, std:
   return state_->joints.show(std::move(faces), std::move(chosen));
 }
 
+void Scene::set_covered(std::vector<PixelRect> places) { state_->covered = std::move(places); }
+
 std::optional<int> Scene::joint_at(double x, double y) const {
   const auto sight = sight_at(x, y);
   return sight ? state_->joints.cut_at(sight->from, sight->along) : std::nullopt;

@@ -22,6 +22,8 @@ class vtkRenderer;
 
 namespace talus {
 
+struct PixelRect;
+
 enum class View { iso, front, back, left, right, top };
 enum class Edges { none, blocks, mesh };
 
@@ -142,6 +144,9 @@ class Scene {
   void set_actions(std::vector<ActionGlyph> glyphs);
   /// The one of them under a pixel counted from the picture's upper left corner. Needs what `pick` needs.
   std::optional<ActionGlyph> action_at(double x, double y) const;
+
+  /// Where something lies over the picture, pixels from its lower left corner: labels keep out of it.
+  void set_covered(std::vector<PixelRect> places);
 
   /// The visible surface under a pixel counted from the picture's upper left corner; empty over the background.
   /// Needs a renderer that is in a window of known size, but no GL context.

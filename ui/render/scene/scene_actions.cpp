@@ -163,7 +163,7 @@ void Scene::State::paint_actions(Painter& painter) const {
     if (const auto pixel = pixel_of(actions[i].pushes ? from : to)) marks.push_back({*pixel, actions[i].label});
   }
   const auto [width, height] = size();
-  paint_labels(painter, marks, {settings.theme, text_height(), width, height});
+  paint_labels(painter, marks, {settings.theme, text_height(), width, height, covered});
 }
 
 std::optional<ActionGlyph> Scene::State::action_at(const PixelPoint& pixel) const {

@@ -57,7 +57,7 @@ void Scene::State::paint_marks(Painter& painter) const {
     if (settings.troubles && !blocks_of(trouble).empty()) mark(place_of(trouble), contact_text(trouble));
   for (const MarkedPlace& place : settings.places) mark(place.at, place.label);
   const auto [width, height] = size();
-  talus::paint_marks(painter, marks, {settings.theme, text_height(), width, height});
+  talus::paint_marks(painter, marks, {settings.theme, text_height(), width, height, covered});
 }
 
 }  // namespace talus

@@ -109,6 +109,7 @@ struct Scene::State {
   };
   std::vector<Anchor> action_anchors;
   SolidShapes action_shapes;
+  std::vector<PixelRect> covered;  ///< pixels of the window that labels keep out of
 
   std::shared_ptr<const Frame> frame;
   std::vector<Vec3> contact_dots;    ///< where the frame's contact points are drawn, m; none where they are not

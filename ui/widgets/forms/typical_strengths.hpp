@@ -1,11 +1,16 @@
 #pragma once
 
+#include <vector>
+
 #include "widgets/forms/field.hpp"
+
+class QVBoxLayout;
 
 namespace talus {
 
-/// Strengths of joints that others have measured, to begin with: a choice of one sets friction, residual friction and
-/// cohesion of a joint, in one step. Each says where it is from (resources/presets/joint_strengths.json).
+/// Strengths and stiffnesses of joints that others have measured, to begin with: a choice of one sets friction,
+/// residual friction and cohesion of a joint, or both of its stiffnesses, in one step. Each says where it is from
+/// (resources/presets/joint_strengths.json).
 class TypicalStrengths : public FormField {
   Q_OBJECT
  public:
@@ -13,7 +18,10 @@ class TypicalStrengths : public FormField {
   explicit TypicalStrengths(const FieldSite& joint);
 
  private:
-  void choose(const Json& strength);
+  using Keys = std::vector<const char*>;
+  /// A row that sets these values, all or none of which a joint has, from groups of the presets.
+  QWidget* makeChoice(const QString& title, const QString& name, const char* groups, const Keys& keys);
+  void choose(const Json& values, const Keys& keys);
 };
 
 }  // namespace talus

@@ -21,17 +21,18 @@ QString figure(double value, int figures) {
 QString nounFor(int count, const char* noun) {
   // What is counted anywhere: the translators' tool finds it here.
   static const char* const known[] = {
-      QT_TRANSLATE_N_NOOP("counted", "block"),    QT_TRANSLATE_N_NOOP("counted", "corner"),
-      QT_TRANSLATE_N_NOOP("counted", "cut"),      QT_TRANSLATE_N_NOOP("counted", "error"),
-      QT_TRANSLATE_N_NOOP("counted", "face"),     QT_TRANSLATE_N_NOOP("counted", "frame"),
-      QT_TRANSLATE_N_NOOP("counted", "hint"),     QT_TRANSLATE_N_NOOP("counted", "iteration"),
-      QT_TRANSLATE_N_NOOP("counted", "joint"),    QT_TRANSLATE_N_NOOP("counted", "line"),
-      QT_TRANSLATE_N_NOOP("counted", "load"),     QT_TRANSLATE_N_NOOP("counted", "material"),
-      QT_TRANSLATE_N_NOOP("counted", "pole"),     QT_TRANSLATE_N_NOOP("counted", "row"),
-      QT_TRANSLATE_N_NOOP("counted", "solid"),    QT_TRANSLATE_N_NOOP("counted", "stage"),
-      QT_TRANSLATE_N_NOOP("counted", "step"),     QT_TRANSLATE_N_NOOP("counted", "support"),
-      QT_TRANSLATE_N_NOOP("counted", "thread"),   QT_TRANSLATE_N_NOOP("counted", "time"),
-      QT_TRANSLATE_N_NOOP("counted", "triangle"), QT_TRANSLATE_N_NOOP("counted", "warning")};
+      QT_TRANSLATE_N_NOOP("counted", "block"),   QT_TRANSLATE_N_NOOP("counted", "corner"),
+      QT_TRANSLATE_N_NOOP("counted", "cut"),     QT_TRANSLATE_N_NOOP("counted", "error"),
+      QT_TRANSLATE_N_NOOP("counted", "face"),    QT_TRANSLATE_N_NOOP("counted", "frame"),
+      QT_TRANSLATE_N_NOOP("counted", "hint"),    QT_TRANSLATE_N_NOOP("counted", "iteration"),
+      QT_TRANSLATE_N_NOOP("counted", "joint"),   QT_TRANSLATE_N_NOOP("counted", "line"),
+      QT_TRANSLATE_N_NOOP("counted", "load"),    QT_TRANSLATE_N_NOOP("counted", "material"),
+      QT_TRANSLATE_N_NOOP("counted", "plane"),   QT_TRANSLATE_N_NOOP("counted", "pole"),
+      QT_TRANSLATE_N_NOOP("counted", "row"),     QT_TRANSLATE_N_NOOP("counted", "solid"),
+      QT_TRANSLATE_N_NOOP("counted", "stage"),   QT_TRANSLATE_N_NOOP("counted", "step"),
+      QT_TRANSLATE_N_NOOP("counted", "support"), QT_TRANSLATE_N_NOOP("counted", "thread"),
+      QT_TRANSLATE_N_NOOP("counted", "time"),    QT_TRANSLATE_N_NOOP("counted", "triangle"),
+      QT_TRANSLATE_N_NOOP("counted", "warning")};
   static_cast<void>(known);
   const QString said = QCoreApplication::translate("counted", noun, nullptr, count);
   const bool translated = said != QLatin1String(noun);

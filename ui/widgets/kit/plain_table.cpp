@@ -60,7 +60,8 @@ void PlainTable::wrapWords(int most) {
 }
 
 void PlainTable::fitHeight(int most) {
-  int height = horizontalHeader()->sizeHint().height() + horizontalScrollBar()->sizeHint().height();
+  int height = horizontalHeader()->sizeHint().height();
+  if (horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) height += horizontalScrollBar()->sizeHint().height();
   for (int row = 0; row < std::min(rowCount(), most); ++row) height += rowHeight(row);
   setFixedHeight(height);
 }

@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QPlainTextEdit>
 #include <algorithm>
+#include <set>
 
 #include "base/error.hpp"
 #include "document/document.hpp"
@@ -50,6 +51,12 @@ void shift(MeasuredJoint& joint, const Vec3& by) {
 }
 
 constexpr int set_column = 4;  // of the preview
+
+/// One line a set, as a table of sets has it; a survey has many.
+bool areSets(const std::vector<MeasuredJoint>& joints) {
+  std::set<std::string> names;
+  return std::ranges::all_of(joints, [&](const MeasuredJoint& one) { return names.insert(one.set).second; });
+}
 
 /// Where the reader put each column of the preview, as it names them.
 const std::array<const char*, 8> columns{"dip", "dip direction", "set", "x", "y", "z", "spacing", "persistence"};
@@ -141,6 +148,16 @@ QWidget* PasteJoints::makeFoot() {
   choices->addWidget(placeRow_);
   choices->addStretch();
   column->addLayout(choices);
+  spacedRow_ = new QWidget;
+  auto* spaced = new QHBoxLayout(spacedRow_);
+  setMargins(spaced, 0, 6);
+  spaced->addWidget(makeLabel(tr("A line with a spacing becomes"), "muted"));
+  spaced_ = makeCombo({tr("parallel planes through all of the rock"), tr("one plane")}, tr("What a spacing makes"));
+  spaced_->setObjectName(QStringLiteral("spaced"));
+  spaced->addWidget(spaced_);
+  spaced->addStretch();
+  connect(spaced_, &QComboBox::activated, this, &PasteJoints::showNotes);
+  column->addWidget(spacedRow_);
   auto* buttons = new QHBoxLayout;
   refusal_ = makeWrappedLabel({}, "error");
   buttons->addWidget(refusal_, 1);
@@ -172,8 +189,8 @@ void PasteJoints::presentFile(const std::filesystem::path& file) {
 void PasteJoints::prepare() {
   listStrengths();
   const auto read = solids_.extent();  // files need a moment
-  const auto extent = read ? read : extent_of(document_.project().solids);
-  through_ = extent ? Vec3((extent->min + extent->max) / 2) : Vec3::Zero();
+  rock_ = read ? read : extent_of(document_.project().solids);
+  through_ = rock_ ? Vec3((rock_->min + rock_->max) / 2) : Vec3::Zero();
   showPlace();
 }
 
@@ -219,9 +236,12 @@ void PasteJoints::read() { take(read_joint_table(text_->toPlainText().toStdStrin
 void PasteJoints::take(JointTable table) {
   table_ = std::move(table);
   refusal_->clear();
+  const std::vector<MeasuredJoint> joints = table_.joints();
+  const bool areSpaced = std::ranges::any_of(joints, [](const MeasuredJoint& one) { return one.spacing.has_value(); });
+  spacedRow_->setVisible(areSpaced && rock_);
+  spaced_->setCurrentIndex(rock_ && areSets(joints) ? 0 : 1);
   showTable();
   showNotes();
-  const std::vector<MeasuredJoint> joints = table_.joints();
   const auto left = table_.lines.size() - joints.size();
   add_->setText(
       left == 0 || joints.empty()
@@ -230,6 +250,8 @@ void PasteJoints::take(JointTable table) {
   add_->setEnabled(!joints.empty());
   placeRow_->setVisible(std::ranges::any_of(joints, [](const MeasuredJoint& joint) { return !joint.at; }));
 }
+
+std::optional<BoxShape> PasteJoints::repeatedIn() const { return spaced_->currentIndex() == 0 ? rock_ : std::nullopt; }
 
 void PasteJoints::showTable() {
   std::vector<bool> shown{true, true};
@@ -275,8 +297,16 @@ void PasteJoints::showNotes() {
   const bool faulty = !words.isEmpty();
   for (const std::string& note : table_.notes) words << text(note);
   const std::vector<MeasuredJoint> joints = table_.joints();
-  if (std::ranges::any_of(joints, [](const MeasuredJoint& one) { return one.spacing || one.persistence; }))
-    words << tr("spacing and persistence are shown but not used: every line becomes one plane without end");
+  if (std::ranges::any_of(joints, [](const MeasuredJoint& one) { return one.spacing.has_value(); })) {
+    int planes = 0;
+    for (const Cut& cut : with_joints({}, joints, {}, through_, repeatedIn()).cuts) planes += cut.count.value_or(1);
+    words << (repeatedIn() ? tr("with their spacings %1 in the rock")
+                                 .arg(numbers::counted(static_cast<std::size_t>(planes), "plane"))
+              : rock_ ? tr("spacing is not used: every line becomes one plane")
+                      : tr("spacing is not used while there is no rock: every line becomes one plane"));
+  }
+  if (std::ranges::any_of(joints, [](const MeasuredJoint& one) { return one.persistence.has_value(); }))
+    words << tr("persistence is shown but not used: planes have no end");
   if (std::ranges::any_of(joints, [](const MeasuredJoint& one) { return !one.corners.empty(); }))
     words << tr("each joint ends at the corners of its face");
   if (text_->toPlainText().trimmed().isEmpty()) {
@@ -303,7 +333,7 @@ void PasteJoints::add() {
     strength.friction_angle = usual_friction;
   }
   try {
-    document_.change(with_joints(project, joints, strength, through_),
+    document_.change(with_joints(project, joints, strength, through_, repeatedIn()),
                      tr("paste %1").arg(numbers::counted(joints.size(), "joint")));
     accept();
   } catch (const InputError& error) {

@@ -2,7 +2,9 @@
 
 #include <QDialog>
 #include <filesystem>
+#include <optional>
 
+#include "model/project.hpp"
 #include "orientation/joint_table.hpp"
 
 class QComboBox;
@@ -45,16 +47,20 @@ class PasteJoints : public QDialog {
   void listStrengths();
   void showPlace();
   void add();
+  /// Of the rock, where joints with a spacing go all through it.
+  std::optional<BoxShape> repeatedIn() const;
 
   Document& document_;
   const SolidSurfaces& solids_;
   JointTable table_;
   Vec3 through_ = Vec3::Zero();  ///< m, for joints without a place
+  std::optional<BoxShape> rock_;
   QPlainTextEdit* text_;
   PlainTable* preview_;
   QLabel *notes_, *refusal_;
   QComboBox* strength_;
-  QWidget* placeRow_;
+  QComboBox* spaced_;  ///< what a joint with a spacing becomes
+  QWidget *placeRow_, *spacedRow_;
   QPushButton* add_;
 };
 

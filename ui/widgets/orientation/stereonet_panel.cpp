@@ -26,7 +26,7 @@ namespace talus {
 namespace {
 
 const QSize usual_size(1120, 780);
-constexpr int side_width = 400;
+constexpr int side_width = 400, row_height = 24;
 constexpr int most_sets = 6, most_counts = 8;  // rows that are seen without scrolling
 constexpr int most_of_a_cut = 1000;            // planes that are drawn by chance: more would hold up the window …
 constexpr std::size_t most_paired = 1500;      // … and so would half this number squared of intersections
@@ -129,6 +129,15 @@ QWidget* StereonetPanel::makeNet() {
   density_ = makeLabel({}, "small");
   density_->setObjectName(QStringLiteral("density"));
   foot->addWidget(density_);
+  foot->addSpacing(8);
+  auto* paste = makeButton(tr("Paste joints…"));
+  auto* picture = makeButton(tr("Save picture…"));
+  for (auto* button : {paste, picture}) {
+    button->setAutoDefault(false);
+    foot->addWidget(button);
+  }
+  connect(paste, &QPushButton::clicked, this, &StereonetPanel::pasteWanted);
+  connect(picture, &QPushButton::clicked, this, &StereonetPanel::savePicture);
   column->addLayout(foot);
   connect(view_, &StereonetView::chosen, this, &StereonetPanel::choose);
   connect(view_, &StereonetView::windowDrawn, this, [this](const SetWindow& window) {
@@ -153,23 +162,13 @@ QWidget* StereonetPanel::makeSide() {
   column->addWidget(makeWindow());
   column->addWidget(makeSlope());
   column->addStretch();
-  auto* side = new QWidget;
-  auto* sideColumn = new QVBoxLayout(side);
-  setMargins(sideColumn, 0, 0);
-  sideColumn->addWidget(makeScrolled(content), 1);
-  auto* buttons = makePlane("header");
-  auto* row = new QHBoxLayout(buttons);
-  row->setContentsMargins(12, 8, 12, 8);
-  auto* paste = makeButton(tr("Paste joints…"));
-  auto* picture = makeButton(tr("Save picture…"));
-  for (auto* button : {paste, picture}) {
-    button->setAutoDefault(false);
-    row->addWidget(button);
+  // All counts are seen without scrolling on a small screen.
+  for (auto* section : content->findChildren<Section*>()) section->layout()->setContentsMargins(12, 7, 12, 7);
+  for (auto* table : {sets_, counts_}) {
+    table->verticalHeader()->setDefaultSectionSize(row_height);
+    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   }
-  row->addStretch();
-  connect(paste, &QPushButton::clicked, this, &StereonetPanel::pasteWanted);
-  connect(picture, &QPushButton::clicked, this, &StereonetPanel::savePicture);
-  sideColumn->addWidget(buttons);
+  auto* side = makeScrolled(content);
   side->setFixedWidth(side_width);
   return side;
 }

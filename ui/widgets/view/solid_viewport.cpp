@@ -19,12 +19,13 @@ namespace talus {
 namespace {
 
 constexpr int rested_ms = 300;  // after that it is drawn finely
+constexpr int at_once = 0;      // ms
 constexpr double degrees_per_pixel = 0.4;
 constexpr double nearer_per_notch = 0.85;
 
 }  // namespace
 
-SolidViewport::SolidViewport(QWidget* parent) : QWidget(parent), surface_(makeRenderSurface(this)) {
+SolidViewport::SolidViewport(QWidget* parent) : QWidget(parent), surface_(makeRenderSurface(this)), drawing_(at_once) {
   setMinimumSize(320, 240);
   surface_->widget()->setAccessibleName(tr("Preview of the solid"));
   surface_->widget()->installEventFilter(this);
@@ -34,9 +35,14 @@ SolidViewport::SolidViewport(QWidget* parent) : QWidget(parent), surface_(makeRe
   connect(&stillTimer_, &QTimer::timeout, this, [this] { draw(true); });
 }
 
-SolidViewport::~SolidViewport() { clear(); }
+SolidViewport::~SolidViewport() { takeAway(); }
 
 void SolidViewport::clear() {
+  drawing_.cancel();
+  takeAway();
+}
+
+void SolidViewport::takeAway() {
   if (!scene_) return;
   surface_->makeContextCurrent();  // the card's memory is freed as the renderer leaves
   surface_->window().RemoveRenderer(scene_->renderer());
@@ -45,17 +51,29 @@ void SolidViewport::clear() {
 }
 
 void SolidViewport::setSolid(const SolidSurface& solid, bool anew) {
-  const auto standing = scene_ && moved_ && !anew ? std::optional(scene_->pose()) : std::nullopt;
-  clear();
-  system_ = {.blocks = {surfaceBlock(solid, 0, BodyKind::tetrahedra)}, .joint_names = {}};
+  anew_ = anew_ || anew;
   SceneSettings settings;
   settings.theme = theme::now().dark ? Theme::dark : Theme::light;
   settings.legend = settings.time_stamp = settings.smooth_outlines = false;
   settings.text_height = theme::now().type.small * devicePixelRatioF();
   settings.places = oddPlaces(solid);
-  scene_ = std::make_unique<Scene>(system_, settings);
+  const auto draw = [solid, settings](Progress&) {
+    auto system = std::make_shared<const BlockSystem>(
+        BlockSystem{.blocks = {surfaceBlock(solid, 0, BodyKind::tetrahedra)}, .joint_names = {}});
+    auto scene = std::make_shared<Scene>(*system, settings);
+    look_at_slope(*scene, *system, nullptr);
+    return Drawn{std::move(system), std::move(scene)};
+  };
+  drawing_.begin(draw, [this](const Drawn& made) { show(made); });
+}
+
+void SolidViewport::show(const Drawn& made) {
+  const auto standing = scene_ && moved_ && !anew_ ? std::optional(scene_->pose()) : std::nullopt;
+  takeAway();
+  system_ = made.system;
+  scene_ = made.scene;
   surface_->window().AddRenderer(scene_->renderer());
-  look_at_slope(*scene_, system_, nullptr);
+  anew_ = false;
   moved_ = standing.has_value();
   if (standing) scene_->set_pose(*standing);
   surface_->widget()->show();

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "jobs/latest_job.hpp"
 #include "render/scene/scene.hpp"
 
 namespace talus {
@@ -20,7 +21,8 @@ class SolidViewport : public QWidget {
   explicit SolidViewport(QWidget* parent = nullptr);
   ~SolidViewport() override;
 
-  /// The camera stays where it is unless `anew`.
+  /// It is in view as soon as it can be drawn, what was there before stays until then. The camera stays where it is
+  /// unless `anew`.
   void setSolid(const SolidSurface& solid, bool anew);
   void clear();
   bool isEmpty() const { return scene_ == nullptr; }
@@ -31,16 +33,24 @@ class SolidViewport : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  struct Drawn {
+    std::shared_ptr<const BlockSystem> system;  ///< the scene keeps a reference
+    std::shared_ptr<Scene> scene;
+  };
+  void show(const Drawn& made);
+  void takeAway();
   void moveCamera(const CameraPose& pose);
   void fit();
   void draw(bool fine);
 
   RenderSurface* surface_;
-  BlockSystem system_;  ///< what scene_ draws; it keeps a reference
-  std::unique_ptr<Scene> scene_;
+  std::shared_ptr<const BlockSystem> system_;  ///< what scene_ draws
+  std::shared_ptr<Scene> scene_;
   QTimer stillTimer_;  ///< fires when the camera has rested
   QPointF last_;
   bool moved_ = false;  ///< by hand since it was fitted
+  bool anew_ = false;   ///< what comes is looked at anew
+  LatestJob drawing_;
 };
 
 }  // namespace talus

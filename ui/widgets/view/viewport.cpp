@@ -12,6 +12,7 @@
 
 #include "geometry/solid_surface.hpp"
 #include "jobs/solver_job.hpp"
+#include "render/paint/painter.hpp"
 #include "session/session.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
@@ -212,6 +213,7 @@ void Viewport::showScene(const Drawn& next) {
   showEmptyState();
   if (!scene_) return;
   scene_->set_stage_names(session_.run.stageNames());
+  keepLabelsBesideTools();
   if (standing_)
     scene_->set_pose(*standing_);
   else if (isNew)
@@ -469,11 +471,20 @@ void Viewport::placeOverlays() {
   tools_->adjustSize();
   tools_->move(width() - tools_->width() - 12, 12);
   tools_->raise();
+  keepLabelsBesideTools();
   picker_->adjustSize();
   picker_->move((tools_->x() - picker_->width()) / 2, 12);
   picker_->raise();
   empty_->adjustSize();
   empty_->setGeometry(0, (height() - empty_->height()) / 2, width(), empty_->height());
+}
+
+void Viewport::keepLabelsBesideTools() {
+  if (!scene_) return;
+  const double ratio = devicePixelRatioF();
+  const QRect tools = tools_->geometry();
+  scene_->set_covered({PixelRect{tools.x() * ratio, (height() - tools.y() - tools.height()) * ratio,
+                                 (tools.x() + tools.width()) * ratio, (height() - tools.y()) * ratio}});
 }
 
 }  // namespace talus

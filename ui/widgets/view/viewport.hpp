@@ -97,12 +97,16 @@ class Viewport : public QWidget {
   QWidget* tools() { return tools_; }
   /// Strips and tools that lie over the view get their places again.
   void placeOverlays();
+  void keepLabelsBesideTools();
+  QString surveyedPlace(const Pick& pick) const;
 
  signals:
   /// Of what is selected, at a point of the screen.
   void menuWanted(const QPoint& at);
   /// The project has none yet.
   void rockWanted();
+  /// Where the point of rock under the mouse lies in the coordinates of the survey, in words; empty beside the rock.
+  void pointedAt(const QString& place);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -45,6 +45,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       hoverTimer_.stop();
       for (ViewTool* tool : overlay_->tools()) tool->leave();
       selection().hover();
+      emit pointedAt({});
       return false;
     default:
       return false;
@@ -167,6 +168,7 @@ void Viewport::pickForHover() {
   }
   const auto pick = pickAt(last_);
   selection().hover(pick ? itemOf(pick->block) : Item{});
+  emit pointedAt(pick ? surveyedPlace(*pick) : QString());
   if (!showsSolids_) return;
   if (pick)
     showCard(*pick, last_);
@@ -231,13 +233,16 @@ void Viewport::selectAt(QPointF point, Qt::KeyboardModifiers modifiers) {
   showCard(*pick, point);
 }
 
+QString Viewport::surveyedPlace(const Pick& pick) const {
+  const Vec3 surveyed = pick.position + project().origin;
+  return tr("E %1  N %2  Z %3 m")
+      .arg(numbers::fixed(surveyed.x(), 1), numbers::fixed(surveyed.y(), 1), numbers::fixed(surveyed.z(), 1));
+}
+
 void Viewport::showCard(const Pick& pick, QPointF point) {
   const Block& block = system_->blocks[static_cast<std::size_t>(pick.block)];
   cardTitle_->setText(text(block.name));
-  const Vec3 surveyed = pick.position + project().origin;
-  QString words =
-      tr("E %1  N %2  Z %3 m")
-          .arg(numbers::fixed(surveyed.x(), 1), numbers::fixed(surveyed.y(), 1), numbers::fixed(surveyed.z(), 1));
+  QString words = surveyedPlace(pick);
   if (showsSolids_) words = tr("%1 m³").arg(numbers::significant(block.volume, 4)) + u'\n' + words;
   if (pick.value && displayed().field) {
     const Field& field = *displayed().field;

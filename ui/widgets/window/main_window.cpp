@@ -183,6 +183,11 @@ void MainWindow::makeStatusBar() {
   auto* count = new ProblemCount(session_.project, session_.messages);
   connect(count, &QToolButton::clicked, this, [this] { static_cast<BottomPanel*>(bottom_->widget())->showProblems(); });
   bar->addPermanentWidget(count);
+  auto* pointed = makeLabel({}, "small");
+  pointed->setObjectName(QStringLiteral("pointed"));
+  pointed->setToolTip(tr("Under the mouse: east, north and height in the coordinates of the survey"));
+  bar->addPermanentWidget(pointed);
+  connect(viewport_, &Viewport::pointedAt, pointed, &QLabel::setText);
   place_ = makeLabel({}, "small");
   bar->addPermanentWidget(place_);
   bar->addPermanentWidget(new UnitsButton(session_.display));

@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-constexpr MarkedPicture picture{.text_height = 16, .width = 800, .height = 500};
+const MarkedPicture picture{.text_height = 16, .width = 800, .height = 500};
 
 bool overlap(const PixelRect& a, const PixelRect& b) {
   return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
@@ -47,6 +47,21 @@ TEST(PlaceMarks, LabelsOfMarksInOnePlaceDoNotOverlap) {
     EXPECT_NEAR(middle(places[i]), 250, 5 * picture.text_height) << "near its mark";
     for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(places[i], places[k])) << i << ' ' << k;
   }
+}
+
+TEST(PlaceMarks, LabelsKeepOutOfWhatIsCovered) {
+  MarkedPicture window = picture;
+  window.covered = {{740, 200, 790, 490}};
+  const std::vector<PlaceMark> marks{
+      {{640, 300}, "base – cube"}, {{760, 300}, "under the tools"}, {{640, 100}, "free"}};
+  const auto places = label_places(marks, window);
+  ASSERT_EQ(places.size(), 3u);
+  for (const PixelRect& place : places) {
+    expect_inside(place);
+    EXPECT_FALSE(overlap(place, window.covered[0]));
+  }
+  EXPECT_LT(places[0].right, 640) << "to the left where the right is covered";
+  EXPECT_GT(places[2].left, 640);
 }
 
 TEST(PlaceMarks, WhatLiesOutsideThePictureHasNoLabel) {
