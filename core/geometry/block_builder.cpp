@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "geometry/block_description.hpp"
+#include "geometry/kept_meshes.hpp"
 #include "geometry/mesh_estimate.hpp"
 #include "geometry/mesher_answers.hpp"
 #include "geometry/mesher_process.hpp"
@@ -119,8 +120,9 @@ void check_alone(const Solid& solid, const Vec3& origin, const std::filesystem::
     if (is_fatal(finding)) throw unsound(*file_of(solid.shape), finding);
 }
 
+/// `kept`: meshes that may be taken over; null: none, and none are kept.
 BlockSystem cut_and_mesh(const Project& project, const std::filesystem::path& folder, const Sizes& sizes,
-                         Progress& progress) {
+                         Progress& progress, KeptMeshes* kept = nullptr) {
   validate_for_cutting(project);
   const MesherJob job = make_job(project, folder);
   if (progress.cancelled()) throw Cancelled{};
@@ -136,10 +138,14 @@ BlockSystem cut_and_mesh(const Project& project, const std::filesystem::path& fo
       const auto cut = from_bytes<MesherCutModel>(message.bytes);
       take_report(system, cut);
       system.blocks = described_blocks(project, cut);
-      mesher.send(MessageKind::sizes, to_bytes(sizes(cut, system.blocks)));
+      MesherSizes wanted = sizes(cut, system.blocks);
+      if (kept) wanted.known = kept->keys();
+      mesher.send(MessageKind::sizes, to_bytes(wanted));
     } else if (message.kind == MessageKind::block) {
-      take_mesh(system.blocks.at(meshed++), from_bytes<MesherBlock>(message.bytes));
+      auto block = from_bytes<MesherBlock>(message.bytes);
+      take_mesh(system.blocks.at(meshed++), kept ? kept->mesh_of(std::move(block)) : std::move(block));
     } else if (message.kind == MessageKind::end) {
+      if (kept) kept->end_of_build();
       progress.report(1, "meshed");
       return system;
     } else {
@@ -170,6 +176,14 @@ BlockSystem build_blocks(const Project& project, const std::filesystem::path& fo
       project, folder,
       [&](const MesherCutModel& cut, const std::vector<Block>& blocks) { return wanted_sizes(project, cut, blocks); },
       progress);
+}
+
+BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress,
+                         KeptMeshes& kept) {
+  return cut_and_mesh(
+      project, folder,
+      [&](const MesherCutModel& cut, const std::vector<Block>& blocks) { return wanted_sizes(project, cut, blocks); },
+      progress, &kept);
 }
 
 BlockSystem cut_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress) {

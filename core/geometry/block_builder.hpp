@@ -9,6 +9,8 @@
 
 namespace talus {
 
+class KeptMeshes;
+
 /// Imports the project's solids, cuts them along its joints, names the blocks and meshes each with tetrahedra.
 /// A block of body 'auto' gets the body that `BodyChooser` chooses, with the reason. Rigid and affine blocks without a
 /// mesh size are meshed from their corners alone, others to a tenth of their solid's longest side.
@@ -22,6 +24,11 @@ namespace talus {
 /// misses, a file that cannot be read, an override in no block, a mesh of more tetrahedra than the project allows),
 /// SplintersFound for splinters that are refused, Cancelled when `progress` says so.
 BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress);
+
+/// The same blocks, bit for bit; those whose meshes are kept are not meshed again, and theirs are kept for the next
+/// time.
+BlockSystem build_blocks(const Project& project, const std::filesystem::path& folder, Progress& progress,
+                         KeptMeshes& kept);
 
 /// The same, but meshed from their corners alone, however fine the project wants them: what the blocks look like, and
 /// what `mesh_estimate` needs. Curved faces keep the usual size.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -200,17 +201,20 @@ struct MesherSize {
 };
 
 struct MesherSizes {
-  std::vector<MesherSize> sizes;  ///< a block, in the order of MesherCutModel::blocks
+  std::vector<MesherSize> sizes;     ///< a block, in the order of MesherCutModel::blocks
+  std::vector<std::uint64_t> known;  ///< keys of meshes that need not be made again
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(sizes);
+    stream(sizes, known);
   }
 };
 
 /// In the order of MesherCutModel::blocks, one by one.
 struct MesherBlock {
-  double volume = 0;  ///< m³, of the shape before meshing
+  std::uint64_t key = 0;  ///< of all that the mesh is made of; 0: of corners alone, nothing is saved by keeping it
+  bool is_known = false;  ///< it is one of those that were said to be known; nothing but the key is sent
+  double volume = 0;      ///< m³, of the shape before meshing
   std::vector<Vec3> nodes;
   std::vector<std::array<int, 4>> tetrahedra;
   std::vector<std::array<int, 3>> triangles;
@@ -218,7 +222,7 @@ struct MesherBlock {
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(volume, nodes, tetrahedra, triangles, triangle_joints);
+    stream(key, is_known, volume, nodes, tetrahedra, triangles, triangle_joints);
   }
 };
 

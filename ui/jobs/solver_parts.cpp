@@ -1,6 +1,9 @@
 #include "jobs/solver_parts.hpp"
 
+#include <memory>
+
 #include "base/error.hpp"
+#include "geometry/kept_meshes.hpp"
 #include "model/rules/validate.hpp"
 
 namespace talus {
@@ -18,6 +21,12 @@ std::optional<SceneSize> sizeWhereItCanRun(const Project& project, const BlockSy
 
 }  // namespace
 
-SolverParts solverParts() { return {build_blocks, sizeWhereItCanRun, run}; }
+SolverParts solverParts() {
+  const auto build = [kept = std::make_shared<KeptMeshes>()](const Project& project, const std::filesystem::path& folder,
+                                                             Progress& progress) {
+    return build_blocks(project, folder, progress, *kept);
+  };
+  return {build, sizeWhereItCanRun, run};
+}
 
 }  // namespace talus

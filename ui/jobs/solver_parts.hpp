@@ -17,7 +17,7 @@ struct SolverParts {
   std::function<RunReport(const Project&, const BlockSystem&, const RunOptions&, RunObserver&)> solve;
 };
 
-/// build_blocks, scene_size and run.
+/// build_blocks, which keeps meshes from one time to the next, scene_size and run.
 SolverParts solverParts();
 
 }  // namespace talus

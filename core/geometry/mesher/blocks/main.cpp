@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <csignal>
+#include <functional>
+#include <iterator>
+#include <set>
 
 #include "base/error.hpp"
 #include "geometry/mesher/blocks/kept_blocks.hpp"
@@ -65,10 +68,23 @@ void report(double fraction, std::string_view what) {
   send_message(MessageKind::progress, MesherProgress{fraction, std::string(what)});
 }
 
-MesherBlock finished_block(const ImportedModel& model, const CutBlock& cut, MeshedShape shape) {
+MesherBlock finished_block(const ImportedModel& model, const CutBlock& cut, MeshedShape shape, std::uint64_t key) {
   for (Vec3& node : shape.nodes) node += model.origin;
-  return {cut.volume, std::move(shape.nodes), std::move(shape.tetrahedra), std::move(shape.triangles),
+  return {key,
+          false,
+          cut.volume,
+          std::move(shape.nodes),
+          std::move(shape.tetrahedra),
+          std::move(shape.triangles),
           std::move(shape.triangle_joints)};
+}
+
+/// Refinements that say a size somewhere in a box; both relative to the model's origin.
+std::vector<MeshRefinement> reaching(const std::vector<MeshRefinement>& refinements, const Eigen::AlignedBox3d& box) {
+  std::vector<MeshRefinement> found;
+  std::copy_if(refinements.begin(), refinements.end(), std::back_inserter(found),
+               [&](const MeshRefinement& one) { return box.exteriorDistance(one.at) <= 2 * one.radius; });
+  return found;
 }
 
 /// Edges of a block with flat faces are shorter than the diagonal of its solid. One size for all that are coarse:
@@ -108,46 +124,62 @@ std::vector<MeshRefinement> refinements_of(const MesherJob& job, const ImportedM
   return refinements;
 }
 
+/// Of all that filling a surface depends on, and of where the model lies. Never 0.
+std::uint64_t key_of(SurfaceMesh surface, double size, const std::vector<MeshRefinement>& nearby, double volume,
+                     Vec3 origin) {
+  ByteWriter all;
+  all(surface.nodes, surface.triangles, size, volume, origin);
+  for (FacetOrigin& facet : surface.origins) all(facet.joint);
+  for (MeshRefinement one : nearby) all(one.at, one.radius, one.size);
+  return std::max<std::uint64_t>(1, std::hash<std::string>()(all.bytes()));
+}
+
 /// How a block is meshed, one after the other.
 class BlockMesher {
  public:
-  BlockMesher(const CutModel& cut, const std::vector<NamedBlock>& blocks, const MesherCutModel& told,
-              const std::vector<MesherSize>& sizes, const std::vector<MeshRefinement>& refinements)
-      : cut_(cut), blocks_(blocks), told_(told), sizes_(sizes), refinements_(refinements) {
-    surfaces_ = mesh_surfaces(blocks, cut.planes, sizes, refinements);
+  BlockMesher(const ImportedModel& model, const CutModel& cut, const std::vector<NamedBlock>& blocks,
+              const MesherCutModel& told, const MesherSizes& sizes, const std::vector<MeshRefinement>& refinements)
+      : model_(model), cut_(cut), blocks_(blocks), told_(told), sizes_(sizes.sizes), refinements_(refinements) {
+    known_.insert(sizes.known.begin(), sizes.known.end());
+    surfaces_ = mesh_surfaces(blocks, cut.planes, sizes_, refinements);
   }
 
-  MeshedShape mesh(std::size_t index) const {
+  MesherBlock mesh(std::size_t index) const {
     const std::string place = "block " + blocks_[index].name;
     const CutBlock& shape = blocks_[index].shape;
     const auto [size, refined] = sizes_[index];
-    const auto nearby = refined ? std::span(refinements_) : std::span<const MeshRefinement>();
-    if (shape.cells.empty()) return fill_with_tetrahedra(surfaces_[index], size, nearby, shape.volume, place);
-    const CellSolid& solid = cut_.cells.at(shape.solid);
-    if (!refined && size >= told_.blocks[index].coarsest_size) return coarse_mesh(solid, shape.cells, place);
-    return fill_with_tetrahedra(fine_surface(solid, shape.cells, {size, nearby}), size, nearby, shape.volume, place);
+    if (!shape.cells.empty() && !refined && size >= told_.blocks[index].coarsest_size)
+      return finished_block(model_, shape, coarse_mesh(cut_.cells.at(shape.solid), shape.cells, place), 0);
+    const auto nearby = refined ? reaching(refinements_, shape.bounds) : std::vector<MeshRefinement>();
+    const SurfaceMesh surface =
+        shape.cells.empty() ? surfaces_[index] : fine_surface(cut_.cells.at(shape.solid), shape.cells, {size, nearby});
+    const std::uint64_t key = key_of(surface, size, nearby, shape.volume, model_.origin);
+    if (known_.contains(key)) return {key, true, shape.volume, {}, {}, {}, {}};
+    return finished_block(model_, shape, fill_with_tetrahedra(surface, size, nearby, shape.volume, place), key);
   }
 
  private:
+  const ImportedModel& model_;
   const CutModel& cut_;
   const std::vector<NamedBlock>& blocks_;
   const MesherCutModel& told_;
   const std::vector<MesherSize>& sizes_;
   const std::vector<MeshRefinement>& refinements_;
+  std::set<std::uint64_t> known_;
   std::vector<SurfaceMesh> surfaces_;
 };
 
 /// From the blocks' shapes to finished blocks, sent one by one.
 void mesh_blocks(const ImportedModel& model, const CutModel& cut, const std::vector<NamedBlock>& blocks,
-                 const MesherCutModel& told, const std::vector<MesherSize>& sizes,
-                 const std::vector<MeshRefinement>& refinements, double share_done) {
+                 const MesherCutModel& told, const MesherSizes& sizes, const std::vector<MeshRefinement>& refinements,
+                 double share_done) {
   report(share_done, "meshing the surfaces of " + std::to_string(blocks.size()) + " blocks");
-  const BlockMesher mesher(cut, blocks, told, sizes, refinements);
+  const BlockMesher mesher(model, cut, blocks, told, sizes, refinements);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const double fraction = static_cast<double>(b) / static_cast<double>(blocks.size());
     report(share_done + (1 - share_done) * fraction, "meshing block " + blocks[b].name + " (" + std::to_string(b + 1) +
                                                          " of " + std::to_string(blocks.size()) + ")");
-    send_message(MessageKind::block, finished_block(model, blocks[b].shape, mesher.mesh(b)));
+    send_message(MessageKind::block, mesher.mesh(b));
   }
 }
 
@@ -176,7 +208,7 @@ void work(const MesherJob& job) {
   const KeptBlocks kept = keep_blocks(job, model, cut);
   const MesherCutModel told = cut_model(model, cut, kept);
   send_message(MessageKind::cut, told);
-  mesh_blocks(model, cut, kept.blocks, told, from_bytes<MesherSizes>(receive_message().bytes).sizes,
+  mesh_blocks(model, cut, kept.blocks, told, from_bytes<MesherSizes>(receive_message().bytes),
               refinements_of(job, model), cut_done);
   send_message(MessageKind::end, MesherEnd{});
 }
