@@ -49,16 +49,36 @@ struct Counts {
   double tetrahedra = 0, nodes = 0;
 };
 
-/// Fitted to gmsh's Delaunay meshes (4.8.4, Optimize = 1) of cubes, plates and columns, from one edge to fifty across:
-/// so many tetrahedra fill a cube of one edge, and so many lie along a square of it on the surface.
+/// Fitted to gmsh's Delaunay meshes (4.8.4, Optimize = 1) of blocks from a quarter of an edge to fifty across, cut from
+/// a cube, and from rough terrain as cells.
+struct Fit {
+  double triangles_in_a_square, triangles_along_edges;  ///< of one edge's area; for its root, as if a block were a cube
+  double tetrahedra_in_a_cube, nodes_in_a_cube;         ///< of one edge
+  double on_smaller_triangles;                          ///< tetrahedra that stand on one, where they are much smaller
+};
+constexpr Fit of_solids{2.3, 5.9, 4.4, 0.4, 1.08}, of_cells{2.0, 4.5, 3.5, 0.15, 1.12};
+
+/// Triangles of a block's surface: as many as its size asks for, at least those that its corners make. A surface of
+/// facets that are as small as the size is in between.
+double triangles_of(double squares, double corners, const Fit& fit) {
+  constexpr double sharpness = 1.5;
+  const double by_size = fit.triangles_in_a_square * squares + fit.triangles_along_edges * std::sqrt(squares);
+  const double by_corners = 2 * (std::max(4.0, corners) - 2);  // Euler
+  return std::pow(std::pow(by_size, sharpness) + std::pow(by_corners, sharpness), 1 / sharpness);
+}
+
 Counts counts_of(const BlockToMesh& block, std::span<const MeshRefinement> refinements) {
-  constexpr double inside = 4.4, along_surface = 1.2, of_one_layer = 3.5, least = 12;
+  constexpr double on_triangles_of_the_size = 0.46, usual_in_a_square = 2.63, least = 12;
+  const Fit& fit = block.of_cells ? of_cells : of_solids;
   const std::span<const MeshRefinement> reaching = block.refined ? refinements : std::span<const MeshRefinement>();
   const double density = mean_density(block, reaching);
   const double cubes = block.volume * density, squares = block.area * std::pow(density, 2.0 / 3);
-  const double tetrahedra = std::max({inside * cubes + along_surface * squares, of_one_layer * squares, least});
-  constexpr double around_an_inner_node = 6.9, nodes_on_a_square = 0.9, corners = 5;
-  return {tetrahedra, tetrahedra / around_an_inner_node + nodes_on_a_square * squares + corners};
+  const double triangles = triangles_of(squares, block.corners, fit);
+  const double of_the_size = std::min(1.0, usual_in_a_square * squares / triangles);
+  const double on_a_triangle = std::lerp(fit.on_smaller_triangles, on_triangles_of_the_size, of_the_size);
+  const double on_surface = triangles / 2 + 2;  // Euler
+  return {std::max(fit.tetrahedra_in_a_cube * cubes + on_a_triangle * triangles, least),
+          on_surface + fit.nodes_in_a_cube * cubes};
 }
 
 double unknowns_of(BodyKind body, double nodes) {
@@ -85,6 +105,28 @@ ExtentOfSolids extents(const BlockSystem& system) {
   return boxes;
 }
 
+Vec3 normal_of(const Block& block, const SurfaceTriangle& triangle) {
+  const auto node = [&](std::size_t k) -> const Vec3& {
+    return block.mesh.nodes[static_cast<std::size_t>(triangle.nodes[k])];
+  };
+  return (node(1) - node(0)).cross(node(2) - node(0)).normalized();
+}
+
+/// However finely the block is meshed.
+double corners_of(const Block& block) {
+  constexpr double in_one_plane = 0.9994;  // cosine of 2°
+  std::vector<std::vector<Vec3>> planes(block.mesh.nodes.size());
+  for (const SurfaceTriangle& triangle : block.surface) {
+    const Vec3 normal = normal_of(block, triangle);
+    for (const int node : triangle.nodes) {
+      auto& known = planes[static_cast<std::size_t>(node)];
+      const auto is_known = [&](const Vec3& one) { return one.dot(normal) > in_one_plane; };
+      if (known.size() < 3 && std::ranges::none_of(known, is_known)) known.push_back(normal);
+    }
+  }
+  return static_cast<double>(std::ranges::count_if(planes, [](const auto& known) { return known.size() >= 3; }));
+}
+
 double surface_area(const Block& block) {
   double area = 0;
   for (const SurfaceTriangle& t : block.surface) {
@@ -107,7 +149,8 @@ BlockToMesh block_to_mesh(const Project& project, const Block& block, const Box&
   const auto named = std::ranges::find(project.blocks, block.name, &BlockOverride::name);
   const BlockOverride* wanted = named == project.blocks.end() ? nullptr : &*named;
   const BodyKind body = wanted_body(block, solid, wanted);
-  const bool coarse = corners_suffice(body, solid, wanted, std::holds_alternative<TerrainShape>(solid.shape));
+  const bool is_of_cells = std::holds_alternative<TerrainShape>(solid.shape);
+  const bool coarse = corners_suffice(body, solid, wanted, is_of_cells);
   const double usual = solid.mesh_size.value_or(project.mesh.size.value_or(solid_box.sizes().maxCoeff() / 10));
   Box box;
   for (const Vec3& node : block.mesh.nodes) box.extend(node);
@@ -117,24 +160,28 @@ BlockToMesh block_to_mesh(const Project& project, const Block& block, const Box&
           block.volume,
           surface_area(block),
           box.min(),
-          box.max()};
+          box.max(),
+          is_of_cells,
+          corners_of(block)};
 }
 
 }  // namespace
 
 MeshEstimate mesh_estimate(std::span<const BlockToMesh> blocks, std::span<const MeshRefinement> refinements) {
   MeshEstimate estimate;
-  double largest = 0;
+  double largest = 0, corners = 0;
   for (const BlockToMesh& block : blocks) {
+    corners += block.corners;
     const Counts counts = counts_of(block, refinements);
     estimate.tetrahedra += counts.tetrahedra;
     estimate.nodes += counts.nodes;
     estimate.unknowns += unknowns_of(block.body, counts.nodes);
     largest = std::max(largest, counts.tetrahedra);
   }
-  // gmsh has one block at a time, the program keeps them all.
-  constexpr double bytes_of_gmsh = 75e6, bytes_at_work = 550, bytes_kept = 60;
-  estimate.bytes = bytes_of_gmsh + bytes_at_work * largest + bytes_kept * estimate.tetrahedra;
+  // The mesher holds all that was cut, gmsh one block at a time, the program keeps them all.
+  constexpr double bytes_of_gmsh = 75e6, bytes_of_a_corner = 7e3, bytes_at_work = 550, bytes_kept = 60;
+  estimate.bytes =
+      bytes_of_gmsh + bytes_of_a_corner * corners + bytes_at_work * largest + bytes_kept * estimate.tetrahedra;
   constexpr double seconds_a_tetrahedron = 45e-6, seconds_a_block = 5e-3;
   estimate.seconds = seconds_a_tetrahedron * estimate.tetrahedra + seconds_a_block * static_cast<double>(blocks.size());
   return estimate;

@@ -23,9 +23,11 @@ struct BlockToMesh {
   double volume = 0;                            ///< m³
   double area = 0;                              ///< m²
   Vec3 min = Vec3::Zero(), max = Vec3::Zero();  ///< m, corners of the box around it
+  bool of_cells = false;                        ///< its solid is triangles, whose corners all stay
+  double corners = 8;                           ///< points where faces of three planes meet
 };
 
-/// Counts are right to a third for blocks that are more than one edge across; memory and time are those of the machine
+/// Counts are right to a fifth; memory and time are those of the machine
 /// on which they were fitted. Rock fills the box around a block evenly, as far as refinements are concerned.
 MeshEstimate mesh_estimate(std::span<const BlockToMesh> blocks, std::span<const MeshRefinement> refinements);
 
