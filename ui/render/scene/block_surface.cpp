@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "base/units.hpp"
 
@@ -36,8 +37,36 @@ Vec3 unit_normal(const Block& block, const SurfaceTriangle& triangle) {
   return (b - a).cross(c - a).normalized();
 }
 
+/// An edge of a block, and how far its surface bends there.
+struct Bend {
+  std::array<int, 2> nodes;
+  bool sharp = false, strong = false;
+};
+
+/// A slight bend is an edge where it goes on at both ends: on rough ground single ones are no lines but specks.
+void leave_loose_ends_out(std::vector<Bend>& bends, std::size_t node_count) {
+  std::vector<std::vector<std::size_t>> at(node_count);
+  for (std::size_t i = 0; i < bends.size(); ++i)
+    if (bends[i].sharp)
+      for (const int node : bends[i].nodes) at[static_cast<std::size_t>(node)].push_back(i);
+  std::vector<std::size_t> loose;
+  const auto look_at = [&](std::size_t node) {
+    if (at[node].size() == 1 && !bends[at[node].front()].strong) loose.push_back(at[node].front());
+  };
+  for (std::size_t node = 0; node < node_count; ++node) look_at(node);
+  while (!loose.empty()) {
+    const std::size_t edge = loose.back();
+    loose.pop_back();
+    if (!std::exchange(bends[edge].sharp, false)) continue;
+    for (const int node : bends[edge].nodes) {
+      std::erase(at[static_cast<std::size_t>(node)], edge);
+      look_at(static_cast<std::size_t>(node));
+    }
+  }
+}
+
 void append_edges(const Block& block, int block_index, const std::vector<int>& vertex_of, BlockSurface& out) {
-  const double bend = std::cos(radians(15));
+  const double bend = std::cos(radians(15)), strong_bend = std::cos(radians(40));
   std::map<std::array<int, 2>, std::vector<Vec3>> normals;
   for (const SurfaceTriangle& triangle : block.surface) {
     const Vec3 normal = unit_normal(block, triangle);
@@ -46,10 +75,14 @@ void append_edges(const Block& block, int block_index, const std::vector<int>& v
       normals[{std::min(a, b), std::max(a, b)}].push_back(normal);
     }
   }
+  std::vector<Bend> bends;
   for (const auto& [nodes, sides] : normals) {
-    const bool sharp = sides.size() != 2 || sides[0].dot(sides[1]) < bend;
-    out.edges.push_back({{vertex_of[nodes[0]], vertex_of[nodes[1]]}, block_index, sharp});
+    const double straight = sides.size() == 2 ? sides[0].dot(sides[1]) : -1;
+    bends.push_back({nodes, straight < bend, straight < strong_bend});
   }
+  leave_loose_ends_out(bends, block.mesh.nodes.size());
+  for (const Bend& one : bends)
+    out.edges.push_back({{vertex_of[one.nodes[0]], vertex_of[one.nodes[1]]}, block_index, one.sharp});
 }
 
 void append_block(const Block& block, int block_index, int first_node, int first_tetrahedron, BlockSurface& out) {

@@ -22,7 +22,7 @@ struct BlockSurface {
   struct Edge {
     std::array<int, 2> vertices;
     int block;
-    bool sharp;  ///< the surface bends here by more than 15°
+    bool sharp;  ///< the surface bends here by more than 15° where it goes on at both ends; or by more than 40°
   };
   std::vector<Edge> edges;
   /// Where those of a block begin, which follow each other; after the last block, how many there are.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 namespace talus {
@@ -49,6 +50,40 @@ TEST(BlockSurface, SaysWhereEachBlockBegins) {
   EXPECT_EQ(surface.begins[1].triangle, surface.begins[2].triangle) << "one that is left out has none";
   EXPECT_EQ(surface.begins[3].triangle, 24);
   EXPECT_EQ(surface.begins[3].edge, static_cast<int>(surface.edges.size()));
+}
+
+/// Rough ground of 20 × 20 points, 1 m apart, that bends by 15° here and there.
+Block rough_ground() {
+  constexpr int side = 20;
+  Block block;
+  unsigned chance = 1;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      chance = chance * 1103515245u + 12345u;
+      block.mesh.nodes.emplace_back(x, y, 0.14 * static_cast<double>(chance >> 16 & 0xffff) / 0xffff);
+    }
+  for (int y = 0; y + 1 < side; ++y)
+    for (int x = 0; x + 1 < side; ++x) {
+      const int a = side * y + x;
+      block.surface.push_back({{a, a + 1, a + side + 1}, -1});
+      block.surface.push_back({{a, a + side + 1, a + side}, -1});
+    }
+  return block;
+}
+
+TEST(BlockSurface, HasNoSpecksOnRoughGround) {
+  BlockSystem system;
+  system.blocks = {rough_ground()};
+  std::map<int, int> ends;
+  int sharp_edges = 0;
+  const BlockSurface surface = block_surface(system, {true});
+  for (const auto& edge : surface.edges)
+    if (edge.sharp) {
+      ++sharp_edges;
+      for (const int vertex : edge.vertices) ++ends[vertex];
+    }
+  EXPECT_GE(sharp_edges, 4 * 19) << "the rim";
+  for (const auto& [vertex, count] : ends) EXPECT_GE(count, 2) << "a line ends at " << vertex;
 }
 
 TEST(BlockSurface, TellsSharpEdgesFromMeshLines) {
