@@ -177,6 +177,16 @@ TEST_F(Begun, ASampleIsOpenedAsACopyThatSavesElsewhere) {
   EXPECT_EQ(read_project(folder / "mine.talus").name, "Changed");
 }
 
+TEST_F(Begun, APictureIsReadWhenItsCardComesIntoView) {
+  const QString file = QString::fromStdString((folder / "preview.png").string());
+  StartCard card(QStringLiteral("Sample"), QStringLiteral("It slides."), file);
+  QPixmap picture(1200, 750);
+  picture.fill(Qt::red);
+  ASSERT_TRUE(picture.save(file)) << "written after the card was made";
+  card.resize(216, 200);
+  EXPECT_EQ(card.grab().toImage().pixelColor(100, 50), QColor(Qt::red));
+}
+
 TEST_F(Begun, TheStartPageLeadsBackToTheProject) {
   window->open(slidingCube());
   const auto show = [&] {

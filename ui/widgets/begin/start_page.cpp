@@ -9,6 +9,7 @@
 #include <QPixmap>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "templates/templates.hpp"
 #include "widgets/begin/new_dialog.hpp"
@@ -23,12 +24,13 @@ namespace {
 
 constexpr int cards_in_a_row = 4, left_width = 296;
 constexpr double height_of_width = 0.56;  // of a card's picture
-constexpr int usual_width = 216;
+constexpr int usual_width = 216, widest = 480;
 
-/// The sample's picture, filling its place; the program's sign where it has none.
+/// The sample's picture, filling its place; the program's sign where it has none. It is read when it comes into view,
+/// and kept as large as cards become.
 class Preview : public QWidget {
  public:
-  explicit Preview(const QString& picture) : picture_(picture) {
+  explicit Preview(const QString& file) : file_(file) {
     QSizePolicy grows(QSizePolicy::Expanding, QSizePolicy::Preferred);
     grows.setHeightForWidth(true);
     setSizePolicy(grows);
@@ -39,6 +41,7 @@ class Preview : public QWidget {
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
+    if (!file_.isEmpty()) readPicture();
     if (picture_.isNull()) {
       painter.fillRect(rect(), theme::colours().window);
       const QRect sign(width() / 2 - 20, height() / 2 - 20, 40, 40);
@@ -55,7 +58,15 @@ class Preview : public QWidget {
   }
 
  private:
-  QPixmap picture_, shown_;  ///< as it is on disk; in the size of the card
+  void readPicture() {
+    picture_ = QPixmap(std::exchange(file_, {}));
+    const QSize most = QSize(widest, heightForWidth(widest)) * devicePixelRatioF();
+    if (picture_.width() > most.width() && picture_.height() > most.height())
+      picture_ = picture_.scaled(most, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  }
+
+  QString file_;             ///< empty once it has been read
+  QPixmap picture_, shown_;  ///< of all cards' sizes; in the size of this one
 };
 
 QString inHome(const std::filesystem::path& folder) {
