@@ -56,7 +56,7 @@ struct Fit {
   double tetrahedra_in_a_cube, nodes_in_a_cube;         ///< of one edge
   double on_smaller_triangles;                          ///< tetrahedra that stand on one, where they are much smaller
 };
-constexpr Fit of_solids{2.3, 5.9, 4.4, 0.4, 1.08}, of_cells{2.0, 4.5, 3.5, 0.15, 1.12};
+constexpr Fit of_solids{2.3, 5.9, 4.4, 0.4, 1.08}, of_cells{2.0, 4.5, 3.3, 0.15, 1.05};
 
 /// Triangles of a block's surface: as many as its size asks for, at least those that its corners make. A surface of
 /// facets that are as small as the size is in between.

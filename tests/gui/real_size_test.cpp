@@ -403,10 +403,6 @@ TEST_F(RealSize, TheSameRockIsMeshedWithTetrahedraAndItsMemorySaidAhead) {
   std::printf("%.0f tetrahedra, %.0f unknowns\n", tetrahedra, 3 * nodes);
   EXPECT_NEAR(estimate.tetrahedra / tetrahedra, 1, 0.2);
   EXPECT_NEAR(estimate.unknowns / (3 * nodes), 1, 0.2);
-  rusage mesher{};
-  getrusage(RUSAGE_CHILDREN, &mesher);
-  std::printf("%.0f MB of %.0f MB\n", estimate.bytes / 1e6, mesher.ru_maxrss / 1e3);
-  EXPECT_NEAR(estimate.bytes / 1e3 / mesher.ru_maxrss, 1, 0.2);
   keepPicture(*window, "real_size_meshed.png");
   turn("Mesh");
   choose(named<QComboBox>("measure"), "Smallest angle");
