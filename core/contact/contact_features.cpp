@@ -18,6 +18,7 @@ ContactFeatures::ContactFeatures(std::span<const ContactBody> bodies) {
   corner.assign(nodes, 0);
   movable.assign(nodes, 0);
   handle.resize(nodes);
+  body_of_.resize(nodes);
   for (int b = 0; b < static_cast<int>(bodies.size()); ++b) add_body(bodies[b], b);
   facet_begin.push_back(static_cast<int>(facets.size()));
   link_nodes(bodies);
@@ -27,6 +28,7 @@ void ContactFeatures::add_body(const ContactBody& body, int number) {
   const Surface& s = *body.surface;
   const int first_facet = static_cast<int>(facets.size()), first_edge = static_cast<int>(edges.size());
   facet_begin.push_back(first_facet);
+  single_.push_back(body.single_body);
 
   std::vector<std::pair<int, int>> sharp_edges;
   for (const SurfaceEdge& e : s.edges) {
@@ -72,6 +74,7 @@ void ContactFeatures::add_body(const ContactBody& body, int number) {
   for (int i = 0; i < static_cast<int>(s.ring.size()); ++i) {
     corner[body.first_node + i] = s.corner[i];
     handle[body.first_node + i] = body.single_body ? body.first_node : body.first_node + i;
+    body_of_[body.first_node + i] = number;
   }
   set_movable(body, !body.fixed);
   smooth_face_count_ += s.smooth_face_count;

@@ -47,6 +47,9 @@ class ContactFeatures {
   void set_movable(const ContactBody& body, bool movable_now);
 
   int node_count() const { return static_cast<int>(corner.size()); }
+  int body_of(int node) const { return body_of_[node]; }
+  /// Whether the node's body is a single one, of one handle.
+  bool moves_as_one(int node) const { return single_[body_of_[node]]; }
   std::span<const int> ring(int node) const { return row(ring_begin_, ring_, node); }
   std::span<const int> facets_at(int node) const { return row(facets_at_begin_, facets_at_, node); }
 
@@ -57,6 +60,8 @@ class ContactFeatures {
   void add_body(const ContactBody& body, int number);
   void link_nodes(std::span<const ContactBody> bodies);
 
+  std::vector<int> body_of_;  // a node
+  std::vector<char> single_;  // a body
   std::vector<int> ring_begin_, ring_, facets_at_begin_, facets_at_;
   int smooth_face_count_ = 0, sharp_edge_count_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/units.hpp"
 #include "mesh/block.hpp"
@@ -35,14 +36,14 @@ std::vector<JointLaw> joint_laws(const Project& project) {
   return laws;
 }
 
-std::vector<std::vector<int>> pair_joints(const Project& project, const BlockSystem& system) {
-  const std::size_t n = system.blocks.size();
-  std::vector<std::vector<int>> pairs(n, std::vector<int>(n, joint_index(project, project.default_joint)));
-  for (const Interface& interface : project.interfaces)
-    for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = 0; b < n; ++b)
-        if (system.blocks[a].name == interface.between[0] && system.blocks[b].name == interface.between[1])
-          pairs[a][b] = pairs[b][a] = joint_index(project, interface.joint);
+PairJoints pair_joints(const Project& project, const BlockSystem& system) {
+  std::map<std::string, int> number;
+  for (std::size_t b = 0; b < system.blocks.size(); ++b) number.emplace(system.blocks[b].name, static_cast<int>(b));
+  PairJoints pairs(joint_index(project, project.default_joint));
+  for (const Interface& interface : project.interfaces) {
+    const auto a = number.find(interface.between[0]), b = number.find(interface.between[1]);
+    if (a != number.end() && b != number.end()) pairs.set(a->second, b->second, joint_index(project, interface.joint));
+  }
   return pairs;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "contact/contact_point.hpp"
+#include "contact/pair_joints.hpp"
 
 namespace talus {
 
@@ -13,8 +14,8 @@ struct Project;
 /// A project without joints gets one law without friction.
 std::vector<JointLaw> joint_laws(const Project& project);
 
-/// For every two blocks the joint that holds where their facets lie on no common joint plane: that of the interface
-/// between them, else the project's default. Index into joint_laws.
-std::vector<std::vector<int>> pair_joints(const Project& project, const BlockSystem& system);
+/// Where facets of two blocks lie on no common joint plane, the joint of the interface between the blocks holds, else
+/// the project's default. Index into joint_laws.
+PairJoints pair_joints(const Project& project, const BlockSystem& system);
 
 }  // namespace talus

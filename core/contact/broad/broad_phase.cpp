@@ -33,8 +33,10 @@ BroadPhase::BroadPhase(const ContactFeatures& features, std::span<const ContactB
 void BroadPhase::set_bodies(std::span<const ContactBody> bodies) {
   bodies_.assign(bodies.begin(), bodies.end());
   largest_size_ = 0;
+  sizes_.clear();
   for (const ContactBody& b : bodies) {
     if (!b.fixed) largest_size_ = std::max(largest_size_, b.surface->size);
+    sizes_.push_back(b.fixed ? std::numeric_limits<double>::infinity() : b.surface->size);
   }
   for (int b = 0; b < static_cast<int>(bodies.size()); ++b) stand(b);
   for (int p : listed_) begin(pairs_[p]);  // scales are others now
@@ -64,17 +66,15 @@ void BroadPhase::read_motion(std::span<const Vec3> x) {
 }
 
 PairScale BroadPhase::scale(int body_a, int body_b) const {
-  double size = std::numeric_limits<double>::infinity(), compliance = 0;
-  for (int b : {body_a, body_b}) {
-    if (bodies_[b].fixed) continue;
-    size = std::min(size, bodies_[b].surface->size);
-    compliance += 1 / bodies_[b].young;
-  }
-  return {size, settings_.stiffness / (compliance * size)};
+  double compliance = 0;
+  for (int b : {body_a, body_b})
+    if (!bodies_[b].fixed) compliance += 1 / bodies_[b].young;
+  const double smaller = size(body_a, body_b);
+  return {smaller, settings_.stiffness / (compliance * smaller)};
 }
 
 double BroadPhase::search_distance(int body_a, int body_b, double reach) const {
-  return std::max(reach, settings_.tolerances.largest_depth * scale(body_a, body_b).size);
+  return std::max(reach, settings_.tolerances.largest_depth * size(body_a, body_b));
 }
 
 int BroadPhase::new_pair(int body_a, int body_b) {
@@ -125,8 +125,8 @@ double BroadPhase::distance_of(const BodyPair& pair, double worthwhile, std::spa
 }
 
 void BroadPhase::search(BodyPair& pair, std::span<const Vec3> x, double distance) {
-  const double size = scale(pair.a, pair.b).size, displacement = odometers_.pace(pair.a) + odometers_.pace(pair.b);
-  const double margin = std::clamp(steps_ahead * displacement, least_margin * size, most_margin * size);
+  const double smaller = size(pair.a, pair.b), displacement = odometers_.pace(pair.a) + odometers_.pace(pair.b);
+  const double margin = std::clamp(steps_ahead * displacement, least_margin * smaller, most_margin * smaller);
   const double apart = distance_of(pair, distance + margin, x);
   const auto when_within = [&](double d) { return (gone(pair) + d) * (1 - rounding); };
   pair.candidates.clear();

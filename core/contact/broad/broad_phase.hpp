@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,6 +21,19 @@ struct PairScale {
 struct FacetPair {
   int a, b;
 };
+
+/// Calls `visit` with the pairs of facets of two bodies each, of pairs that are sorted by bodies.
+template <class Visit>
+void visit_body_pairs(const ContactFeatures& features, std::span<const FacetPair> pairs, const Visit& visit) {
+  const auto body = [&](int facet) { return features.facets[facet].body; };
+  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+    const auto same = [&](const FacetPair& p) {
+      return body(p.a) == body(pairs[begin].a) && body(p.b) == body(pairs[begin].b);
+    };
+    while (end < pairs.size() && same(pairs[end])) ++end;
+    visit(pairs.subspan(begin, end - begin));
+  }
+}
 
 /// Finds the pairs of facets whose boxes are near each other. Work follows motion: neighbouring bodies are sought when
 /// one has left the box it was given, facets of two bodies when these have gone further than the margin of their last
@@ -49,9 +63,10 @@ class BroadPhase {
   /// How far apart the features of two bodies may lie and yet touch: the reach outside, the depth inside.
   double search_distance(int body_a, int body_b, double reach) const;
   PairScale scale(int body_a, int body_b) const;
+  /// As of the scale. [m]
+  double size(int body_a, int body_b) const { return std::min(sizes_[body_a], sizes_[body_b]); }
 
-  /// Unit normals of the facets at the last positions; only those of facets in the pairs found are up to date.
-  std::span<const Vec3> normals() const { return facets_.normals(); }
+  const Odometers& odometers() const { return odometers_; }
 
  private:
   /// Two bodies that are neighbours. Whether something is to be done is asked of how far both have gone together, plus
@@ -78,7 +93,8 @@ class BroadPhase {
   std::vector<ContactBody> bodies_;
   std::vector<char> asleep_;
   ContactSettings settings_;
-  double largest_size_ = 0;  // m, of bodies that are not fixed
+  double largest_size_ = 0;    // m, of bodies that are not fixed
+  std::vector<double> sizes_;  // m, a body; infinite if it is fixed
 
   Odometers odometers_;
   FacetBoxes facets_;

@@ -1,14 +1,11 @@
 #include "contact/broad/facet_boxes.hpp"
 
-#include <Eigen/Geometry>
-
 namespace talus {
 
 FacetBoxes::FacetBoxes(const ContactFeatures& features, const Odometers& odometers)
     : features_(features),
       odometers_(odometers),
       boxes_(features.facets.size()),
-      normals_(features.facets.size(), Vec3::Zero()),
       refreshed_at_(features.facets.size(), never),
       trees_(features.facet_begin.size() - 1),
       refitted_at_(trees_.size()) {}
@@ -45,9 +42,7 @@ double FacetBoxes::farthest_coordinate(int body) const {
 void FacetBoxes::refresh(int facet, std::span<const Vec3> x) {
   const std::uint64_t moves = odometers_.moves(features_.facets[facet].body);
   if (refreshed_at_[facet] == moves) return;
-  const auto& n = features_.facets[facet].nodes;
   boxes_[facet] = measure(facet, x);
-  normals_[facet] = (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]).stableNormalized();
   refreshed_at_[facet] = moves;
 }
 

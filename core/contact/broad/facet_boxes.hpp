@@ -10,7 +10,7 @@
 
 namespace talus {
 
-/// Boxes and normals of the facets, and the trees of boxes of the bodies: each measured when it is asked for and its
+/// Boxes of the facets, and the trees of boxes of the bodies: each measured when it is asked for and its
 /// body has moved since, so that what stays where it is, or is far from everything, is not measured at all.
 class FacetBoxes {
  public:
@@ -19,7 +19,7 @@ class FacetBoxes {
 
   /// Brings all boxes of a body and its tree up to date at the positions x.
   void refit(int body, std::span<const Vec3> x);
-  /// Brings the box and the normal of one facet up to date.
+  /// Brings the box of one facet up to date.
   void refresh(int facet, std::span<const Vec3> x);
 
   /// As of the last refit of the body: appends the pairs of facets of a and b whose boxes are within `distance`.
@@ -33,7 +33,6 @@ class FacetBoxes {
   double farthest_coordinate(int body) const;
 
   const Box& box(int facet) const { return boxes_[facet]; }
-  std::span<const Vec3> normals() const { return normals_; }
 
  private:
   struct Reading {
@@ -47,7 +46,6 @@ class FacetBoxes {
   const ContactFeatures& features_;
   const Odometers& odometers_;
   std::vector<Box> boxes_;                   // a facet
-  std::vector<Vec3> normals_;                // a facet
   std::vector<std::uint64_t> refreshed_at_;  // a facet: the moves of its body
   std::vector<BoxTree> trees_;               // a body
   std::vector<Reading> refitted_at_;         // a body

@@ -25,13 +25,14 @@ constexpr double reach_slack = 1e-9;
 }  // namespace
 
 struct ContactDetector::State {
-  State(std::vector<ContactBody> b, std::vector<JointLaw> l, std::vector<std::vector<int>> joints, ContactSettings s)
+  State(std::vector<ContactBody> b, std::vector<JointLaw> l, PairJoints joints, ContactSettings s)
       : bodies(std::move(b)),
         laws(std::move(l)),
-        pair_joint(std::move(joints)),
+        pair_joints(std::move(joints)),
         settings(s),
         features(bodies),
         broad(features, bodies, settings, work),
+        shapes(features, broad.odometers(), settings.tolerances),
         memory(bodies.size(), s.model == ContactModel::facet_wise, s.tolerances),
         coupling(features),
         asleep(bodies.size(), 0),
@@ -58,11 +59,12 @@ struct ContactDetector::State {
 
   std::vector<ContactBody> bodies;
   std::vector<JointLaw> laws;
-  std::vector<std::vector<int>> pair_joint;
+  PairJoints pair_joints;
   ContactSettings settings;
   ContactFeatures features;
   ContactWork work;
   BroadPhase broad;
+  FeatureShapes shapes;
   FacetWiseSearch facet_wise;
   FaceFaceSearch face_face;
   VertexFaceSearch vertex_face;
@@ -90,9 +92,9 @@ struct ContactDetector::State {
   std::vector<std::uint64_t> families;  // of the points handed out
 };
 
-ContactDetector::ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws,
-                                 std::vector<std::vector<int>> pair_joint, ContactSettings settings)
-    : state_(std::make_unique<State>(std::move(bodies), std::move(laws), std::move(pair_joint), settings)) {}
+ContactDetector::ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws, PairJoints pair_joints,
+                                 ContactSettings settings)
+    : state_(std::make_unique<State>(std::move(bodies), std::move(laws), std::move(pair_joints), settings)) {}
 
 ContactDetector::~ContactDetector() = default;
 
@@ -113,10 +115,9 @@ double ContactDetector::State::bond_reach() const {
 /// The planes of both facets tell most of the pairs that are apart; the boxes know it only along the axes.
 void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach) {
   near.clear();
-  const std::span<const Vec3> normals = broad.normals();
   const auto apart = [&](int facet, int from, double distance) {
     const auto &n = features.facets[facet].nodes, &m = features.facets[from].nodes;
-    const Vec3 &normal = normals[from], &origin = x[m[0]];
+    const Vec3 &normal = shapes.normal(from), &origin = x[m[0]];
     const double h0 = normal.dot(x[n[0]] - origin), h1 = normal.dot(x[n[1]] - origin),
                  h2 = normal.dot(x[n[2]] - origin);
     return std::min({h0, h1, h2}) > distance || std::max({h0, h1, h2}) < -distance;
@@ -127,7 +128,7 @@ void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, s
     const int a = features.facets[pair.a].body, b = features.facets[pair.b].body;
     if (a != body_a || b != body_b) {
       body_a = a, body_b = b;
-      distance = broad.search_distance(a, b, reach) + reach_slack * broad.scale(a, b).size;
+      distance = broad.search_distance(a, b, reach) + reach_slack * broad.size(a, b);
     }
     if (!apart(pair.a, pair.b, distance) && !apart(pair.b, pair.a, distance)) near.push_back(pair);
   }
@@ -140,11 +141,11 @@ void ContactDetector::State::measure_bodies(std::span<const Vec3> x) {
 
 /// Fills `near` with the pairs of facets that may touch.
 StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach) {
+  shapes.look(x);
   keep_near_pairs(broad.find(x, reach), x, reach);
   return {.features = features,
           .broad = broad,
           .x = x,
-          .normals = broad.normals(),
           .penetration = penetration,
           .widths = widths,
           .first_areas = first_areas,
@@ -152,6 +153,7 @@ StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach)
           .reach = reach,
           .moved = moved,
           .memory = memory,
+          .shapes = shapes,
           .work = work};
 }
 
@@ -186,7 +188,7 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) 
     p.bodies[k] = f.bodies[k];
     p.smooth_faces[k] = f.smooth_faces[k];
   }
-  p.joint = f.joint >= 0 ? f.joint : pair_joint[p.bodies[0]][p.bodies[1]];
+  p.joint = f.joint >= 0 ? f.joint : pair_joints.of(p.bodies[0], p.bodies[1]);
   p.position = f.position;
   p.normal = f.normal;
   p.area = f.area;
@@ -321,7 +323,7 @@ std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts
   s.vertex_face.find(step, s.near, s.ahead);
   s.edge_edge.find(step, s.near, s.vertex_face, s.ahead);
   for (const FoundPoint& point : s.ahead.points) {
-    const double depth = -point.gap / s.broad.scale(point.bodies[0], point.bodies[1]).size;
+    const double depth = -point.gap / s.broad.size(point.bodies[0], point.bodies[1]);
     if (point.dropped || depth < tolerance || s.is_given(point.key)) continue;
     s.missed.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth});
   }

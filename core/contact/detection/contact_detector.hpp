@@ -12,14 +12,15 @@
 #include "contact/contact_point.hpp"
 #include "contact/contact_settings.hpp"
 #include "contact/contact_work.hpp"
+#include "contact/pair_joints.hpp"
 
 namespace talus {
 
 /// Finds the contact points of all bodies and remembers them from step to step (docs/contact.md).
 class ContactDetector {
  public:
-  /// `laws`: one a joint. `pair_joint(a, b)`: the joint of two bodies' facets that lie on no common joint plane.
-  ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws, std::vector<std::vector<int>> pair_joint,
+  /// `laws`: one a joint.
+  ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws, PairJoints pair_joints,
                   ContactSettings settings);
   ~ContactDetector();
 

@@ -23,6 +23,7 @@ void ContactMemory::transfer(std::span<const FoundPoint> points) {
     if (face_face_families_.empty() || face_face_families_.back() != p.family) face_face_families_.push_back(p.family);
   }
   std::sort(face_face_families_.begin(), face_face_families_.end());
+  by_bodies_.sort(points, [](const FoundPoint& p) { return !p.dropped; });
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     const History& history = histories_[i];
     if (history.continues) continue;
@@ -38,9 +39,9 @@ const FoundPoint* ContactMemory::successor_of(const History& history, std::span<
   const FoundPoint* successor = nullptr;
   double least = std::numeric_limits<double>::infinity();
   bool same_features = false;
-  for (const FoundPoint& p : points) {
-    if (p.dropped || p.bodies != history.bodies || p.normal.dot(history.normal) < tolerances_.transfer_agreement)
-      continue;
+  for (const auto& [bodies, number] : by_bodies_.of(history.bodies)) {
+    const FoundPoint& p = points[number];
+    if (p.normal.dot(history.normal) < tolerances_.transfer_agreement) continue;
     // What continues beside it was a contact of its own, unless it is left over of a face–face contact.
     const bool same = p.family == history.family && (history.area > 0 || !with_key(p.key));
     const double reach =

@@ -9,6 +9,7 @@
 
 #include "contact/found_point.hpp"
 #include "contact/history/resting_contacts.hpp"
+#include "contact/points_by_bodies.hpp"
 #include "model/tolerances.hpp"
 
 namespace talus {
@@ -86,9 +87,10 @@ class ContactMemory {
   bool any_bonded_ = false;
   RestingContacts resting_;
   std::vector<History> histories_;                        // sorted by key
-  std::vector<int> by_family_;                            // numbers of memos_, sorted by family and then along x
-  std::vector<int> of_body_;                              // numbers of memos_: those of body b from …
+  std::vector<int> by_family_;                            // numbers of histories_, sorted by family and then along x
+  std::vector<int> of_body_;                              // numbers of histories_: those of body b from …
   std::vector<int> of_body_begin_;                        // … of_body_begin_[b] to of_body_begin_[b + 1]
+  PointsByBodies by_bodies_;                              // those that histories may go on in
   std::vector<std::uint64_t> face_face_families_;         // families with an area, sorted
   std::vector<std::pair<std::uint64_t, int>> transfers_;  // key of a point, number of a history; sorted
   std::vector<std::uint64_t> broken_;                     // families, sorted

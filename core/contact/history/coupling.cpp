@@ -36,6 +36,7 @@ void Coupling::widen(std::span<const int> nodes, int smooth_face, std::vector<in
   for (int node : nodes) {
     if (!features_.movable[node]) continue;
     widened.push_back(features_.handle[node]);
+    if (features_.moves_as_one(node)) continue;
     for (int f : features_.facets_at(node)) {
       if (smooth_face >= 0 && features_.facets[f].smooth_face != smooth_face) continue;
       for (int n : features_.facets[f].nodes) widened.push_back(features_.handle[n]);

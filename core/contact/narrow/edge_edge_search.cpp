@@ -14,23 +14,15 @@
 namespace talus {
 namespace {
 
-/// Convex, and not as good as flat. Most edges of a mesh are flat, and this is all they cost.
-bool is_convex_edge(const StepGeometry& step, const ContactEdge& e) {
-  const Vec3 r = step.x[e.opposite[1]] - step.x[e.nodes[0]], u = step.x[e.nodes[1]] - step.x[e.nodes[0]];
-  const double below = step.normals[e.facets[0]].dot(r), along = r.dot(u), length = u.squaredNorm();
-  const double least = step.tolerances.convex_edge_angle;
-  return below < 0 && below * below * length > least * least * (r.squaredNorm() * length - along * along);
-}
-
 /// Is the normal that of two facets beside the edges in face–face contact? Then these have the contact. Both facets may
 /// be within the face–face angle of the normal though they are not of each other.
 bool lies_between_faces(const StepGeometry& step, const ContactEdge& a, const ContactEdge& b, const Vec3& n) {
   const double least_cosine = step.face_face_cosine();
   for (const int f : a.facets) {
-    const Vec3 of_a = step.fresh_normal(f);
+    const Vec3& of_a = step.normal(f);
     if (!(-n.dot(of_a) > least_cosine)) continue;
     for (const int g : b.facets) {
-      const Vec3 of_b = step.fresh_normal(g);
+      const Vec3& of_b = step.normal(g);
       if (n.dot(of_b) > least_cosine && of_a.dot(of_b) < -least_cosine) return true;
     }
   }
@@ -50,7 +42,7 @@ bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactE
   if (is_inside(at - aside) || is_inside(at + aside)) return true;
   double begin = 0, end = 1;
   const auto cut_by = [&](int facet, int node) {
-    const Vec3 n = step.fresh_normal(facet);
+    const Vec3& n = step.normal(facet);
     const double height = n.dot(from - step.x[node]), rise = n.dot(along);
     if (rise > 0) end = std::min(end, -height / rise);
     if (rise < 0) begin = std::max(begin, -height / rise);
@@ -74,7 +66,8 @@ struct Crossing {
   double gap = 0;                                                  // m
 };
 
-std::optional<Crossing> crossing_of(const StepGeometry& step, const ContactEdge& a, const ContactEdge& b) {
+std::optional<Crossing> crossing_of(const StepGeometry& step, int edge_a, int edge_b) {
+  const ContactEdge &a = step.features.edges[edge_a], &b = step.features.edges[edge_b];
   const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
   const Vec3 u = step.x[a.nodes[1]] - a0, w = step.x[b.nodes[1]] - b0, c = u.cross(w), r = b0 - a0;
   const double squared = c.squaredNorm();
@@ -83,7 +76,7 @@ std::optional<Crossing> crossing_of(const StepGeometry& step, const ContactEdge&
   const double past_end = step.tolerances.past_edge_end;
   if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return {};
 
-  const auto into_a = into_facets(step, a), into_b = into_facets(step, b);
+  const std::array<Vec3, 2>&into_a = step.shapes.edge(edge_a).into, &into_b = step.shapes.edge(edge_b).into;
   const double tolerance = step.cone_tolerance();
   const auto in_both_cones = [&](const Vec3& m) {
     return m.dot(into_a[0]) >= -tolerance && m.dot(into_a[1]) >= -tolerance && m.dot(into_b[0]) <= tolerance &&
@@ -149,8 +142,17 @@ FoundPoint point_at(const StepGeometry& step, const Crossing& c, std::uint64_t k
 
 void EdgeEdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexFaceSearch& vertices,
                           FoundPoints& found) {
+  vertices_.sort(found.points, [](const FoundPoint& p) { return p.kind != PointKind::face_face; });
+  visit_body_pairs(step.features, pairs, [&](std::span<const FacetPair> of_bodies) {
+    first_ = found.points.size();
+    find_of_bodies(step, of_bodies, vertices, found);
+  });
+}
+
+void EdgeEdgeSearch::find_of_bodies(const StepGeometry& step, std::span<const FacetPair> pairs,
+                                    const VertexFaceSearch& vertices, FoundPoints& found) {
   const auto convex_edge = [&](const ContactFacet& facet, int k) {
-    return facet.owns_edge[k] && is_convex_edge(step, step.features.edges[facet.edges[k]]);
+    return facet.owns_edge[k] && step.shapes.edge(facet.edges[k]).is_clearly_convex;
   };
   for (const FacetPair& pair : pairs) {
     const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
@@ -167,7 +169,7 @@ void EdgeEdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> p
 
 void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const VertexFaceSearch& vertices,
                            FoundPoints& found) {
-  const std::optional<Crossing> crossing = crossing_of(step, step.features.edges[edge_a], step.features.edges[edge_b]);
+  const std::optional<Crossing> crossing = crossing_of(step, edge_a, edge_b);
   if (!crossing) return;
   const Crossing& c = *crossing;
   const auto &of_a = c.from_ends_of_a, &of_b = c.from_ends_of_b;
@@ -184,24 +186,24 @@ void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, con
   if (sharp_edge_has_it(step, c.a, of_a, near) || sharp_edge_has_it(step, c.b, of_b, near)) return;
   if (lies_between_faces(step, c.a, c.b, c.normal)) return;
 
-  const FoundPoint p = point_at(step, c, key);
-  const double size = step.broad.scale(body_a, body_b).size;
-  if (found_before(p, std::min({of_a[0], of_a[1], of_b[0], of_b[1]}), step.tolerances.same_place * size, step, found))
-    return;
+  FoundPoint p = point_at(step, c, key);
+  p.bodies = {body_a, body_b};
+  const double same_place = step.tolerances.same_place * step.broad.size(body_a, body_b);
+  if (std::min({of_a[0], of_a[1], of_b[0], of_b[1]}) <= same_place && found_before(p, same_place, step, found)) return;
   found.add_between(p, c.a.nodes, c.s, c.b.nodes, c.t, step.features, step.x);
 }
 
 /// At the end of an edge the next edge, or a vertex, may have found the same contact.
-bool EdgeEdgeSearch::found_before(const FoundPoint& p, double from_end, double near, const StepGeometry& step,
+bool EdgeEdgeSearch::found_before(const FoundPoint& p, double near, const StepGeometry& step,
                                   const FoundPoints& found) const {
-  if (from_end > near) return false;
   const double same_normal = step.face_face_cosine();
-  const auto body = [&](const FoundPoint& q, int k) { return step.features.facets[q.facets[k]].body; };
-  for (const FoundPoint& q : found.points) {
-    if (q.dropped || q.kind == PointKind::face_face || body(p, 0) != body(q, 0) || body(p, 1) != body(q, 1)) continue;
-    if ((q.position - p.position).norm() < near && q.normal.dot(p.normal) > same_normal) return true;
-  }
-  return false;
+  const auto same = [&](const FoundPoint& q) {
+    return !q.dropped && (q.position - p.position).norm() < near && q.normal.dot(p.normal) > same_normal;
+  };
+  const auto edges = std::span(found.points).subspan(first_);
+  const auto vertices = vertices_.of(p.bodies);
+  return std::any_of(vertices.begin(), vertices.end(), [&](const auto& q) { return same(found.points[q.point]); }) ||
+         std::any_of(edges.begin(), edges.end(), same);
 }
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "contact/narrow/step_geometry.hpp"
+#include "contact/points_by_bodies.hpp"
 
 namespace talus {
 
@@ -15,9 +16,13 @@ class EdgeEdgeSearch {
             FoundPoints& found);
 
  private:
+  void find_of_bodies(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexFaceSearch& vertices,
+                      FoundPoints& found);
   void cross(const StepGeometry& step, int edge_a, int edge_b, const VertexFaceSearch& vertices, FoundPoints& found);
-  bool found_before(const FoundPoint& p, double from_end, double near, const StepGeometry& step,
-                    const FoundPoints& found) const;
+  bool found_before(const FoundPoint& p, double near, const StepGeometry& step, const FoundPoints& found) const;
+
+  PointsByBodies vertices_;  // of the vertices on faces
+  std::size_t first_ = 0;    // point of the two bodies that are looked at
 };
 
 }  // namespace talus

@@ -51,7 +51,7 @@ class SharpEdgesAlong {
     const double widest = step.largest_edge_tolerance(f.body, other_body);
     const auto add_across = [&](int across, const Vec3& on_edge, const Vec3& inside, double distance) {
       if (step.features.facets[across].smooth_face == f.smooth_face) return;
-      const Vec3 n = step.fresh_normal(across);
+      const Vec3& n = step.normal(across);
       const bool convex = n.dot(inside - on_edge) < 0;
       if (!convex || !step.within_edge_tolerance(distance, f.body, other_body, n)) return;
       if (count_ < outward_.size())
@@ -102,7 +102,7 @@ void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacetPair> p
   corners_.clear();
   const double most_cosine = -step.face_face_cosine();
   for (const FacetPair& pair : pairs) {
-    if (step.normals[pair.a].dot(step.normals[pair.b]) < most_cosine) overlap(step, pair, found);
+    if (step.normal(pair.a).dot(step.normal(pair.b)) < most_cosine) overlap(step, pair, found);
   }
   by_key_.clear();
   for (std::size_t i = 0; i < corners_.size(); ++i) by_key_.emplace_back(corners_[i].key, static_cast<int>(i));
@@ -113,7 +113,7 @@ void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacetPair> p
 void FaceFaceSearch::overlap(const StepGeometry& step, const FacetPair& pair, FoundPoints& found) {
   // Both facets are nearly parallel to the common plane: of its four types the two parallel to a facet remain, and the
   // plane halfway between them treats both bodies alike.
-  const Vec3 n = (step.normals[pair.b] - step.normals[pair.a]).normalized();
+  const Vec3 n = (step.normal(pair.b) - step.normal(pair.a)).normalized();
   const Vec3 e1 = n.unitOrthogonal(), e2 = n.cross(e1);
   const ContactFacet &fa = step.features.facets[pair.a], &fb = step.features.facets[pair.b];
   const Vec3& origin = step.x[fa.nodes[0]];
@@ -122,7 +122,7 @@ void FaceFaceSearch::overlap(const StepGeometry& step, const FacetPair& pair, Fo
   if (!a.has_area(least_facet) || !b.has_area(least_facet)) return;
   const OverlapPolygon polygon = talus::overlap(a.points, b.points, step.tolerances);
   if (polygon.count == 0) return;
-  const double size = step.broad.scale(fa.body, fb.body).size;
+  const double size = step.broad.size(fa.body, fb.body);
   if (!(polygon.area > step.tolerances.least_overlap_area * size * size)) return;
 
   const double spread_by = spread(step, pair);
@@ -186,7 +186,7 @@ void FaceFaceSearch::name(const StepGeometry& step, Corner& c, FoundPoints& foun
   const auto va = std::max_element(a, b) - a, vb = std::max_element(b, end) - b;
   const double at_vertex = 1 - step.tolerances.at_vertex;
   const bool at_a = a[va] > at_vertex, at_b = b[vb] > at_vertex;
-  const bool tilted = (step.normals[c.facets.a] + step.normals[c.facets.b]).norm() > step.tolerances.noticeable_tilt;
+  const bool tilted = (step.normal(c.facets.a) + step.normal(c.facets.b)).norm() > step.tolerances.noticeable_tilt;
   if (at_a) {
     c.key = vertex_key(fa.nodes[va], fb.smooth_face);
     if (at_b)
@@ -203,7 +203,7 @@ void FaceFaceSearch::name(const StepGeometry& step, Corner& c, FoundPoints& foun
                sharp_b = step.features.edges[fb.edges[eb]].is_sharp;
     if (sharp_a != sharp_b) c.along = sharp_a ? 1 : 0;
   }
-  if (c.along >= 0 && tilted) c.normal = c.along == 1 ? step.normals[c.facets.b] : Vec3(-step.normals[c.facets.a]);
+  if (c.along >= 0 && tilted) c.normal = c.along == 1 ? step.normal(c.facets.b) : Vec3(-step.normal(c.facets.a));
 }
 
 void FaceFaceSearch::merge(const StepGeometry& step, FoundPoints& found) {

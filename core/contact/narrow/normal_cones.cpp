@@ -22,21 +22,11 @@ bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal, 
       if (!e.is_sharp || (e.nodes[0] != node && e.nodes[1] != node)) continue;
       const Vec3 along = (step.x[e.nodes[1]] - step.x[e.nodes[0]]).stableNormalized();
       if (std::abs(along.dot(normal)) > tolerance) continue;
-      const std::array<Vec3, 2> into = into_facets(step, e);
-      const bool convex = into[1].dot(step.fresh_normal(e.facets[0])) < 0;
-      if (convex && into[0].dot(normal) >= -tolerance && into[1].dot(normal) >= -tolerance) return true;
+      const FeatureShapes::Edge& edge = step.shapes.edge(number);
+      if (edge.is_convex && edge.into[0].dot(normal) >= -tolerance && edge.into[1].dot(normal) >= -tolerance)
+        return true;
     }
   return false;
-}
-
-std::array<Vec3, 2> into_facets(const StepGeometry& step, const ContactEdge& e) {
-  const Vec3 origin = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - origin).stableNormalized();
-  std::array<Vec3, 2> into;
-  for (int k = 0; k < 2; ++k) {
-    const Vec3 r = step.x[e.opposite[k]] - origin;
-    into[k] = (r - along * along.dot(r)).stableNormalized();
-  }
-  return into;
 }
 
 }  // namespace talus

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "contact/narrow/step_geometry.hpp"
 
 /// Normal cones of features: the directions in which a body ends there.
@@ -15,9 +13,5 @@ double rise(const StepGeometry& step, int node, const Vec3& normal);
 /// opposite of the normal in the edge's cone. At a convex node that says no more than its own cone. In a concave
 /// corner, as of a square hole, the sharp edges that end there may touch though the corner as a whole cannot.
 bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal, double tolerance);
-
-/// Both facets of an edge: unit vectors in each, square to the edge, away from it. A direction against which neither
-/// rises lies in the edge's normal cone.
-std::array<Vec3, 2> into_facets(const StepGeometry& step, const ContactEdge& e);
 
 }  // namespace talus

@@ -1,6 +1,5 @@
 #include "contact/narrow/step_geometry.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -10,17 +9,17 @@
 namespace talus {
 
 double StepGeometry::edge_tolerance(int body_a, int body_b) const {
-  const double size = broad.scale(body_a, body_b).size;
+  const double size = broad.size(body_a, body_b);
   return std::clamp(tolerances.edge_tolerance_per_penetration * deepest(body_a, body_b),
                     tolerances.least_edge_tolerance * size, tolerances.most_edge_tolerance * size);
 }
 
 double StepGeometry::largest_edge_tolerance(int body_a, int body_b) const {
-  return tolerances.most_edge_tolerance * broad.scale(body_a, body_b).size;
+  return tolerances.most_edge_tolerance * broad.size(body_a, body_b);
 }
 
 bool StepGeometry::within_edge_tolerance(double distance, int body, int other, const Vec3& across) const {
-  if (distance < tolerances.least_edge_tolerance * broad.scale(body, other).size) return true;
+  if (distance < tolerances.least_edge_tolerance * broad.size(body, other)) return true;
   if (!(distance < largest_edge_tolerance(body, other))) return false;
   const auto held_by_a_third = [&](int b, const Vec3& direction, int but) {
     return moved[b] ? memory.depth_along(b, direction, but) : 0;
@@ -30,12 +29,12 @@ bool StepGeometry::within_edge_tolerance(double distance, int body, int other, c
 }
 
 double StepGeometry::noticeable_depth(int body_a, int body_b) const {
-  return tolerances.least_edge_tolerance / 2 * broad.scale(body_a, body_b).size;
+  return tolerances.least_edge_tolerance / 2 * broad.size(body_a, body_b);
 }
 
 double StepGeometry::depth(int body_a, int body_b) const {
-  const double most = std::min(tolerances.largest_depth * broad.scale(body_a, body_b).size,
-                               std::min(widths[body_a], widths[body_b]) / 2);
+  const double most =
+      std::min(tolerances.largest_depth * broad.size(body_a, body_b), std::min(widths[body_a], widths[body_b]) / 2);
   if (!have_moved(body_a, body_b)) return most;
   return std::min(reach + tolerances.depth_per_penetration * deepest(body_a, body_b), most);
 }
@@ -43,11 +42,6 @@ double StepGeometry::depth(int body_a, int body_b) const {
 int StepGeometry::common_joint(int facet_a, int facet_b) const {
   const int joint = features.facets[facet_a].joint;
   return joint == features.facets[facet_b].joint ? joint : -1;
-}
-
-Vec3 StepGeometry::fresh_normal(int facet) const {
-  const auto& n = features.facets[facet].nodes;
-  return (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]).stableNormalized();
 }
 
 double StepGeometry::cone_tolerance() const { return std::sin(radians(tolerances.face_face_angle)); }

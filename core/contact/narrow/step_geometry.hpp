@@ -6,6 +6,7 @@
 
 #include "contact/broad/broad_phase.hpp"
 #include "contact/found_point.hpp"
+#include "contact/narrow/feature_shapes.hpp"
 
 namespace talus {
 
@@ -17,7 +18,6 @@ struct StepGeometry {
   const ContactFeatures& features;
   const BroadPhase& broad;
   std::span<const Vec3> x;              ///< m, a node
-  std::span<const Vec3> normals;        ///< a facet; up to date for those in the pairs that are searched
   std::span<const double> penetration;  ///< m, a body: the deepest of the last step
   std::span<const double> widths;       ///< m, a body: where it is thinnest
   std::span<const double> first_areas;  ///< m², a facet: before any body deformed
@@ -25,6 +25,7 @@ struct StepGeometry {
   double reach;                 ///< m, the gap up to which contacts matter
   std::span<const char> moved;  ///< a body: it took part in a step and was not fixed
   const ContactMemory& memory;
+  FeatureShapes& shapes;
   ContactWork& work;  ///< where the searches count what they come up against
 
   /// Whether one of the two could move before: only then is it known how deep they may be in each other.
@@ -62,7 +63,7 @@ struct StepGeometry {
   bool came_past_sharp_edge(int facet, std::span<const Vec3> points, int other, const Counts& counts) const;
   /// Joint that both facets carry, or −1.
   int common_joint(int facet_a, int facet_b) const;
-  Vec3 fresh_normal(int facet) const;  ///< of any facet, also one that is not in the pairs searched
+  const Vec3& normal(int facet) const { return shapes.normal(facet); }
   /// Sine of the angle by which normals may leave the normal cone of a feature.
   double cone_tolerance() const;
   /// Cosine of the largest angle between the normal of one facet and the opposite of another's in face–face contact.
@@ -78,12 +79,12 @@ bool StepGeometry::came_past_sharp_edge(int facet, std::span<const Vec3> points,
   for (const int node : f.nodes)
     for (const int across : features.facets_at(node)) {
       if (features.facets[across].smooth_face == f.smooth_face) continue;
-      const Vec3 n = fresh_normal(across);
+      const Vec3& n = normal(across);
       if (!(depth_below(n, node, centre) > edge_tolerance(f.body, other)) || !counts(n)) continue;
-      const double cosine = n.dot(normals[facet]), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+      const double cosine = n.dot(normal(facet)), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
       double width = 0, deepest = 0, below = 0;
       for (const Vec3& p : points) {
-        const double here = depth_below(normals[facet], node, p), there = depth_below(n, node, p);
+        const double here = depth_below(normal(facet), node, p), there = depth_below(n, node, p);
         deepest = std::max(deepest, here);
         below = std::max(below, there);
         width = std::max(width, (there - here * cosine) / sine);

@@ -24,7 +24,7 @@ Vec3 direction(const ContactFeatures& features, const FoundPoint& p, const Posit
   const auto of_side = [&](int k) { return facet_normal(features, p.facets[k], at); };
   if (p.node < 0 && p.along >= 0) return of_side(p.along);
   if (p.node < 0) return (of_side(1) - of_side(0)).stableNormalized();
-  return of_side(features.facets[features.facets_at(p.node)[0]].body == p.bodies[0] ? 1 : 0);
+  return of_side(features.body_of(p.node) == p.bodies[0] ? 1 : 0);
 }
 
 }  // namespace

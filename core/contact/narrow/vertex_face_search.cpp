@@ -12,7 +12,7 @@ namespace {
 
 /// Of a point with a vertex: the facet of the other body.
 int facet_below(const StepGeometry& step, const FoundPoint& p) {
-  const int own = step.features.facets[step.features.facets_at(p.node)[0]].body;
+  const int own = step.features.body_of(p.node);
   return p.facets[step.features.facets[p.facets[0]].body == own ? 1 : 0];
 }
 
@@ -28,7 +28,7 @@ void visit_across_sharp_edges(const StepGeometry& step, int facet, const Vec3& p
   const ContactFacet& f = step.features.facets[facet];
   const auto visit_if_convex = [&](int across, const Vec3& on_edge, double distance) {
     if (!(distance < near) || step.features.facets[across].smooth_face == f.smooth_face) return;
-    const Vec3 n = step.fresh_normal(across), inwards = centre(step, facet) - on_edge;
+    const Vec3 &n = step.normal(across), inwards = centre(step, facet) - on_edge;
     if (n.dot(inwards) < -step.cone_tolerance() * inwards.norm()) visit(n, distance);
   };
   for (int k = 0; k < 3; ++k) {
@@ -51,7 +51,7 @@ bool beside_the_body(const StepGeometry& step, int facet, const Vec3& p) {
     const ContactEdge& e = step.features.edges[edge];
     const int across = e.facets[0] + e.facets[1] - facet;
     if (step.features.facets[across].smooth_face == f.smooth_face) return false;
-    const Vec3 n = step.fresh_normal(across), on_edge = step.x[e.nodes[0]], inwards = centre(step, facet) - on_edge;
+    const Vec3 &n = step.normal(across), &on_edge = step.x[e.nodes[0]], inwards = centre(step, facet) - on_edge;
     const double below = -n.dot(inwards);
     return below > step.cone_tolerance() * inwards.norm() &&
            n.dot(p - on_edge) > step.tolerances.outside_facet * 3 * below;
@@ -68,7 +68,7 @@ bool may_touch(const StepGeometry& step, int node, const Vec3& normal) {
 /// a vertex of a plate would else touch what is on the plate's far side, too.
 bool looks_against(const StepGeometry& step, int node, const Vec3& normal) {
   const auto facets = step.features.facets_at(node);
-  return std::any_of(facets.begin(), facets.end(), [&](int f) { return step.fresh_normal(f).dot(normal) < 0; });
+  return std::any_of(facets.begin(), facets.end(), [&](int f) { return step.normal(f).dot(normal) < 0; });
 }
 
 /// The facet at a node that looks most against `normal`, or the one there with the facet's joint.
@@ -80,7 +80,7 @@ OwnSide own_side(const StepGeometry& step, int node, int facet, const Vec3& norm
   OwnSide side{-1, -1};
   double most = 2;
   for (int f : step.features.facets_at(node)) {
-    const double along = step.fresh_normal(f).dot(normal);
+    const double along = step.normal(f).dot(normal);
     if (along < most) most = along, side.facet = f;
     if (side.joint < 0) side.joint = step.common_joint(f, facet);
   }
@@ -135,11 +135,11 @@ bool VertexFaceSearch::has(int node, int smooth_face) const {
 
 void VertexFaceSearch::touch(const StepGeometry& step, int node, int facet, bool node_is_first) {
   const ContactFacet& f = step.features.facets[facet];
-  const Vec3 &n = step.normals[facet], &origin = step.x[f.nodes[0]];
+  const Vec3 &n = step.normal(facet), &origin = step.x[f.nodes[0]];
   const Vec3 r = step.x[node] - origin;
   const double gap = n.dot(r);
   if (!(gap <= step.reach)) return;
-  const int other = step.features.facets[step.features.facets_at(node)[0]].body;
+  const int other = step.features.body_of(node);
   if (gap < 0 && gap < -step.depth(f.body, other)) return;
 
   const Vec3 e1 = step.x[f.nodes[1]] - origin, e2 = step.x[f.nodes[2]] - origin, twice = e1.cross(e2);
@@ -163,7 +163,7 @@ void VertexFaceSearch::touch(const StepGeometry& step, int node, int facet, bool
 
 void VertexFaceSearch::add(const StepGeometry& step, const Touch& t, FoundPoints& found) {
   const ContactFacet& f = step.features.facets[t.facet];
-  const Vec3& n = step.normals[t.facet];
+  const Vec3& n = step.normal(t.facet);
   const OwnSide own = own_side(step, t.node, t.facet, n);
   const int own_face = step.features.facets[own.facet].smooth_face;
 
@@ -200,7 +200,7 @@ void VertexFaceSearch::drop_false(const StepGeometry& step, FoundPoints& found) 
 /// though it ends at the sharp edge.
 bool VertexFaceSearch::past_sharp_edge(const StepGeometry& step, const FoundPoint& p, const Held& h,
                                        std::span<const Held> group, const FoundPoints& found) const {
-  const int facet = facet_below(step, p), own = step.features.facets[step.features.facets_at(p.node)[0]].body;
+  const int facet = facet_below(step, p), own = step.features.body_of(p.node);
   const Vec3 projection = step.x[p.node] - p.gap * h.normal;
   const bool points_at_it = rise(step, p.node, h.normal) > step.cone_tolerance();
   const double flush = std::cos(radians(step.tolerances.flush_angle));
@@ -254,8 +254,7 @@ void VertexFaceSearch::drop_doubled(const StepGeometry& step, FoundPoints& found
     if (!pushes(h)) continue;
     FoundPoint& p = found.points[h.point];
     const ContactFacet& below = step.features.facets[facet_below(step, p)];
-    const double edge_tolerance =
-        step.edge_tolerance(below.body, step.features.facets[step.features.facets_at(h.node)[0]].body);
+    const double edge_tolerance = step.edge_tolerance(below.body, step.features.body_of(h.node));
     for (const int corner : below.nodes) {
       if ((step.x[corner] - step.x[h.node]).norm() > edge_tolerance) continue;
       const auto [begin, end] = std::equal_range(held_.begin(), held_.end(), Held{corner, 0, 0, {}},

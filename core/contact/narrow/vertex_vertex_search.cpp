@@ -1,7 +1,6 @@
 #include "contact/narrow/vertex_vertex_search.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -14,25 +13,6 @@ namespace {
 constexpr std::size_t usual_faces = 16;  // around a corner; room for more is made when needed
 constexpr int corner_bit = 1 << 30;      // of a key: a corner's node, else a sharp edge
 
-bool is_convex(const StepGeometry& step, const ContactEdge& e) {
-  return step.fresh_normal(e.facets[0]).dot(step.x[e.opposite[1]] - step.x[e.nodes[0]]) < 0;
-}
-
-/// From a node to its core, for an edge tolerance of 1: all facets around, moved inwards by 1, meet there as nearly as
-/// they can.
-Vec3 towards_core(const StepGeometry& step, int node) {
-  Mat3 matrix = step.tolerances.core_regularization * Mat3::Identity();
-  Vec3 right = Vec3::Zero();
-  for (const int facet : step.features.facets_at(node)) {
-    const Vec3 n = step.fresh_normal(facet);
-    matrix += n * n.transpose();
-    right -= n;
-  }
-  const Vec3 inwards = matrix.inverse() * right;
-  const double deepest = step.tolerances.deepest_core;
-  return inwards.norm() > deepest ? Vec3(inwards * (deepest / inwards.norm())) : inwards;
-}
-
 std::uint64_t vertex_vertex_key(int node, int other) {
   return static_cast<std::uint64_t>(node) << 31 | static_cast<std::uint64_t>(other);
 }
@@ -41,11 +21,9 @@ void add_faces(const StepGeometry& step, std::span<const int> facets, std::vecto
   for (const int facet : facets) {
     const int smooth_face = step.features.facets[facet].smooth_face;
     const auto known = [&](const auto& face) { return face.first == smooth_face; };
-    if (std::none_of(faces.begin(), faces.end(), known)) faces.emplace_back(smooth_face, step.fresh_normal(facet));
+    if (std::none_of(faces.begin(), faces.end(), known)) faces.emplace_back(smooth_face, step.normal(facet));
   }
 }
-
-int body_of(const StepGeometry& step, int node) { return step.features.facets[step.features.facets_at(node)[0]].body; }
 
 }  // namespace
 
@@ -56,10 +34,24 @@ VertexVertexSearch::VertexVertexSearch() {
 
 void VertexVertexSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs,
                               const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found) {
-  candidates_.clear();
   seen_.clear();
-  list_face_face(found);
+  list_pressures(step, found);
+  others_.sort(found.points, [](const FoundPoint&) { return true; });
+  visit_body_pairs(step.features, pairs, [&](std::span<const FacetPair> of_bodies) {
+    list_face_face(step, of_bodies.front(), found);
+    find_candidates(step, of_bodies);
+    first_ = found.points.size();
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      if (i == 0 || candidates_[i].key != candidates_[i - 1].key) add(step, candidates_[i], remembered, found);
+  });
+  std::sort(seen_.begin(), seen_.end(), [](const Sight& p, const Sight& q) { return p.key < q.key; });
+}
+
+/// All of two bodies.
+void VertexVertexSearch::find_candidates(const StepGeometry& step, std::span<const FacetPair> pairs) {
+  candidates_.clear();
   const ContactFeatures& features = step.features;
+  edge_tolerance_ = step.edge_tolerance(features.facets[pairs[0].a].body, features.facets[pairs[0].b].body);
   const auto corner = [&](const ContactFacet& f, int k) { return f.owns_node[k] && features.corner[f.nodes[k]]; };
   const auto sharp_edge = [&](const ContactFacet& f, int k) {
     return f.owns_edge[k] && features.edges[f.edges[k]].is_sharp;
@@ -81,13 +73,9 @@ void VertexVertexSearch::find(const StepGeometry& step, std::span<const FacetPai
         if (sharp_edge(b, j)) add_edge_along_edge(step, a.edges[i], b.edges[j]);
     }
   }
-  if (candidates_.empty()) return;
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& p, const Candidate& q) {
     return p.key != q.key ? p.key < q.key : p.apart != q.apart ? p.apart < q.apart : p.other.edge < q.other.edge;
   });
-  list_pressures(step, found);
-  for (std::size_t i = 0; i < candidates_.size(); ++i)
-    if (i == 0 || candidates_[i].key != candidates_[i - 1].key) add(step, candidates_[i], remembered, found);
 }
 
 /// A corner and an edge that may be near each other.
@@ -95,15 +83,14 @@ void VertexVertexSearch::add_vertex_at_edge(const StepGeometry& step, int node, 
   const ContactFeatures& features = step.features;
   const ContactEdge& e = features.edges[edge];
   const Vec3 &v = step.x[node], &p = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - p;
-  const int own = body_of(step, node), other = features.facets[e.facets[0]].body;
-  const double r = step.edge_tolerance(own, other), far = step.reach + 3 * step.tolerances.deepest_core * r;
+  const double r = edge_tolerance_, far = step.reach + 3 * step.tolerances.deepest_core * r;
   const double nearest = std::clamp((v - p).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  if (!((v - p - nearest * along).squaredNorm() < far * far) || !is_convex(step, e)) return;
+  if (!((v - p - nearest * along).squaredNorm() < far * far) || !step.shapes.edge(edge).is_convex) return;
   if (face_face_holds(step, features.facets_at(node), e.facets, node_is_first)) return;
 
-  const Vec3 core = v + r * towards_core(step, node);
-  const Vec3 from = p + r * towards_core(step, e.nodes[0]);
-  const Vec3 core_along = step.x[e.nodes[1]] + r * towards_core(step, e.nodes[1]) - from;
+  const Vec3 core = v + r * step.shapes.towards_core(node);
+  const Vec3 from = p + r * step.shapes.towards_core(e.nodes[0]);
+  const Vec3 core_along = step.x[e.nodes[1]] + r * step.shapes.towards_core(e.nodes[1]) - from;
   const double fraction = std::clamp((core - from).dot(core_along) / core_along.squaredNorm(), 0.0, 1.0);
   const double apart = (core - from - fraction * core_along).norm();
   const int end = fraction == 0 ? e.nodes[0] : fraction == 1 ? e.nodes[1] : -1;
@@ -125,12 +112,12 @@ void VertexVertexSearch::add_edge_along_edge(const StepGeometry& step, int edge_
   const Vec3 u = step.x[a.nodes[1]] - step.x[a.nodes[0]], w = step.x[b.nodes[1]] - step.x[b.nodes[0]];
   const double uu = u.squaredNorm(), ww = w.squaredNorm(), squared = u.cross(w).squaredNorm();
   if (squared > step.tolerances.parallel_edges * uu * ww) return;
-  const int own = features.facets[a.facets[0]].body, other = features.facets[b.facets[0]].body;
-  const double r = step.edge_tolerance(own, other);
-  if (!(squared > r * r * std::max(uu, ww)) || !is_convex(step, a) || !is_convex(step, b)) return;
+  const double r = edge_tolerance_;
+  if (!(squared > r * r * std::max(uu, ww))) return;
+  if (!step.shapes.edge(edge_a).is_convex || !step.shapes.edge(edge_b).is_convex) return;
   if (face_face_holds(step, a.facets, b.facets, true)) return;
 
-  const auto core = [&](int node) { return Vec3(step.x[node] + r * towards_core(step, node)); };
+  const auto core = [&](int node) { return Vec3(step.x[node] + r * step.shapes.towards_core(node)); };
   const Vec3 p = core(a.nodes[0]), along_a = core(a.nodes[1]) - p;
   const Vec3 q = core(b.nodes[0]), along_b = core(b.nodes[1]) - q;
   const Vec3 across = along_a.cross(along_b), between = q - p;
@@ -141,9 +128,12 @@ void VertexVertexSearch::add_edge_along_edge(const StepGeometry& step, int edge_
   candidates_.push_back({edge_key(edge_a, edge_b), {-1, edge_a, s}, {-1, edge_b, t}, apart, true});
 }
 
-void VertexVertexSearch::list_face_face(const FoundPoints& found) {
+void VertexVertexSearch::list_face_face(const StepGeometry& step, const FacetPair& of_bodies,
+                                        const FoundPoints& found) {
+  const auto body = [&](int facet) { return step.features.facets[facet].body; };
   face_face_families_.clear();
-  for (const FoundPoint& p : found.points) {
+  for (const auto& [bodies, number] : others_.of({body(of_bodies.a), body(of_bodies.b)})) {
+    const FoundPoint& p = found.points[number];
     if (p.kind == PointKind::face_face && (face_face_families_.empty() || face_face_families_.back() != p.family))
       face_face_families_.push_back(p.family);
   }
@@ -175,14 +165,14 @@ std::array<int, 2> VertexVertexSearch::ends_of(const ContactFeatures& features, 
 bool VertexVertexSearch::in_cone(const StepGeometry& step, const Place& place, const Vec3& inwards) {
   const double tolerance = step.cone_tolerance();
   if (place.node >= 0) return rise(step, place.node, inwards) >= -tolerance;
-  const auto into = into_facets(step, step.features.edges[place.edge]);
+  const std::array<Vec3, 2>& into = step.shapes.edge(place.edge).into;
   return into[0].dot(inwards) >= -tolerance && into[1].dot(inwards) >= -tolerance;
 }
 
-void VertexVertexSearch::take(const StepGeometry& step, const Place& place, double edge_tolerance, Feature& feature) {
+void VertexVertexSearch::take(const StepGeometry& step, const Place& place, Feature& feature) const {
   const auto ends = ends_of(step.features, place);
   const auto facets = facets_at(step.features, place);
-  const auto core = [&](int node) { return Vec3(step.x[node] + edge_tolerance * towards_core(step, node)); };
+  const auto core = [&](int node) { return Vec3(step.x[node] + edge_tolerance_ * step.shapes.towards_core(node)); };
   feature.body = step.features.facets[facets[0]].body;
   feature.place = step.x[ends[0]] + place.fraction * (step.x[ends[1]] - step.x[ends[0]]);
   feature.core = core(ends[0]) + place.fraction * (core(ends[1]) - core(ends[0]));
@@ -190,7 +180,7 @@ void VertexVertexSearch::take(const StepGeometry& step, const Place& place, doub
   feature.faces.clear();
   add_faces(step, facets, feature.faces);
   for (int k = 0; k < 2; ++k) {
-    if ((step.x[ends[k]] - feature.place).norm() > edge_tolerance) continue;
+    if ((step.x[ends[k]] - feature.place).norm() > edge_tolerance_) continue;
     feature.nodes[k] = ends[k];
     add_faces(step, step.features.facets_at(ends[k]), feature.faces);
   }
@@ -202,10 +192,9 @@ void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m,
   const auto own_facets = facets_at(features, m.own), other_facets = facets_at(features, m.other);
   if (face_face_holds(step, own_facets, other_facets, m.own_is_first)) return;
   const int own = features.facets[own_facets[0]].body, other = features.facets[other_facets[0]].body;
-  const double edge_tolerance = step.edge_tolerance(own, other);
-  take(step, m.own, edge_tolerance, own_);
-  take(step, m.other, edge_tolerance, other_);
-  const std::optional<Vec3> normal = normal_of(step, m, edge_tolerance);
+  take(step, m.own, own_);
+  take(step, m.other, other_);
+  const std::optional<Vec3> normal = normal_of(step, m);
   if (!normal) return;
   const Vec3& n = *normal;
   const double gap = n.dot(own_.place - other_.place);
@@ -239,8 +228,7 @@ void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m,
 /// Two features are nearest each other where the direction between them lies in the normal cones of both. That of
 /// edges that cross is the one across both: the direction between cores that have passed each other would be the
 /// opposite.
-std::optional<Vec3> VertexVertexSearch::normal_of(const StepGeometry& step, const Candidate& m,
-                                                  double edge_tolerance) const {
+std::optional<Vec3> VertexVertexSearch::normal_of(const StepGeometry& step, const Candidate& m) const {
   const auto fits = [&](const Vec3& n) { return in_cone(step, m.own, n) && in_cone(step, m.other, -n); };
   Vec3 n = (own_.core - other_.core) / m.apart;
   if (m.own.node < 0 && m.other.node < 0) {
@@ -250,7 +238,7 @@ std::optional<Vec3> VertexVertexSearch::normal_of(const StepGeometry& step, cons
     };
     n = along(m.own).cross(along(m.other)).normalized();
     if (!fits(n)) n = -n;
-  } else if (!(m.apart > step.tolerances.least_core_distance * edge_tolerance)) {
+  } else if (!(m.apart > step.tolerances.least_core_distance * edge_tolerance_)) {
     return std::nullopt;
   }
   return fits(n) ? std::optional(n) : std::nullopt;
@@ -268,7 +256,7 @@ bool VertexVertexSearch::face_face_holds(const StepGeometry& step, std::span<con
       const int a = step.features.facets[f].smooth_face, b = step.features.facets[g].smooth_face;
       const std::uint64_t family = are_first ? face_family(a, b) : face_family(b, a);
       if (std::binary_search(face_face_families_.begin(), face_face_families_.end(), family))
-        adjacent_faces_.push_back({family, step.fresh_normal(f)});
+        adjacent_faces_.push_back({family, step.normal(f)});
     }
   }
   const auto sharp = [&](const AdjacentFace& p) {
@@ -305,7 +293,7 @@ bool VertexVertexSearch::passes(const StepGeometry& step, std::uint64_t key, boo
   const bool known = former != former_.end() && former->key == key;
   const Vec3 displacement = known ? Vec3(offset - former->from_feature) : Vec3(Vec3::Zero());
   const double length = displacement.norm(),
-               least = step.tolerances.noticeable_motion * step.broad.scale(own_.body, other_.body).size;
+               least = step.tolerances.noticeable_motion * step.broad.size(own_.body, other_.body);
   const bool moved = length > least;
   bool flush = false, comes_in = moved;
   for (const auto& [smooth_face, normal] : own_.faces) {
@@ -326,8 +314,8 @@ bool VertexVertexSearch::passes(const StepGeometry& step, std::uint64_t key, boo
 bool VertexVertexSearch::stands_for_others(const StepGeometry& step, const Vec3& normal, bool own_is_first,
                                            FoundPoints& found) const {
   const double same_normal = step.face_face_cosine();
-  const double near = step.tolerances.same_place * step.broad.scale(own_.body, other_.body).size +
-                      2 * (own_.place - other_.place).norm();
+  const double near =
+      step.tolerances.same_place * step.broad.size(own_.body, other_.body) + 2 * (own_.place - other_.place).norm();
   const auto is_of = [](const Feature& feature, int smooth_face) {
     return std::any_of(feature.faces.begin(), feature.faces.end(),
                        [&](const auto& face) { return face.first == smooth_face; });
@@ -335,10 +323,9 @@ bool VertexVertexSearch::stands_for_others(const StepGeometry& step, const Vec3&
   const auto has_node = [](const Feature& feature, int node) {
     return node == feature.nodes[0] || node == feature.nodes[1];
   };
+  const int first = own_is_first ? 0 : 1;
   const auto rivals = [&](const FoundPoint& q) {
     if (q.dropped || q.kind == PointKind::face_face) return false;
-    const int first = own_is_first ? 0 : 1;
-    if (q.bodies[first] != own_.body || q.bodies[1 - first] != other_.body) return false;
     if ((q.position - own_.place).norm() > near) return false;
     if (q.kind != PointKind::vertex_face) return true;
     const int face_of_other = q.smooth_faces[1 - first], face_of_own = q.smooth_faces[first];
@@ -346,16 +333,24 @@ bool VertexVertexSearch::stands_for_others(const StepGeometry& step, const Vec3&
            (has_node(other_, q.node) && is_of(own_, face_of_own)) ||
            q.normal.dot(own_is_first ? normal : Vec3(-normal)) > same_normal;
   };
-  for (const FoundPoint& q : found.points) {
-    if (rivals(q) && q.normal.dot(own_is_first ? normal : Vec3(-normal)) > same_normal) return false;
-    if (q.kind == PointKind::vertex_vertex && rivals(q)) return false;
-  }
+  const auto has_it = [&](const FoundPoint& q) {
+    return rivals(q) &&
+           (q.kind == PointKind::vertex_vertex || q.normal.dot(own_is_first ? normal : Vec3(-normal)) > same_normal);
+  };
+  const auto others =
+      others_.of(own_is_first ? std::array{own_.body, other_.body} : std::array{other_.body, own_.body});
+  const auto before = std::span(found.points).subspan(first_);  // vertex–vertex contacts of these bodies
+  if (std::any_of(others.begin(), others.end(), [&](const auto& q) { return has_it(found.points[q.point]); }) ||
+      std::any_of(before.begin(), before.end(), has_it))
+    return false;
   const auto of_adjacent_faces = [&](const FoundPoint& q) {
     return q.kind == PointKind::face_face &&
            std::any_of(adjacent_faces_.begin(), adjacent_faces_.end(),
                        [&](const AdjacentFace& adjacent) { return adjacent.family == q.family; });
   };
-  for (FoundPoint& q : found.points) q.dropped = q.dropped || rivals(q) || of_adjacent_faces(q);
+  const auto drop = [&](FoundPoint& q) { q.dropped = q.dropped || rivals(q) || of_adjacent_faces(q); };
+  for (const auto& other : others) drop(found.points[other.point]);
+  std::for_each(before.begin(), before.end(), drop);
   return true;
 }
 

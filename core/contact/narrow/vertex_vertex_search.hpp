@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/narrow/step_geometry.hpp"
+#include "contact/points_by_bodies.hpp"
 
 namespace talus {
 
@@ -65,22 +66,28 @@ class VertexVertexSearch {
   static std::span<const int> facets_at(const ContactFeatures& features, const Place& place);
   static std::array<int, 2> ends_of(const ContactFeatures& features, const Place& place);
   static bool in_cone(const StepGeometry& step, const Place& place, const Vec3& inwards);
-  static void take(const StepGeometry& step, const Place& place, double edge_tolerance, Feature& feature);
+  void take(const StepGeometry& step, const Place& place, Feature& feature) const;
+  void find_candidates(const StepGeometry& step, std::span<const FacetPair> pairs);
   void add_vertex_at_edge(const StepGeometry& step, int node, int edge, bool node_is_first);
   void add_edge_along_edge(const StepGeometry& step, int edge_a, int edge_b);
-  void list_face_face(const FoundPoints& found);
+  void list_face_face(const StepGeometry& step, const FacetPair& of_bodies, const FoundPoints& found);
   void list_pressures(const StepGeometry& step, const FoundPoints& found);
   void add(const StepGeometry& step, const Candidate& m, const std::function<bool(std::uint64_t)>& remembered,
            FoundPoints& found);
-  std::optional<Vec3> normal_of(const StepGeometry& step, const Candidate& m, double edge_tolerance) const;
+  std::optional<Vec3> normal_of(const StepGeometry& step, const Candidate& m) const;
   bool face_face_holds(const StepGeometry& step, std::span<const int> facets, std::span<const int> others,
                        bool are_first);
   bool lies_flush(const StepGeometry& step, const Feature& own, const Feature& other) const;
   bool passes(const StepGeometry& step, std::uint64_t key, bool remembered);
   bool stands_for_others(const StepGeometry& step, const Vec3& normal, bool own_is_first, FoundPoints& found) const;
 
+  // Of the two bodies that are looked at:
+  std::vector<std::uint64_t> face_face_families_;  // sorted
   std::vector<Candidate> candidates_;
-  std::vector<std::uint64_t> face_face_families_;  // families, sorted
+  double edge_tolerance_ = 0;  // m
+  std::size_t first_ = 0;      // vertex–vertex contact that was found
+
+  PointsByBodies others_;  // those that were there before
   struct AdjacentFace {
     std::uint64_t family;
     Vec3 normal;

@@ -106,8 +106,7 @@ class Scene {
 
   ContactDetector& detector() {
     if (!detector_) {
-      const std::vector<std::vector<int>> joints(bodies_.size(), std::vector<int>(bodies_.size(), 0));
-      detector_ = std::make_unique<ContactDetector>(bodies_, laws, joints, settings);
+      detector_ = std::make_unique<ContactDetector>(bodies_, laws, PairJoints(), settings);
     }
     return *detector_;
   }

@@ -1,0 +1,76 @@
+#include "contact/narrow/feature_shapes.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace talus {
+namespace {
+
+constexpr std::uint64_t never = ~std::uint64_t{0};
+
+}  // namespace
+
+FeatureShapes::FeatureShapes(const ContactFeatures& features, const Odometers& odometers,
+                             const ContactTolerances& tolerances)
+    : features_(features),
+      odometers_(odometers),
+      tolerances_(tolerances),
+      normals_(features.facets.size()),
+      towards_core_(features.node_count()),
+      edges_(features.edges.size()),
+      normal_at_(normals_.size(), never),
+      core_at_(towards_core_.size(), never),
+      edge_at_(edges_.size(), never) {}
+
+bool FeatureShapes::is_stale(std::uint64_t& moves, int body) const {
+  const std::uint64_t now = odometers_.moves(body);
+  if (moves == now) return false;
+  moves = now;
+  return true;
+}
+
+const Vec3& FeatureShapes::normal(int facet) {
+  const ContactFacet& f = features_.facets[facet];
+  Vec3& normal = normals_[facet];
+  if (is_stale(normal_at_[facet], f.body)) {
+    const Vec3& origin = x_[f.nodes[0]];
+    normal = (x_[f.nodes[1]] - origin).cross(x_[f.nodes[2]] - origin).stableNormalized();
+  }
+  return normal;
+}
+
+const Vec3& FeatureShapes::towards_core(int node) {
+  Vec3& inwards = towards_core_[node];
+  if (!is_stale(core_at_[node], features_.body_of(node))) return inwards;
+  Mat3 matrix = tolerances_.core_regularization * Mat3::Identity();
+  Vec3 right = Vec3::Zero();
+  for (const int facet : features_.facets_at(node)) {
+    const Vec3& n = normal(facet);
+    matrix += n * n.transpose();
+    right -= n;
+  }
+  inwards = matrix.inverse() * right;
+  const double depth = inwards.norm();
+  if (depth > tolerances_.deepest_core) inwards *= tolerances_.deepest_core / depth;
+  return inwards;
+}
+
+const FeatureShapes::Edge& FeatureShapes::edge(int number) {
+  const ContactEdge& e = features_.edges[number];
+  Edge& edge = edges_[number];
+  if (!is_stale(edge_at_[number], features_.facets[e.facets[0]].body)) return edge;
+  const Vec3 &origin = x_[e.nodes[0]], u = x_[e.nodes[1]] - origin, r = x_[e.opposite[1]] - origin;
+  const double below = normal(e.facets[0]).dot(r), along_u = r.dot(u), length = u.squaredNorm();
+  const double least = tolerances_.convex_edge_angle;
+  edge.is_convex = below < 0;
+  edge.is_clearly_convex =
+      below < 0 && below * below * length > least * least * (r.squaredNorm() * length - along_u * along_u);
+  const Vec3 along = u.stableNormalized();
+  for (int k = 0; k < 2; ++k) {
+    const Vec3 into = x_[e.opposite[k]] - origin;
+    edge.into[k] = (into - along * along.dot(into)).stableNormalized();
+  }
+  return edge;
+}
+
+}  // namespace talus

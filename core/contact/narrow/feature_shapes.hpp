@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/broad/odometers.hpp"
+#include "contact/contact_features.hpp"
+#include "model/tolerances.hpp"
+
+namespace talus {
+
+/// What features look like at the positions of a step: each is measured when it is asked for and its body has moved
+/// since, so that nobody measures anything twice, nor what is not near another body.
+class FeatureShapes {
+ public:
+  /// All outlive this.
+  FeatureShapes(const ContactFeatures& features, const Odometers& odometers, const ContactTolerances& tolerances);
+
+  /// The nodes are at x [m], which must last as long as something is asked; the odometers have been told of the motion.
+  void look(std::span<const Vec3> x) { x_ = x; }
+
+  /// Unit, outwards.
+  const Vec3& normal(int facet);
+  /// From a node to its core, for an edge tolerance of 1: all facets around, moved inwards by 1, meet there as nearly
+  /// as they can.
+  const Vec3& towards_core(int node);
+
+  struct Edge {
+    bool is_convex;
+    bool is_clearly_convex;    ///< by more than an angle as good as flat
+    std::array<Vec3, 2> into;  ///< unit vectors in each facet, square to the edge, away from it
+  };
+  const Edge& edge(int number);
+
+ private:
+  /// Whether what was measured at the last of `moves` is to be measured again.
+  bool is_stale(std::uint64_t& moves, int body) const;
+
+  const ContactFeatures& features_;
+  const Odometers& odometers_;
+  const ContactTolerances& tolerances_;
+  std::span<const Vec3> x_;
+  std::vector<Vec3> normals_, towards_core_;
+  std::vector<Edge> edges_;
+  std::vector<std::uint64_t> normal_at_, core_at_, edge_at_;  // the moves of the body as of then
+};
+
+}  // namespace talus
