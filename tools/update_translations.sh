@@ -14,7 +14,7 @@ def walk(rule):
     for key in ("title", "description", "absent", "variant"):
         if isinstance(rule.get(key), str):
             said["schema"][rule[key]] = None
-    for word in [*rule.get("enum", []), *rule.get("columns", []), *rule.get("presets", {})]:
+    for word in [*rule.get("enum", []), *rule.get("named", []), *rule.get("columns", []), *rule.get("presets", {})]:
         if len(word) > 2:  # x, xx, t: symbols
             said["choices"][word] = None
     if isinstance(rule.get("file"), str):

@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "command.hpp"
 #include "model/stage_length.hpp"
+#include "model/tolerance_text.hpp"
 #include "project_choice.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
@@ -189,6 +190,7 @@ Json json_of_results(const ResultReader& results, const std::optional<RunReport>
           {"first_time", times.empty() ? Json() : Json(times.front())},
           {"last_time", times.empty() ? Json() : Json(times.back())},
           {"steps", steps.size()},
+          {"tolerance", report ? Json(report->tolerance) : Json()},
           {"stages", results.stage_names()},
           {"monitors", results.monitor_names()},
           {"blocks", blocks_of(results.system())},
@@ -203,6 +205,7 @@ void print_results(const Json& info, const BlockSystem& system, const std::optio
   std::cout << info["project"].get<std::string>() << "\n"
             << info["status"].get<std::string>() << ", " << info["steps"] << " steps, " << info["frames"] << " frames";
   if (info["frames"] != 0) std::cout << " from " << info["first_time"] << " to " << info["last_time"] << " s";
+  if (report) std::cout << ", tolerance " << tolerance_text(report->tolerance);
   std::cout << "\n\n";
   print_blocks(info["blocks"], system);
   std::cout << '\n';

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "list_of_runs.hpp"
+#include "model/tolerance_text.hpp"
 #include "options.hpp"
 #include "text/verify_text.hpp"
 #include "verification/known_answers_page.hpp"
@@ -56,9 +57,21 @@ ExitCode verify_cases(const Request& request, bool json) {
 }
 
 HardCasesRequest of_hard_cases(const Request& request) {
-  TrialOptions options{.threads = request.options.run.threads};
+  TrialOptions options{.threads = request.options.run.threads, .tolerance = request.options.run.tolerance};
   if (request.options.repeat) options.repeat_on = {1, 2};
   return {request.names, request.group, request.all, request.list, request.perturbations, request.markdown, options};
+}
+
+void add_tolerance(CLI::App& command, std::optional<double>& tolerance) {
+  const auto check = [](const std::string& text) {
+    return tolerance_from(text) ? std::string() : "write draft, standard, reference, or a number from 1e-12 to 0.01";
+  };
+  command
+      .add_option_function<std::string>(
+          "--tolerance", [&tolerance](const std::string& text) { tolerance = tolerance_from(text); },
+          "Run with this solver.tolerance where a case or scene asks for none of its own")
+      ->check(CLI::Validator(check, ""))
+      ->type_name("draft|standard|reference|X");
 }
 
 /// Options that have to do with known cases alone.
@@ -119,6 +132,7 @@ void add_verify(CLI::App& program, Invocation& invocation) {
   command->add_flag("--list", request->list, "List the cases there are and leave");
   add_case_options(*command, *request, add_hard_case_options(*command, *request));
   add_threads(*command, request->options.run.threads);
+  add_tolerance(*command, request->options.run.tolerance);
   command->add_flag("--repeat", request->options.repeat,
                     "Run each case again with 2 threads, which must give the same bits, and at a tenth of the scale, "
                     "which must give the same relative numbers; hard cases with 1 and 2 threads");

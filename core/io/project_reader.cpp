@@ -381,6 +381,15 @@ AdaptiveSteps adaptive_from(const OrderedJson& value) {
   return steps;
 }
 
+/// A number, or the name of one.
+void read_tolerance(const OrderedJson& object, double& tolerance) {
+  const auto found = object.find("tolerance");
+  if (found == object.end()) return;
+  if (found->is_number()) tolerance = found->get<double>();
+  for (const auto& [name, value] : named_tolerances)
+    if (*found == name) tolerance = value;
+}
+
 SolverSettings solver_from(const OrderedJson& value) {
   SolverSettings solver;
   read_word(value, "strain", solver.strain, {Strain::corotational, Strain::incremental});
@@ -390,6 +399,7 @@ SolverSettings solver_from(const OrderedJson& value) {
   read_word(value, "contact", solver.contact, {ContactModel::area, ContactModel::facet_wise});
   read(value, "contact_stiffness", solver.contact_stiffness);
   read(value, "penetration_tolerance", solver.penetration_tolerance);
+  read_tolerance(value, solver.tolerance);
   read(value, "open_close_limit", solver.open_close_limit);
   read(value, "sleep_tolerance", solver.sleep_tolerance);
   read_word(value, "time_step_control", solver.time_step_control, {TimeStepControl::fixed, TimeStepControl::adaptive});

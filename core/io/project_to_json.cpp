@@ -275,6 +275,13 @@ OrderedJson json_from(const AdaptiveSteps& steps) {
   return json;
 }
 
+/// By its name, where it has one.
+OrderedJson tolerance_json(double tolerance) {
+  for (const auto& [name, value] : named_tolerances)
+    if (tolerance == value) return name;
+  return tolerance;
+}
+
 OrderedJson json_from(const SolverSettings& solver) {
   const SolverSettings usual;
   OrderedJson json{{"strain", to_string(solver.strain)}};
@@ -283,6 +290,7 @@ OrderedJson json_from(const SolverSettings& solver) {
   write_word_unless_usual(json, "contact", solver.contact, usual.contact);
   write_unless_usual(json, "contact_stiffness", solver.contact_stiffness, usual.contact_stiffness);
   write(json, "penetration_tolerance", solver.penetration_tolerance);
+  if (solver.tolerance != usual.tolerance) json["tolerance"] = tolerance_json(solver.tolerance);
   write_unless_usual(json, "open_close_limit", solver.open_close_limit, usual.open_close_limit);
   write_unless_usual(json, "sleep_tolerance", solver.sleep_tolerance, usual.sleep_tolerance);
   write_word_unless_usual(json, "time_step_control", solver.time_step_control, usual.time_step_control);

@@ -145,6 +145,15 @@ std::optional<Fault> missing_key(const Json& value, const Json& rule, const Plac
   return std::nullopt;
 }
 
+/// The schema uses `named` for numbers that have names, and says them again as a pattern for its validator.
+std::optional<Fault> unknown_name(const Json& value, const Json& rule, const Place& place) {
+  if (!value.is_string() || !rule.contains("named")) return std::nullopt;
+  const auto names = rule.at("named").get<std::vector<std::string>>();
+  const auto name = value.get<std::string>();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return std::nullopt;
+  return Fault{Weight::other, place, shown(value) + " is not known here", suggest_name(name, names)};
+}
+
 /// The schema uses oneOf for keys of which exactly one is given.
 std::optional<Fault> not_one_of(const Json& value, const Json& rule, const Place& place) {
   if (!value.is_object() || !rule.contains("oneOf")) return std::nullopt;
@@ -208,6 +217,7 @@ std::optional<Fault> explain(const Json& value, const Json& rule, const Place& p
   if (auto fault = unknown_key(value, rule, place)) return fault;
   if (auto fault = missing_key(value, rule, place)) return fault;
   if (auto fault = not_one_of(value, rule, place)) return fault;
+  if (auto fault = unknown_name(value, rule, place)) return fault;
   if (auto fault = out_of_range(value, rule, place)) return fault;
   return wrong_length(value, rule, place);
 }

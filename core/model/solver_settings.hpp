@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -37,6 +38,18 @@ constexpr std::string_view to_string(TimeStepControl control) {
   return control == TimeStepControl::fixed ? "fixed" : "adaptive";
 }
 
+/// How exactly a step is solved, by the names of the project file: the residual that is left over the largest force,
+/// and with it what friction strengths and impulses are off by.
+struct NamedTolerance {
+  std::string_view name;
+  double value;
+};
+inline constexpr NamedTolerance draft_tolerance{"draft", 1e-3}, standard_tolerance{"standard", 1e-6},
+    reference_tolerance{"reference", 1e-10};
+inline constexpr std::array named_tolerances{draft_tolerance, standard_tolerance, reference_tolerance};
+/// Less is rounding; more would let blocks hang in the air by the work of their neighbours.
+constexpr bool is_tolerance(double value) { return value >= 1e-12 && value <= 0.01; }
+
 /// What adaptive steps keep to. Each limit makes steps shorter where it would be broken.
 struct AdaptiveSteps {
   double displacement_limit = 0.005;  ///< largest displacement of a node in a step, of half the model's height
@@ -56,7 +69,8 @@ struct SolverSettings {
   /// Empty: springs as they are in static stages, 5e-4 in dynamic ones, where no joint has a normal stiffness of its
   /// own.
   std::optional<double> penetration_tolerance;
-  int open_close_limit = 160;  ///< iterations before the step is cut
+  double tolerance = reference_tolerance.value;  ///< residual over the largest force at which a step has converged
+  int open_close_limit = 160;                    ///< iterations before the step is cut
   double sleep_tolerance =
       1e-9;  ///< 1/s: blocks slower than this times their mesh size sleep in dynamic stages; 0: none
   TimeStepControl time_step_control = TimeStepControl::fixed;

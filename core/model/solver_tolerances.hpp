@@ -282,6 +282,11 @@ struct SolverTolerances {
   StepControlTolerances step_control;
   SleepTolerances sleep;
   EffectTolerances effects;
+
+  /// What becomes of them at another SolverSettings::tolerance than that of reference, for which the values above are.
+  /// Impulses are found as exactly as steps are solved. A larger residual is left to each body alone, not to all
+  /// together (OpenClose::begin_stage): those of ConvergenceTolerances get smaller only.
+  SolverTolerances at(double tolerance) const;
 };
 
 }  // namespace talus

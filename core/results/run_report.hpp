@@ -138,6 +138,7 @@ struct RunReport {
   std::string reason;  ///< why it stopped or did not converge: contact, place, joint; empty when completed
   double time = 0, wall_seconds = 0;
   int steps = 0, threads = 1, frames = 0;
+  double tolerance = SolverSettings{}.tolerance;  ///< that steps were solved to
   std::vector<BlockOutcome> blocks;
   MotionNames names;  ///< for the blocks' motions
   StepReport last_step;

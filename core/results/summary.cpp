@@ -240,6 +240,7 @@ std::string summary_json(const RunReport& report) {
                         {"cuts", report.cuts},
                         {"wall_seconds", report.wall_seconds},
                         {"threads", report.threads},
+                        {"tolerance", report.tolerance},
                         {"blocks", json_of_blocks(report)},
                         {"contacts", json_of_contacts(report)},
                         {"energy", json(report.last_step.energy)},
@@ -267,6 +268,7 @@ std::optional<RunReport> read_summary(const std::filesystem::path& file) {
   take(summary, "cuts", report.cuts);
   take(summary, "wall_seconds", report.wall_seconds);
   take(summary, "threads", report.threads);
+  take(summary, "tolerance", report.tolerance);
   take(summary, "effects", report.effects);
   take(summary, "work", report.work);
   take(summary, "phases", report.phases);

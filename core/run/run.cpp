@@ -76,6 +76,7 @@ class Recording {
         writer_(options.out, project, system, options.project_text),
         next_frame_(project.output.every) {
     report_.threads = options.threads;
+    report_.tolerance = project.solver.tolerance;
     const HistoryRow row = simulation_.history();
     expectations_.look(simulation_, row);
     writer_.add_history(row);

@@ -62,23 +62,23 @@ double half_height(const BodySet& bodies) {
 SimulationState::SimulationState(const Project& p, const BlockSystem& s, const Tolerances& t)
     : project(p),
       system(s),
-      tolerances(t.solver),
+      tolerances(t.solver.at(p.solver.tolerance)),
       bodies(p, s),
       surfaces(surfaces_of(s)),
       smallest_size(smallest_mesh_size(bodies, surfaces)),
       detector(contact_bodies(bodies, surfaces), joint_laws(p), pair_joints(p, s), contact_settings(p, t.contact)),
-      outcomes(t.solver.contact_outcome),
-      clock(p.stages, t.solver.step.time_rounding),
-      control(p.solver.adaptive, half_height(bodies), smallest_size, t.solver.step_control),
-      open_close(t.solver, p.solver.open_close_limit),
-      first_guess(t.solver.first_guess),
-      pseudo_transient(t.solver.pseudo_transient),
-      acceleration_reset(bodies, t.solver.acceleration_reset),
-      sleep(sizes_of(surfaces), p.solver.sleep_tolerance, t.solver.sleep),
+      outcomes(tolerances.contact_outcome),
+      clock(p.stages, tolerances.step.time_rounding),
+      control(p.solver.adaptive, half_height(bodies), smallest_size, tolerances.step_control),
+      open_close(tolerances, p.solver.open_close_limit),
+      first_guess(tolerances.first_guess),
+      pseudo_transient(tolerances.pseudo_transient),
+      acceleration_reset(bodies, tolerances.acceleration_reset),
+      sleep(sizes_of(surfaces), p.solver.sleep_tolerance, tolerances.sleep),
       stress(bodies, composition),
       troubles(p, s, bodies, contacts) {
   for (const Monitor& monitor : p.monitors) {
-    const double tolerance = t.solver.effects.point_outside_block * std::cbrt(s.solids_volume);
+    const double tolerance = tolerances.effects.point_outside_block * std::cbrt(s.solids_volume);
     monitors.push_back(material_point(s, monitor.block, monitor.at, tolerance, "monitor '" + monitor.name + "'"));
   }
   bodies.stress = stress_before(p, s, bodies);

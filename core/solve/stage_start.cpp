@@ -46,10 +46,21 @@ void hold_bodies_of_stage(SimulationState& s, int stage) {
   s.detector.set_fixed(fixed);
 }
 
+/// What each body may be left with, over the forces on it; 0: only what ConvergenceTolerances leaves to all together. A
+/// stage that ends at equilibrium is solved a good deal more exactly than it asks for.
+double body_residual(const SimulationState& s, const Stage& stage) {
+  const double asked = s.project.solver.tolerance;
+  if (asked <= reference_tolerance.value) return 0;
+  if (stage.kind == StageKind::dynamic) return asked;
+  const ConvergenceTolerances& t = s.tolerances.convergence;
+  const double of_rest = stage.until_equilibrium ? std::min(asked, stage.equilibrium_tolerance) : asked;
+  return t.static_residual / t.dynamic_residual * of_rest;
+}
+
 void compose_effects(SimulationState& s, int stage) {
   s.open_close.end_stage();
   s.composition = compose(s.project, s.system, stage, s.bodies, s.links, s.tolerances.effects);
-  s.open_close.begin_stage(s.composition);
+  s.open_close.begin_stage(s.composition, body_residual(s, s.project.stages[stage]));
   if (s.composition.rebounds && !s.impacts) s.impacts.emplace(s.bodies, s.tolerances.impact);
   s.energy.begin_stage(s.composition);
 }

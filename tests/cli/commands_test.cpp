@@ -349,6 +349,36 @@ TEST_F(Commands, VerifyRunsWithRigidBlocksWhereNoStrainIsAskedFor) {
   EXPECT_EQ(talus_cli({"verify", "--body", "stone"}).exit_code, 2);
 }
 
+TEST_F(Commands, VerifyRunsToAnotherToleranceByNameOrNumber) {
+  const auto iterations = [](const char* tolerance) {
+    const Ending ending =
+        talus_cli({"verify", "--hard-cases", "incline_1_degree_slides", "--tolerance", tolerance, "--json"});
+    return Json::parse(ending.out)["scenes"][0]["iterations_per_step"].get<double>();
+  };
+  const double reference = iterations("reference");
+  EXPECT_LT(iterations("draft"), reference);
+  EXPECT_EQ(iterations("1e-10"), reference);
+  const Ending known = talus_cli({"verify", "block_slides", "--tolerance", "standard", "--json"});
+  EXPECT_EQ(known.exit_code, 0) << known.err;
+  for (const char* wrong : {"standart", "0.5", "1e-6 N"}) {
+    const Ending refused = talus_cli({"verify", "block_slides", "--tolerance", wrong});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("write draft, standard, reference, or a number from 1e-12 to 0.01"));
+  }
+}
+
+TEST_F(Commands, SolveTellsTheToleranceThatItSolvedTo) {
+  Json project = Json::parse(text_of(sample("free_fall")));
+  project["solver"]["tolerance"] = "draft";
+  write_text(*folder / "draft.talus", project.dump());
+  const Ending ending = talus_cli({"solve", place("draft.talus")});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(ending.out, HasSubstr("tolerance draft"));
+  EXPECT_EQ(Json::parse(text_of(place("draft.results/summary.json")))["tolerance"], 1e-3);
+  const Ending opened = talus_cli({"info", place("draft.results")});
+  EXPECT_THAT(opened.out, HasSubstr("tolerance draft"));
+}
+
 TEST_F(Commands, VerifyEndsWithOneWhenACaseFails) {
   std::filesystem::create_directories(*folder / "samples/wrong");
   Json project = Json::parse(text_of(sample("free_fall")));

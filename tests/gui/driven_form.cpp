@@ -47,7 +47,8 @@ QString spaced(const std::string& unit) { return unit.empty() ? QString() : u' '
 
 bool isScalar(const schema::Json& rule) {
   const Kind kind = schema::kindOf(rule);
-  return kind == Kind::number || kind == Kind::boolean || kind == Kind::choice || kind == Kind::text;
+  return kind == Kind::number || kind == Kind::namedNumber || kind == Kind::boolean || kind == Kind::choice ||
+         kind == Kind::text;
 }
 
 }  // namespace
@@ -241,6 +242,9 @@ void DrivenForm::fillIn(const Place& place, const Json& target) {
       break;
     case Kind::number:
       enterNumber(place, rule, target);
+      break;
+    case Kind::namedNumber:
+      type(place.to_string(), target.is_string() ? text(target.get<std::string>()) : typed(target, {}));
       break;
     case Kind::boolean:
       choose(place.to_string(), target.get<bool>() ? "yes" : "no");

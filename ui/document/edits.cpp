@@ -80,6 +80,7 @@ Json startOf(const Json& rule, const Json& project) {
     case Kind::boolean:
       return false;
     case Kind::number:
+    case Kind::namedNumber:
       return startOfNumber(rule);
     case Kind::text:
       return startOfText(rule, project);

@@ -62,6 +62,7 @@ Json ruleOf(const Place& place) {
 Kind kindOf(const Json& rule) {
   if (rule.contains("const")) return Kind::constant;
   if (rule.contains("enum")) return Kind::choice;
+  if (rule.contains("named")) return Kind::namedNumber;
   const std::string type = rule.at("type").is_string() ? rule.at("type").get<std::string>() : "number";  // or null
   if (type == "boolean") return Kind::boolean;
   if (type == "number" || type == "integer") return Kind::number;

@@ -11,6 +11,7 @@
 /// `absent` (what it means to leave the field out, where `default` cannot say it), `columns`, `units` and `shownUnits`
 /// of numbers in a row, `names` (the lists of the project whose things the text names; `pieces`: or a piece of one,
 /// "slope.2"; `quantity`: as NAME.displacement.z), `sharesNames` (lists whose things have no name in common),
+/// `named` (words that stand for numbers),
 /// `identifies` (the name of the thing itself), `variant` (what the choice of `oneOf` is about), `presets` (named sets
 /// of values) and `file` (the text is a path to such files). `examples` are what a new thing begins with.
 namespace talus::schema {
@@ -39,6 +40,7 @@ enum class Kind {
   choice,  ///< one of some words
   boolean,
   number,
+  namedNumber,  ///< a number, or the name of one
   text,
   numbers,  ///< so many in a row: a vector
   texts,    ///< so many in a row: a pair of names

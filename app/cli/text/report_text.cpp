@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/number_text.hpp"
+#include "model/tolerance_text.hpp"
 #include "text/effect_text.hpp"
 #include "text/table.hpp"
 #include "text/terminal.hpp"
@@ -19,8 +20,9 @@ std::string cost_text(const RunReport& report) {
   const double steps = std::max(1, report.steps);
   return number(report.time) + " s of model time in " + std::to_string(report.steps) + " steps, " +
          number(static_cast<double>(report.iterations) / steps, 3) + " iterations a step, " +
-         std::to_string(report.cuts) + (report.cuts == 1 ? " step cut" : " steps cut") + "; wall time " +
-         duration_text(report.wall_seconds) + " (" + number(1e3 * report.wall_seconds / steps, 3) + " ms a step)\n";
+         std::to_string(report.cuts) + (report.cuts == 1 ? " step cut" : " steps cut") + ", tolerance " +
+         tolerance_text(report.tolerance) + "; wall time " + duration_text(report.wall_seconds) + " (" +
+         number(1e3 * report.wall_seconds / steps, 3) + " ms a step)\n";
 }
 
 std::string blocks_text(const RunReport& report) {

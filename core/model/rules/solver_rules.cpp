@@ -41,6 +41,10 @@ void check(const SolverSettings& solver) {
     require_positive(*solver.penetration_tolerance, place / "penetration_tolerance", "the penetration tolerance",
                      "the mesh size; 1e-6 is strict");
   }
+  require_finite(solver.tolerance, place / "tolerance");
+  require(is_tolerance(solver.tolerance), place / "tolerance",
+          "the tolerance must be 1e-12 to 0.01 of the largest force, is " + number_text(solver.tolerance),
+          "give \"draft\" (1e-3), \"standard\" (1e-6), \"reference\" (1e-10) or a number between");
   require(solver.open_close_limit >= 1, place / "open_close_limit",
           "at least one open–close iteration is needed, not " + std::to_string(solver.open_close_limit),
           "give the iterations after which the step is cut; " + std::to_string(usual.open_close_limit) + " is usual");

@@ -30,9 +30,10 @@ class Progress {
 
 }  // namespace
 
-void OpenClose::begin_stage(Composition& composition) {
+void OpenClose::begin_stage(Composition& composition, double body_residual) {
   composition_ = &composition;
-  residual_.begin_stage(composition);
+  body_residual_ = body_residual;
+  residual_.begin_stage(composition, body_residual > 0);
 }
 
 SolveTimes OpenClose::times() const {
@@ -115,7 +116,7 @@ OpenCloseResult OpenClose::converge(Increment& d) {
 }
 
 bool OpenClose::has_converged(const OpenCloseResult& now, bool stalled, const Increment& d) const {
-  if (now.residual <= tolerance_ * now.force_scale) return true;
+  if (now.residual <= tolerance_ * now.force_scale || each_body_balances()) return true;
   const double rounding =
       std::max(tolerances_.rounding_residual * now.force_scale, tolerances_.rounding_factor * residual_.rounding());
   const bool is_rounding = stalled && now.residual <= rounding;
@@ -231,7 +232,7 @@ int OpenClose::converge_with_frozen_friction(Increment& d, int limit) {
     if (residual_.norm() > std::max(tolerances_.frozen_reduction * before, negligible)) continue;
     residual_.evaluate(d, Friction::coupled);
     before = residual_.norm();
-    if (before <= negligible || coupled_iteration_leads_on(d)) return count;
+    if (before <= negligible || each_body_balances() || coupled_iteration_leads_on(d)) return count;
     residual_.freeze(d);
   }
   residual_.evaluate(d, Friction::coupled);

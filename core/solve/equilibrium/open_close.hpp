@@ -40,8 +40,9 @@ class OpenClose {
         search_(tolerances.convergence),
         interior_(tolerances.interior_point) {}
 
-  /// The effects of a stage; they must live until end_stage.
-  void begin_stage(Composition& composition);
+  /// The effects of a stage; they must live until end_stage. A step has converged, too, once no body is out of balance
+  /// by more than `body_residual` of the forces on it; 0: by nothing.
+  void begin_stage(Composition& composition, double body_residual = 0);
   void end_stage() { residual_.end_stage(); }
   /// The couplings of contacts have changed: finds the independent systems anew.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
@@ -99,6 +100,7 @@ class OpenClose {
   /// vain.
   bool is_hopeless(int iterations_left) const;
 
+  bool each_body_balances() const { return body_residual_ > 0 && residual_.each_body_balances(body_residual_); }
   bool has_converged(const OpenCloseResult& now, bool stalled, const Increment& d) const;
   int worst_dof_block() const;
 
@@ -113,7 +115,8 @@ class OpenClose {
   DisjointSets together_;
   Eigen::VectorXd part_, direction_, zero_;
   Increment scaled_, start_, second_start_, first_guess_;
-  double tolerance_ = 0;  ///< relative residual at which this step has converged
+  double tolerance_ = 0;      ///< relative residual of all bodies together at which this step has converged …
+  double body_residual_ = 0;  ///< … and of each alone
   double pattern_seconds_ = 0;
 };
 

@@ -25,8 +25,9 @@ void StepResidual::end_stage() {
   effect_work_.clear();
 }
 
-void StepResidual::begin_stage(Composition& composition) {
+void StepResidual::begin_stage(Composition& composition, bool bodies_apart) {
   composition_ = &composition;
+  bodies_apart_ = bodies_apart;
   effect_work_.assign(composition.effects.size(), {.built = 1});
   works_.assign(composition.effects.size(), 0);
   norms_.assign(composition.effects.size(), 0);
@@ -42,6 +43,25 @@ void StepResidual::set_pattern(int nodes, std::vector<std::pair<int, int>> coupl
   zero_.setZero(3 * nodes);
   pattern_changed_ = true;
   rounding_ = rounding_of_positions_ = 0;
+  if (!bodies_apart_) return;
+  const BodySet& bodies = *composition_->bodies;
+  body_begins_ = {0};
+  for (const int b : bodies.moving) {
+    const Body& body = bodies.bodies[b];
+    body_begins_.push_back(body_begins_.back() + (body.rigid >= 0 ? 2 : body.free_count()));
+  }
+}
+
+void StepResidual::norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const {
+  norms.resize(static_cast<Eigen::Index>(body_begins_.size()) - 1);
+  for (Eigen::Index b = 0; b < norms.size(); ++b)
+    norms[b] = vector.segment(3 * body_begins_[b], 3 * (body_begins_[b + 1] - body_begins_[b])).norm();
+}
+
+bool StepResidual::each_body_balances(double tolerance) const {
+  Eigen::VectorXd left;
+  norms_by_body(gradient_, left);
+  return (left.array() <= tolerance * body_forces_.array()).all();
 }
 
 void StepResidual::assemble_constant() {
@@ -66,6 +86,7 @@ bool StepResidual::begin_step(const StepContext& step) {
   of_step_.assign(constant_);
   part_.resize(zero_.size());
   momentum_scale_ = 0;
+  if (bodies_apart_) body_momenta_.setZero(static_cast<Eigen::Index>(body_begins_.size()) - 1);
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
     const Stopwatch of_effect(effect_work_[i].seconds);
@@ -78,6 +99,9 @@ bool StepResidual::begin_step(const StepContext& step) {
     part_.setZero();
     effect.add_gradient(zero_, step_.arms, part_);
     momentum_scale_ = tolerances_.momentum_force_weight * part_.norm();
+    if (!bodies_apart_) continue;
+    norms_by_body(part_, body_momenta_);
+    body_momenta_ *= tolerances_.momentum_force_weight;
   }
   return !same_kind;
 }
@@ -93,6 +117,7 @@ void StepResidual::evaluate(const Increment& d, Friction friction) {
   part_.resize(d.size());
   scaled_ = smooth_fraction_ * d;
   force_scale_ = momentum_scale_;
+  if (bodies_apart_) body_forces_ = body_momenta_;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
     const Stopwatch of_effect(effect_work_[i].seconds);
@@ -104,6 +129,9 @@ void StepResidual::evaluate(const Increment& d, Friction friction) {
     norms_[i] = part_.norm();
     const double counts = effect.account() == EnergyAccount::elastic ? tolerances_.elastic_force_weight : 1;
     force_scale_ = std::max(force_scale_, counts * norms_[i]);
+    if (!bodies_apart_) continue;
+    norms_by_body(part_, body_norms_);
+    body_forces_ = body_forces_.cwiseMax(counts * body_norms_);
   }
 }
 
@@ -160,7 +188,8 @@ void StepResidual::add_hessians(const Increment& d, Contacts contacts, Symmetric
 
 void StepResidual::add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& sum) const {
   for (const auto& effect : composition_->effects)
-    if (contacts == Contacts::included || effect->account() != EnergyAccount::contact) effect->add_unsymmetric(d, step_.arms, sum);
+    if (contacts == Contacts::included || effect->account() != EnergyAccount::contact)
+      effect->add_unsymmetric(d, step_.arms, sum);
 }
 
 void StepResidual::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) {

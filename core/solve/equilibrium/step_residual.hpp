@@ -20,8 +20,8 @@ class StepResidual {
 
   explicit StepResidual(const ConvergenceTolerances& tolerances = {}) : tolerances_(tolerances) {}
 
-  /// The effects of a stage; they must live until end_stage.
-  void begin_stage(Composition& composition);
+  /// The effects of a stage; they must live until end_stage. `bodies_apart`: each_body_balances will be asked.
+  void begin_stage(Composition& composition, bool bodies_apart = false);
   void end_stage();
   /// The couplings of contacts have changed.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
@@ -40,6 +40,9 @@ class StepResidual {
   /// The gradient at D = 0 without inertia's force.
   void evaluate_without_inertia();
   double force_scale() const { return force_scale_; }  ///< N, of the forces that the last gradient is the sum of
+  /// Whether on each body alone so much of the forces on it is out of balance at most: a grain beside a mountain is no
+  /// rounding.
+  bool each_body_balances(double tolerance) const;
   /// ∇Π_e·D of each effect at the last D that was evaluated [J].
   const std::vector<double>& works() const { return works_; }
   /// Norm of inertia's force over that of the largest other force, at the last D: the relative residual of static
@@ -78,6 +81,8 @@ class StepResidual {
  private:
   enum class Contacts { included, left_out };
   void assemble_constant();
+  /// Norm of the part of a vector that belongs to each moving body.
+  void norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const;
   /// What effects that are not quadratic add at D.
   void add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix);
   void add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& sum) const;
@@ -94,6 +99,9 @@ class StepResidual {
   Eigen::VectorXd frozen_;  ///< N, moments that frozen forces keep beside those that have a potential
   Increment scaled_;
   std::vector<double> works_, norms_;
+  bool bodies_apart_ = false;
+  std::vector<int> body_begins_;  ///< first degree-of-freedom block of each moving body, and the end of the last
+  Eigen::VectorXd body_norms_, body_forces_, body_momenta_;  ///< N, of each: of an effect, the largest, of momentum
   double rounding_ = 0, rounding_of_positions_ = 0;
   double force_scale_ = 0, momentum_scale_ = 0;
   SolveTimes times_;

@@ -7,6 +7,7 @@
 #include "io/whole_file.hpp"
 #include "model/number_text.hpp"
 #include "model/solid_shape.hpp"
+#include "model/tolerance_text.hpp"
 #include "study/accuracy/setting_json.hpp"
 #include "study/accuracy/study_run_json.hpp"
 
@@ -39,7 +40,8 @@ std::string line_of(std::size_t number, const AccuracyRow& row) {
                                number_text(s.time_step),
                                number_text(s.static_step),
                                number_text(s.mesh_size),
-                               tolerance_text(s),
+                               penetration_text(s),
+                               tolerance_text(s.tolerance),
                                std::to_string(run.dofs),
                                std::to_string(run.blocks),
                                std::to_string(run.tetrahedra),
@@ -103,7 +105,7 @@ Json json_of(const AxisOrder& order) {
 
 std::string accuracy_csv(const AccuracyStudy& study) {
   std::string text =
-      "number,label,body,strain,integrator,time_step,static_step,mesh_size,penetration_tolerance,dofs,blocks,"
+      "number,label,body,strain,integrator,time_step,static_step,mesh_size,penetration_tolerance,tolerance,dofs,blocks,"
       "tetrahedra,steps,iterations,cuts,cpu_seconds,wall_seconds,mesh_seconds,error,error_estimate,from_finest,status,"
       "pareto,note\n";
   for (std::size_t i = 0; i < study.rows.size(); ++i) text += line_of(i, study.rows[i]);

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "model/number_text.hpp"
 #include "model/rules/validate.hpp"
+#include "model/tolerance_text.hpp"
 
 namespace talus {
 
@@ -15,9 +16,14 @@ namespace {
 
 using Values = std::vector<std::string>;
 
-constexpr StudyAxis all_axes[] = {
-    StudyAxis::body,        StudyAxis::strain,    StudyAxis::integrator,           StudyAxis::time_step,
-    StudyAxis::static_step, StudyAxis::mesh_size, StudyAxis::penetration_tolerance};
+constexpr StudyAxis all_axes[] = {StudyAxis::body,
+                                  StudyAxis::strain,
+                                  StudyAxis::integrator,
+                                  StudyAxis::time_step,
+                                  StudyAxis::static_step,
+                                  StudyAxis::mesh_size,
+                                  StudyAxis::penetration_tolerance,
+                                  StudyAxis::tolerance};
 
 Values usual_values(StudyAxis axis) {
   switch (axis) {
@@ -34,9 +40,11 @@ Values usual_values(StudyAxis axis) {
     case StudyAxis::mesh_size:
       return {"2", "1", "0.5"};
     case StudyAxis::penetration_tolerance:
+      return {"off", "1e-3", "1e-4"};
+    case StudyAxis::tolerance:
       break;
   }
-  return {"off", "1e-3", "1e-4"};
+  return {"draft", "standard", "reference"};
 }
 
 Values split(const std::string& text) {
@@ -70,6 +78,11 @@ double positive_number(StudyAxis axis, const std::string& word) {
   if (end == 0 || end != word.size() || !std::isfinite(value) || value <= 0)
     throw no_such_value(axis, word, "write a number above 0, like 0.5");
   return value;
+}
+
+double tolerance_of(StudyAxis axis, const std::string& word) {
+  if (const auto tolerance = tolerance_from(word)) return *tolerance;
+  throw no_such_value(axis, word, "write draft, standard, reference, or a number from 1e-12 to 0.01");
 }
 
 template <typename Kind>
@@ -106,6 +119,9 @@ void set(Setting& setting, StudyAxis axis, const std::string& word) {
     case StudyAxis::penetration_tolerance:
       setting.penetration_tolerance = word == "off" ? std::nullopt : std::optional<double>(positive_number(axis, word));
       break;
+    case StudyAxis::tolerance:
+      setting.tolerance = tolerance_of(axis, word);
+      break;
   }
 }
 
@@ -137,6 +153,7 @@ std::string reason_against(StudyAxis axis, const Project& project) {
       if (project.solids.size() == 1 && project.cuts.empty()) return "there is one block, and nothing it could touch";
       break;
     case StudyAxis::body:
+    case StudyAxis::tolerance:
       break;
   }
   return {};
@@ -239,6 +256,8 @@ class LadderBuilder {
         if (one.penetration_tolerance)
           setting.penetration_tolerance =
               std::min(setting.penetration_tolerance.value_or(*one.penetration_tolerance), *one.penetration_tolerance);
+    if (const auto tolerances = taken_.find(StudyAxis::tolerance); tolerances != taken_.end())
+      for (const Setting& one : tolerances->second) setting.tolerance = std::min(setting.tolerance, one.tolerance);
     return setting;
   }
 

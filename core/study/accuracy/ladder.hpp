@@ -9,11 +9,11 @@
 namespace talus {
 
 /// What an accuracy study varies.
-enum class StudyAxis { body, strain, integrator, time_step, static_step, mesh_size, penetration_tolerance };
+enum class StudyAxis { body, strain, integrator, time_step, static_step, mesh_size, penetration_tolerance, tolerance };
 
 constexpr std::string_view to_string(StudyAxis axis) {
-  constexpr std::string_view words[] = {"body",        "strain",    "integrator",           "time_step",
-                                        "static_step", "mesh_size", "penetration_tolerance"};
+  constexpr std::string_view words[] = {
+      "body", "strain", "integrator", "time_step", "static_step", "mesh_size", "penetration_tolerance", "tolerance"};
   return words[static_cast<int>(axis)];
 }
 

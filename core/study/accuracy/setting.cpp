@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "model/number_text.hpp"
 #include "model/solid_shape.hpp"
+#include "model/tolerance_text.hpp"
 
 namespace talus {
 
@@ -85,6 +86,7 @@ Setting own_setting(const Project& project) {
   own.strain = project.solver.strain;
   own.integrator = project.solver.integrator;
   own.penetration_tolerance = project.solver.penetration_tolerance;
+  own.tolerance = project.solver.tolerance;
   return own;
 }
 
@@ -96,6 +98,7 @@ Project under(const Setting& setting, const Project& given) {
     project.solver.spectral_radius = SolverSettings{}.spectral_radius;
   project.solver.integrator = setting.integrator;
   project.solver.penetration_tolerance = setting.penetration_tolerance;
+  project.solver.tolerance = setting.tolerance;
   for (Stage& stage : project.stages)
     scale_step(stage, stage.kind == StageKind::static_ ? setting.static_step : setting.time_step);
   scale_mesh(project, setting.mesh_size);
@@ -106,7 +109,7 @@ std::string body_text(const Setting& setting) {
   return setting.body ? std::string(to_string(*setting.body)) : "as given";
 }
 
-std::string tolerance_text(const Setting& setting) {
+std::string penetration_text(const Setting& setting) {
   return setting.penetration_tolerance ? number_text(*setting.penetration_tolerance) : "off";
 }
 
@@ -120,7 +123,8 @@ std::string label_of(const Setting& setting, const Setting& own) {
   add(setting.time_step != own.time_step, multiple("Δ", setting.time_step));
   add(setting.static_step != own.static_step, "static " + multiple("Δ", setting.static_step));
   add(setting.mesh_size != own.mesh_size, multiple("h", setting.mesh_size));
-  add(setting.penetration_tolerance != own.penetration_tolerance, "tolerance " + tolerance_text(setting));
+  add(setting.penetration_tolerance != own.penetration_tolerance, "penetration " + penetration_text(setting));
+  add(setting.tolerance != own.tolerance, "tolerance " + tolerance_text(setting.tolerance));
   add(setting == own, "the project's own");
   return label;
 }

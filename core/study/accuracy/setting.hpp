@@ -13,10 +13,11 @@ struct Setting {
   std::optional<BodyKind> body;  ///< of all blocks that may move; empty: each as the project has it, unlike ones
   Strain strain = Strain::corotational;
   Integrator integrator = Integrator::newmark;
-  double time_step = 1;                         ///< of dynamic stages, in units of the project's own
-  double static_step = 1;                       ///< of static stages, likewise
-  double mesh_size = 1;                         ///< of every solid, in units of the project's own
-  std::optional<double> penetration_tolerance;  ///< of the mesh size; empty: springs as they are
+  double time_step = 1;                           ///< of dynamic stages, in units of the project's own
+  double static_step = 1;                         ///< of static stages, likewise
+  double mesh_size = 1;                           ///< of every solid, in units of the project's own
+  std::optional<double> penetration_tolerance;    ///< of the mesh size; empty: springs as they are
+  double tolerance = SolverSettings{}.tolerance;  ///< that steps are solved to
   bool operator==(const Setting&) const = default;
 };
 
@@ -35,6 +36,6 @@ std::string label_of(const Setting& setting, const Setting& own);
 std::string body_text(const Setting& setting);
 
 /// "off" without one.
-std::string tolerance_text(const Setting& setting);
+std::string penetration_text(const Setting& setting);
 
 }  // namespace talus

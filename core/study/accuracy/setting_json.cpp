@@ -22,7 +22,8 @@ Json setting_json(const Setting& setting) {
           {"time_step", setting.time_step},
           {"static_step", setting.static_step},
           {"mesh_size", setting.mesh_size},
-          {"penetration_tolerance", setting.penetration_tolerance ? Json(*setting.penetration_tolerance) : Json()}};
+          {"penetration_tolerance", setting.penetration_tolerance ? Json(*setting.penetration_tolerance) : Json()},
+          {"tolerance", setting.tolerance}};
 }
 
 Setting setting_of(const Json& json) {
@@ -38,6 +39,7 @@ Setting setting_of(const Json& json) {
   setting.mesh_size = json.at("mesh_size");
   if (const Json& tolerance = json.at("penetration_tolerance"); !tolerance.is_null())
     setting.penetration_tolerance = tolerance.get<double>();
+  setting.tolerance = json.value("tolerance", reference_tolerance.value);  // studies made before there were others
   return setting;
 }
 

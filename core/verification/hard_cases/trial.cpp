@@ -150,7 +150,7 @@ std::vector<std::string> unmet_expectations(const HardCase& scene, const Traject
 }
 
 /// One run of the scene, as it was asked for.
-Trial single_run(const HardCase& scene, int threads, const Tolerances& tolerances, Progress& progress) {
+Trial single_run(const HardCase& scene, int threads, const TrialOptions& options, Progress& progress) {
   Trial trial;
   trial.name = scene.name;
   trial.known_shortfall = scene.shortfall;
@@ -162,8 +162,10 @@ Trial single_run(const HardCase& scene, int threads, const Tolerances& tolerance
   const Stopwatch watch(trial.seconds);
   const ThreadLimit limit(threads);
   try {
-    const CaseScene built = scene.build();
-    TrialRun run(built, tolerances, trial);
+    CaseScene built = scene.build();
+    double& tolerance = built.project.solver.tolerance;
+    if (tolerance == SolverSettings{}.tolerance) tolerance = options.tolerance.value_or(tolerance);
+    TrialRun run(built, options.tolerances, trial);
     run.run(progress);
     for (const BlockMotion& block : run.trajectory().last().blocks) trial.displacements.push_back(block.displacement);
     if (trial.ending == TrialEnding::completed) trial.unmet = unmet_expectations(scene, run.trajectory());
@@ -223,10 +225,10 @@ std::vector<std::string> faults(const Trial& trial) {
 Trial run_trial(const HardCase& scene, const TrialOptions& options, Progress& progress) {
   const double share = 1 / (1 + static_cast<double>(options.repeat_on.size()));
   PartOfProgress first(progress, 0, share, "");
-  Trial trial = single_run(scene, options.threads, options.tolerances, first);
+  Trial trial = single_run(scene, options.threads, options, first);
   for (const int threads : options.repeat_on) {
     PartOfProgress next(progress, share * static_cast<double>(1 + trial.repetitions.size()), share, "again");
-    trial.repetitions.push_back({threads, difference(trial, single_run(scene, threads, options.tolerances, next))});
+    trial.repetitions.push_back({threads, difference(trial, single_run(scene, threads, options, next))});
   }
   return trial;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,8 @@ struct TrialOptions {
   int threads = 1;               ///< at most
   std::vector<int> repeat_on{};  ///< run the scene once more on each of these numbers of threads, with the same bits
   Tolerances tolerances{};
+  /// SolverSettings::tolerance, in place of that of scenes that ask for none of their own.
+  std::optional<double> tolerance{};
 };
 
 /// Runs the scene. Whatever goes wrong in it stands in the trial; only Cancelled goes on to the caller.

@@ -33,12 +33,16 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   const PolyhedronShape wedge{{{20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {20, 0, std::nextafter(1.0, 2.0)}},
                               {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   EXPECT_EQ(p.solids[1], (Solid{"wedge", wedge, "hard/rock", BodyKind::automatic, {}}));
-  EXPECT_EQ(p.solids[2], (Solid{"hill", FileShape{"shapes/hill.step", 0.001}, "soft rock", BodyKind::fixed, {},
-                                Turn{{0, 0, 1}, 30, {1, 2, 3}}, {0, 0, -0.5}}));
+  EXPECT_EQ(p.solids[2], (Solid{"hill",
+                                FileShape{"shapes/hill.step", 0.001},
+                                "soft rock",
+                                BodyKind::fixed,
+                                {},
+                                Turn{{0, 0, 1}, 30, {1, 2, 3}},
+                                {0, 0, -0.5}}));
   EXPECT_EQ(p.solids[3].shape, SolidShape(TerrainShape{"land.asc", 100, 0.25}));
   EXPECT_EQ(p.solids[4].shape, SolidShape(CylinderShape{{30, 0, 2}, {30, 10, 2}, 1.5, 12}));
-  EXPECT_EQ(p.solids[5].shape,
-            SolidShape(SectionShape{{{0, 0}, {20, 0}, {20, 10}, {10, 10}}, {40, 0, 0}, 75, 8}));
+  EXPECT_EQ(p.solids[5].shape, SolidShape(SectionShape{{{0, 0}, {20, 0}, {20, 10}, {10, 10}}, {40, 0, 0}, 75, 8}));
   EXPECT_EQ(p.solids[6].shape, SolidShape(CombinedShape{CombineOperation::subtract, {"bench", "bore"}}));
   ASSERT_EQ(p.cuts.size(), 6u);
   EXPECT_EQ(p.cuts[0], (Cut{"J1", 35, 120, {5, 5, 5}, {}, {}, {"slope", "hill"}}));
@@ -130,10 +134,29 @@ TEST(ProjectRoundTrip, SolverSettingsAreRead) {
   solver.contact_stiffness = 12.5;
   solver.sleep_tolerance = 1e-7;
   solver.penetration_tolerance = 1e-6;
+  solver.tolerance = standard_tolerance.value;
   solver.open_close_limit = 8;
   solver.time_step_control = TimeStepControl::adaptive;
   solver.adaptive = {0.01, 1e-5, 6, 0.01};
   EXPECT_EQ(parse_project(full_project).solver, solver);
+}
+
+TEST(ProjectRoundTrip, AToleranceIsANameOrANumber) {
+  for (const auto& [text, value] : {std::pair{R"("draft")", 1e-3},
+                                    {R"("standard")", 1e-6},
+                                    {R"("reference")", 1e-10},
+                                    {"1e-3", 1e-3},
+                                    {"2.5e-5", 2.5e-5}}) {
+    const std::string file =
+        replaced(full_project, R"("tolerance": "standard")", "\"tolerance\": " + std::string(text));
+    const Project project = parse_project(file);
+    EXPECT_EQ(project.solver.tolerance, value) << text;
+    EXPECT_EQ(write_project(project, file), file) << "to the byte";
+    EXPECT_EQ(parse_project(write_project(project)), project);
+  }
+  Project usual = parse_project(full_project);
+  usual.solver.tolerance = SolverSettings{}.tolerance;
+  EXPECT_THAT(write_project(usual), Not(HasSubstr("\"tolerance\": \"")));
 }
 
 /// Each word of a choice comes back as the choice it was.

@@ -22,6 +22,7 @@ RunReport example_report() {
   report.wall_seconds = 2.5;
   report.steps = 150;
   report.threads = 2;
+  report.tolerance = 1e-6;
   report.frames = 16;
   report.iterations = 321;
   report.cuts = 4;
@@ -97,6 +98,7 @@ TEST(Summary, HoldsWhatTheContractNames) {
   EXPECT_EQ(json["steps"], 150);
   EXPECT_EQ(json["wall_seconds"], 2.5);
   EXPECT_EQ(json["threads"], 2);
+  EXPECT_EQ(json["tolerance"], 1e-6);
   EXPECT_EQ(json["frames"], 16);
   EXPECT_EQ(json["iterations"], 321);
   EXPECT_EQ(json["cuts"], 4);

@@ -125,6 +125,7 @@ bool isWide(const Json& rule) {
     case Kind::choice:
     case Kind::boolean:
     case Kind::number:
+    case Kind::namedNumber:
     case Kind::text:
       return false;
     case Kind::numbers:
@@ -145,6 +146,8 @@ FormField* makeField(const FieldSite& site) {
       return new ChoiceField(site);
     case Kind::number:
       return new NumberEntry(site);
+    case Kind::namedNumber:
+      return new NamedNumberField(site);
     case Kind::text:
       if (site.rule.contains("names")) return new NameField(site);
       return new TextField(site);

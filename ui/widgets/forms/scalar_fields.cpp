@@ -11,6 +11,7 @@
 #include "document/names.hpp"
 #include "widgets/kit/display_units.hpp"
 #include "widgets/kit/number_field.hpp"
+#include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/text.hpp"
 
@@ -67,6 +68,42 @@ NumberEntry::NumberEntry(const FieldSite& place) : FormField(place) {
   connect(entry, &NumberField::committed, this, [this, isCount](double number) { put(jsonOf(number, isCount)); });
   connect(entry, &NumberField::cleared, this, [this, mayBeNull] { mayBeNull ? put(nullptr) : leaveOut(); });
   add(entry);
+}
+
+NamedNumberField::NamedNumberField(const FieldSite& place) : FormField(place) {
+  auto* box = makeCombo({}, site().title());
+  box->setObjectName(text(site().place.to_string()));
+  box->setEditable(true);
+  box->setInsertPolicy(QComboBox::NoInsert);
+  for (const auto& name : site().rule.at("named")) box->addItem(schema::choiceWords(name.get<std::string>()));
+  const Json* present = site().value();
+  const QString shown = !present               ? QString()
+                        : present->is_number() ? numbers::inField(present->get<double>())
+                                               : schema::choiceWords(present->get<std::string>());
+  box->setCurrentIndex(-1);
+  box->setEditText(shown);
+  box->lineEdit()->setPlaceholderText(usualWords(site()));
+  const auto changed = [this, box, shown] {
+    if (box->currentText() != shown) commit(box->currentText());
+  };
+  connect(box, &QComboBox::activated, this, changed);
+  connect(box->lineEdit(), &QLineEdit::editingFinished, this, changed);
+  add(box);
+}
+
+void NamedNumberField::commit(const QString& typed) {
+  if (typed.isEmpty()) {
+    leaveOut();
+    return;
+  }
+  for (const auto& name : site().rule.at("named")) {
+    if (typed != schema::choiceWords(name.get<std::string>())) continue;
+    put(name);
+    return;
+  }
+  bool isNumber = false;
+  const double number = typed.toDouble(&isNumber);
+  isNumber ? put(number) : put(typed.toStdString());  // the check says what is wrong with another text
 }
 
 ChoiceField::ChoiceField(const FieldSite& place) : FormField(place) {

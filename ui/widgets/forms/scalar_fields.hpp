@@ -23,6 +23,16 @@ class NumberEntry : public FormField {
   explicit NumberEntry(const FieldSite& site);
 };
 
+/// A number that may be typed, or chosen by its name.
+class NamedNumberField : public FormField {
+  Q_OBJECT
+ public:
+  explicit NamedNumberField(const FieldSite& site);
+
+ private:
+  void commit(const QString& typed);
+};
+
 /// One of some words, or yes and no; the first entry leaves it out where that is possible.
 class ChoiceField : public FormField {
   Q_OBJECT

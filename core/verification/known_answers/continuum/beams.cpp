@@ -39,13 +39,13 @@ CaseScene cantilever(int cells) {
 }
 
 /// Deflection of the tip, weighted as the load is spread: the work of the load over the load [m], at full scale.
-double tip_deflection(const CaseScene& scene, double scale, Progress& progress) {
+double tip_deflection(const CaseScene& scene, const CaseOptions& options, Progress& progress) {
   double deflection = 0;
-  run_scene(scaled(scene, scale), progress, [&](const Simulation& simulation, const StepReport&) {
+  run_scene(as_asked(scene, options), progress, [&](const Simulation& simulation, const StepReport&) {
     const HistoryRow row = simulation.history();
     deflection = 0;
     for (std::size_t i = 0; i < row.monitors.size(); ++i)
-      deflection += row.monitors[i].displacement.z() * scene.project.loads[i].force.z() / force / scale;
+      deflection += row.monitors[i].displacement.z() * scene.project.loads[i].force.z() / force / options.scale;
     return true;
   });
   return deflection;
@@ -55,7 +55,7 @@ CaseOutcome bend(const CaseOptions& options, Progress& progress) {
   const double expected = beam_theory();
   std::vector<Refinement> series;
   for (int cells = 2; cells <= (options.thorough ? 16 : 8); cells *= 2) {
-    const double tip = tip_deflection(cantilever(cells), options.scale, progress);
+    const double tip = tip_deflection(cantilever(cells), options, progress);
     series.push_back({std::to_string(cells), tip, std::abs(tip / expected - 1)});
   }
   const Refinement &coarse = series[series.size() - 2], &fine = series.back();

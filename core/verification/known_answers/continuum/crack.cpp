@@ -121,14 +121,14 @@ struct LoadCycle {
   double stiffness(int from, int to, double share) const { return (force[to] - force[from]) / (share * full_load); }
 };
 
-LoadCycle load_and_unload(int cells, double scale, Progress& progress) {
+LoadCycle load_and_unload(int cells, const CaseOptions& options, Progress& progress) {
   LoadCycle cycle;
   cycle.force.push_back(0);
-  run_scene(scaled(cracked_plate(cells), scale), progress, [&](const Simulation& simulation, const StepReport&) {
-    cycle.force.push_back(top_force(simulation) / std::pow(scale, 4) / plate.height / thickness);
+  run_scene(as_asked(cracked_plate(cells), options), progress, [&](const Simulation& simulation, const StepReport&) {
+    cycle.force.push_back(top_force(simulation) / std::pow(options.scale, 4) / plate.height / thickness);
     cycle.slipping_length = 0;
     for (const ContactSample& contact : simulation.contacts())
-      if (contact.joint == 0) cycle.slipping_length += contact.area / (scale * scale) / thickness;
+      if (contact.joint == 0) cycle.slipping_length += contact.area / (options.scale * options.scale) / thickness;
     return true;
   });
   return cycle;
@@ -144,7 +144,7 @@ CaseOutcome slipping_crack(const CaseOptions& options, Progress& progress) {
     return std::array{cycle.stiffness(0, 4, 1), cycle.stiffness(5, 4, 0.05), cycle.stiffness(24, 20, 0.175)};
   };
   for (const int cells : options.thorough ? std::vector{4, 8, 16} : std::vector{4, 8}) {
-    cycle = load_and_unload(cells, options.scale, progress);
+    cycle = load_and_unload(cells, options, progress);
     const auto found = slopes();
     table.rows.push_back({std::to_string(cells), short_number(found[0] / 1e9), short_number(found[1] / 1e9),
                           short_number(found[2] / 1e9)});

@@ -82,7 +82,7 @@ CaseOutcome one_block(const CaseOptions& options, Progress& progress) {
       for (int k = 0; k < 3; ++k)
         if (held.displacement[k]) held.displacement[k] = ((gradient - Mat3::Identity()) * *held.at)[k];
     scene.project.stages.push_back(at_rest());
-    return stress_deviation(scaled(scene, options.scale), options.scale * expected, progress);
+    return stress_deviation(as_asked(scene, options), options.scale * expected, progress);
   };
   CaseOutcome outcome;
   outcome.findings.push_back({.quantity = "deviation from uniform stress, corotational strain",
@@ -136,7 +136,7 @@ CaseOutcome across_a_joint(const CaseOptions& options, Progress& progress) {
     scene.project.solver.contact = contact;
     outcome.findings.push_back({.quantity = "deviation from uniform stress, contact " + std::string(to_string(contact)),
                                 .unit = "",
-                                .computed = stress_deviation(scaled(scene, options.scale), expected, progress),
+                                .computed = stress_deviation(as_asked(scene, options), expected, progress),
                                 .tolerance = 0.01,
                                 .absolute = true,
                                 .reported = contact == ContactModel::facet_wise});

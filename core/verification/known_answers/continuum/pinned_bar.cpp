@@ -42,7 +42,7 @@ CaseOutcome swing(const CaseOptions& options, Progress& progress) {
   const CaseScene scene = pinned_bar();
   const double start = scene.project.monitors.front().at.x(), root = std::sqrt(options.scale);
   double lowest = 0, last_offset = start, last_speed = 0;
-  run_scene(scaled(scene, options.scale), progress, [&](const Simulation& simulation, const StepReport&) {
+  run_scene(as_asked(scene, options), progress, [&](const Simulation& simulation, const StepReport&) {
     const MonitorSample middle = simulation.history().monitors.front();
     const double offset = start + middle.displacement.x() / options.scale, speed = middle.velocity.norm() / root;
     const bool passed = offset * start <= 0;

@@ -56,15 +56,15 @@ struct WaveRun {
   double energy_loss = 0;                        ///< integration loss over the energy that moved
 };
 
-WaveRun run_wave(int cells, double step, Integrator integrator, double scale, Progress& progress) {
-  const double root = std::sqrt(scale), displacement = bar.free_end_displacement(pulse, 1);
+WaveRun run_wave(int cells, double step, Integrator integrator, const CaseOptions& options, Progress& progress) {
+  const double root = std::sqrt(options.scale), displacement = bar.free_end_displacement(pulse, 1);
   WaveRun wave;
   double squares = 0, last_time = 0, last_end = 0;
   int samples = 0;
-  run_scene(scaled(pushed_bar(cells, step, integrator), scale), progress,
+  run_scene(as_asked(pushed_bar(cells, step, integrator), options), progress,
             [&](const Simulation& simulation, const StepReport& report) {
               const HistoryRow row = simulation.history();
-              const double time = row.time / root, end = row.monitors[0].displacement.x() / scale;
+              const double time = row.time / root, end = row.monitors[0].displacement.x() / options.scale;
               const double difference = end - bar.free_end_displacement(pulse, time);
               squares += difference * difference;
               ++samples;
@@ -81,10 +81,11 @@ WaveRun run_wave(int cells, double step, Integrator integrator, double scale, Pr
   return wave;
 }
 
-std::vector<Refinement> halved_steps(double longest, Integrator integrator, double scale, Progress& progress) {
+std::vector<Refinement> halved_steps(double longest, Integrator integrator, const CaseOptions& options,
+                                     Progress& progress) {
   std::vector<Refinement> series;
   for (const double step : {longest, longest / 2, longest / 4}) {
-    const WaveRun wave = run_wave(80, step, integrator, scale, progress);
+    const WaveRun wave = run_wave(80, step, integrator, options, progress);
     series.push_back({short_number(step * 1e6), wave.end_velocity, wave.error});
   }
   return series;
@@ -104,11 +105,11 @@ CaseOutcome bar_wave(const CaseOptions& options, Progress& progress) {
   WaveRun finest;
   for (int cells = 20; cells <= (options.thorough ? 160 : 80); cells *= 2) {
     const double step = 0.5 * bar.travel_time() / cells;
-    finest = run_wave(cells, step, Integrator::generalized_alpha, options.scale, progress);
+    finest = run_wave(cells, step, Integrator::generalized_alpha, options, progress);
     meshes.push_back({std::to_string(cells), finest.end_velocity, finest.error});
   }
-  const auto smooth = halved_steps(4e-4, Integrator::generalized_alpha, options.scale, progress);
-  const auto paper = halved_steps(1e-4, Integrator::constant_acceleration, options.scale, progress);
+  const auto smooth = halved_steps(4e-4, Integrator::generalized_alpha, options, progress);
+  const auto paper = halved_steps(1e-4, Integrator::constant_acceleration, options, progress);
   outcome.findings.push_back({.quantity = "wave speed",
                               .unit = "m/s",
                               .expected = bar.wave_speed(),
@@ -152,18 +153,18 @@ struct Ringing {
   double energy_loss = 0;  ///< integration loss over the kinetic energy at first
 };
 
-Ringing ring(Integrator integrator, double step, double scale, Progress& progress) {
+Ringing ring(Integrator integrator, double step, const CaseOptions& options, Progress& progress) {
   constexpr int periods = 5;
-  const double root = std::sqrt(scale), end_time = periods * 4 * bar.travel_time();
+  const double root = std::sqrt(options.scale), end_time = periods * 4 * bar.travel_time();
   const double given_energy =
-      bar.density * bar.area * bar.length * ringing_speed * ringing_speed / 2 * std::pow(scale, 4);
+      bar.density * bar.area * bar.length * ringing_speed * ringing_speed / 2 * std::pow(options.scale, 4);
   Ringing ringing;
   double last_time = 0, last_end = 0, last_passage = 0;
   int passages = 0;
-  run_scene(scaled(ringing_bar(integrator, step, periods), scale), progress,
+  run_scene(as_asked(ringing_bar(integrator, step, periods), options), progress,
             [&](const Simulation& simulation, const StepReport& report) {
               const HistoryRow row = simulation.history();
-              const double time = row.time / root, end = row.monitors[0].displacement.x() / scale;
+              const double time = row.time / root, end = row.monitors[0].displacement.x() / options.scale;
               ringing.energy_loss = report.energy.integration_loss / given_energy;
               if (last_end < 0 && end >= 0) {
                 last_passage = last_time + (time - last_time) * last_end / (last_end - end);
@@ -184,7 +185,7 @@ CaseOutcome bar_period(const CaseOptions& options, Progress& progress) {
   const double step = bar.travel_time() / 80;
   const double amplitude = ringing_speed * bar.travel_time();
   for (const Integrator integrator : {Integrator::generalized_alpha, Integrator::constant_acceleration}) {
-    const Ringing ringing = ring(integrator, step, options.scale, progress);
+    const Ringing ringing = ring(integrator, step, options, progress);
     const std::string with = ", " + std::string(to_string(integrator));
     const bool paper = integrator == Integrator::constant_acceleration;
     outcome.findings.push_back({.quantity = "period" + with,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct CaseOptions {
   int threads = 1;        ///< at most
   bool thorough = false;  ///< every row and angle of a case that is thinned otherwise
   BodyKind body = BodyKind::tetrahedra;  ///< of the blocks that are meshed with tetrahedra otherwise
+  std::optional<double> tolerance{};     ///< SolverSettings::tolerance, in place of the project's
 };
 
 /// One computed number held against a known one. All three numbers belong to the scale that was asked for: a case

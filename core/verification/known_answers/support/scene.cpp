@@ -149,6 +149,8 @@ CaseScene scaled(CaseScene scene, double s) {
 CaseScene as_asked(CaseScene scene, const CaseOptions& options) {
   for (Block& block : scene.system.blocks)
     if (block.body == BodyKind::tetrahedra) block.body = options.body;
+  double& tolerance = scene.project.solver.tolerance;
+  if (tolerance == SolverSettings{}.tolerance) tolerance = options.tolerance.value_or(tolerance);
   return scaled(std::move(scene), options.scale);
 }
 

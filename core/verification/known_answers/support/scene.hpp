@@ -39,7 +39,7 @@ void tilt(CaseScene& scene, double dip);
 /// stiffnesses [Pa/m] stay. What the project expects of a run goes along.
 CaseScene scaled(CaseScene scene, double s);
 
-/// At the scale and with the bodies that a case was asked to run with.
+/// At the scale, with the bodies and to the tolerance that a case was asked to run with.
 CaseScene as_asked(CaseScene scene, const CaseOptions& options);
 
 /// Runs all stages; `after_step` may return false to end the run. Every case holds the energy ledger to close: throws

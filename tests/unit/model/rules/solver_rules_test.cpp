@@ -40,6 +40,10 @@ const std::vector<BadProject> bad_settings{
      "must not be negative", "0 keeps all awake"},
     {"contact stiffness", [](Project& p) { p.solver.contact_stiffness = 0; }, "/solver/contact_stiffness",
      "greater than 0", "10 is usual"},
+    {"tolerance", [](Project& p) { p.solver.tolerance = 0.02; }, "/solver/tolerance", "1e-12 to 0.01", "\"standard\""},
+    {"tolerance of rounding", [](Project& p) { p.solver.tolerance = 1e-13; }, "/solver/tolerance", "is 1e-13",
+     "\"standard\""},
+    {"tolerance NaN", [](Project& p) { p.solver.tolerance = nan; }, "/solver/tolerance", "not a finite", "finite"},
     {"open-close limit", [](Project& p) { p.solver.open_close_limit = 0; }, "/solver/open_close_limit", "at least one",
      "160 is usual"},
 };

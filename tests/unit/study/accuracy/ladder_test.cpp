@@ -36,6 +36,21 @@ TEST(Ladder, TakesTheValuesThatAreGiven) {
   EXPECT_EQ(ladder.finest, 1);
 }
 
+TEST(Ladder, GoesAlongTheToleranceOfTheSolver) {
+  const Ladder usual = make_ladder(sample("incline_slide"), parse_ladder_wish({"tolerance"}, {}));
+  EXPECT_THAT(labels(usual), testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · tolerance draft",
+                                                  "tetrahedra · tolerance standard"));
+  EXPECT_EQ(usual.finest, 0) << "the project is solved to that of reference";
+  Project draft = sample("incline_slide");
+  draft.solver.tolerance = draft_tolerance.value;
+  const Ladder finer = make_ladder(draft, parse_ladder_wish({}, {"tolerance=draft,1e-5"}));
+  EXPECT_THAT(labels(finer), testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · tolerance 1e-5"));
+  EXPECT_EQ(finer.finest, 1);
+  EXPECT_EQ(under(finer.settings[1], draft).solver.tolerance, 1e-5);
+  EXPECT_THROW(make_ladder(draft, parse_ladder_wish({}, {"tolerance=fine"})), InputError);
+  EXPECT_THROW(make_ladder(draft, parse_ladder_wish({}, {"tolerance=0.1"})), InputError);
+}
+
 TEST(Ladder, TakesTheAxesWhoseValuesAreGiven) {
   const Ladder alone = make_ladder(sample("incline_slide"), parse_ladder_wish({}, {"time_step=1,0.5"}));
   EXPECT_THAT(labels(alone), testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · Δ/2"));

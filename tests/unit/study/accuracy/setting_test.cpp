@@ -71,7 +71,8 @@ TEST(Setting, IsCalledByWhatIsNotTheProjectsOwn) {
   other.static_step = 0.5;
   other.mesh_size = 2;
   other.penetration_tolerance = 1e-3;
-  EXPECT_EQ(label_of(other, own), "tetrahedra · Δ/2 · static Δ/2 · 2h · tolerance 0.001");
+  other.tolerance = 1e-3;
+  EXPECT_EQ(label_of(other, own), "tetrahedra · Δ/2 · static Δ/2 · 2h · penetration 0.001 · tolerance draft");
 }
 
 TEST(Setting, SurvivesItsJson) {

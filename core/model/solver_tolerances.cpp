@@ -1,0 +1,18 @@
+#include "model/solver_tolerances.hpp"
+
+#include <algorithm>
+
+#include "model/solver_settings.hpp"
+
+namespace talus {
+
+SolverTolerances SolverTolerances::at(double tolerance) const {
+  const double factor = tolerance / reference_tolerance.value;
+  SolverTolerances other = *this;
+  for (double* residual : {&other.convergence.dynamic_residual, &other.convergence.static_residual})
+    *residual *= std::min(1.0, factor);
+  for (double* of_impulses : {&other.impact.negligible_speed, &other.impact.impulse_accuracy}) *of_impulses *= factor;
+  return other;
+}
+
+}  // namespace talus
