@@ -133,6 +133,7 @@ std::vector<Entry> entries() {
             {"elastic_force_weight", &G::elastic_force_weight},
             {"momentum_force_weight", &G::momentum_force_weight},
             {"negligible_system", &G::negligible_system},
+            {"work_of_residual", &G::work_of_residual},
             {"first_closing", &G::first_closing},
             {"hard_step", &G::hard_step},
             {"newton_iterations", &G::newton_iterations},

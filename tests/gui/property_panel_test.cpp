@@ -2,6 +2,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
 
@@ -264,6 +265,7 @@ TEST_F(DrivenForm, TheSolverHasReadySettingsAndAllItsFields) {
   EXPECT_EQ(widget<QComboBox>("/solver#preset")->currentText(), QStringLiteral("standard"));
   choose("/solver#preset", QStringLiteral("draft"));
   EXPECT_EQ(project()["solver"]["adaptive"]["error_limit"], 1e-3);
+  EXPECT_EQ(project()["solver"]["tolerance"], "draft");
   choose("/solver#depth", QStringLiteral("nothing more"));
   rest(20);
   EXPECT_EQ(window->findChild<QWidget*>(QStringLiteral("/solver/contact_stiffness")), nullptr);
@@ -277,6 +279,30 @@ TEST_F(DrivenForm, TheSolverHasReadySettingsAndAllItsFields) {
   EXPECT_EQ(widget<QComboBox>("/solver#preset")->currentText(), QStringLiteral("own"));
   choose("/solver#preset", QStringLiteral("standard"));
   EXPECT_FALSE(project().contains("solver"));
+}
+
+TEST_F(DrivenForm, AToleranceIsChosenByItsNameOrTypedAsANumber) {
+  window->open(slidingCube());
+  selectRow({Item::Kind::solver, 0});
+  const std::string field = "/solver/tolerance";
+  EXPECT_EQ(widget<QComboBox>(field)->currentText(), QString());
+  EXPECT_EQ(widget<QComboBox>(field)->lineEdit()->placeholderText(), QStringLiteral("reference (usual)"));
+  choose(field, QStringLiteral("standard"));
+  EXPECT_EQ(project()["solver"]["tolerance"], "standard");
+  EXPECT_EQ(widget<QComboBox>(field)->currentText(), QStringLiteral("standard"));
+  type(field, QStringLiteral("2.5e-5"));
+  EXPECT_EQ(project()["solver"]["tolerance"], 2.5e-5);
+  type(field, QStringLiteral("draft"));
+  EXPECT_EQ(project()["solver"]["tolerance"], "draft");
+  for (const char* wrong : {"standart", "0.5"}) {
+    type(field, QLatin1String(wrong));
+    EXPECT_EQ(project()["solver"]["tolerance"], "draft") << wrong << " was taken";
+    EXPECT_TRUE(widget<QLabel>(field + "#problem")->isVisible()) << wrong;
+  }
+  type(field, QString());
+  EXPECT_FALSE(project().contains("solver") && project()["solver"].contains("tolerance"));
+  rest(50);
+  keepPicture(*window, "solver_tolerance.png");
 }
 
 TEST_F(DrivenWindow, OneGoesOnTypingAfterANumberWasAccepted) {

@@ -59,6 +59,12 @@ void StepResidual::norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd&
 }
 
 bool StepResidual::each_body_balances(double tolerance) const {
+  double work = 0, all_work = 0;
+  for (const double of_effect : works_) {
+    work += of_effect;
+    all_work += std::abs(of_effect);
+  }
+  if (std::abs(work) > tolerances_.work_of_residual * tolerance * all_work) return false;
   Eigen::VectorXd left;
   norms_by_body(gradient_, left);
   return (left.array() <= tolerance * body_forces_.array()).all();

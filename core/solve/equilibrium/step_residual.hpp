@@ -42,6 +42,7 @@ class StepResidual {
   double force_scale() const { return force_scale_; }  ///< N, of the forces that the last gradient is the sum of
   /// Whether on each body alone so much of the forces on it is out of balance at most: a grain beside a mountain is no
   /// rounding.
+  /// And whether what is left does next to no work, for the ledger adds it up.
   bool each_body_balances(double tolerance) const;
   /// ∇Π_e·D of each effect at the last D that was evaluated [J].
   const std::vector<double>& works() const { return works_; }
