@@ -323,9 +323,9 @@ std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts
   s.vertex_face.find(step, s.near, s.ahead);
   s.edge_edge.find(step, s.near, s.vertex_face, s.ahead);
   for (const FoundPoint& point : s.ahead.points) {
-    const double depth = -point.gap / s.broad.size(point.bodies[0], point.bodies[1]);
+    const double size = s.broad.size(point.bodies[0], point.bodies[1]), depth = -point.gap / size;
     if (point.dropped || depth < tolerance || s.is_given(point.key)) continue;
-    s.missed.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth});
+    s.missed.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth, size});
   }
   return s.missed;
 }

@@ -46,6 +46,7 @@ class ContactDetector {
     int bodies[2];
     Vec3 position;  ///< m, on the first body
     double depth;   ///< of the mesh size
+    double size;    ///< m, the mesh size
   };
   /// Contacts deeper than `tolerance` of their mesh size once the nodes are at `end` [m], other than those that
   /// detect() gave last; vertex–vertex contacts are not looked for, nor is anything in the facet-wise model. Motion

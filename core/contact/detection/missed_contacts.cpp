@@ -55,8 +55,11 @@ std::optional<ContactDetector::MissedContact> MissedContacts::seek(ContactDetect
   std::optional<ContactDetector::MissedContact> deepest;
   for (const ContactDetector::MissedContact& contact : detector.missed_contacts(end_, reach, tolerance)) {
     if (deepest && contact.depth <= deepest->depth) continue;
-    // However deep others lie, one that is twice as deep as they may be was missed.
-    if (contact.depth > tolerance + std::min(tolerance, known_depth(contact, links, d))) deepest = contact;
+    const double known = known_depth(contact, links, d);
+    // However deep others lie, one that is twice as deep as they may be was missed. What lies deeper than the bodies
+    // have come in this step lay there before it, and a shorter step would find it again.
+    const double came_in = (displacements_[contact.bodies[0]] + displacements_[contact.bodies[1]]) / contact.size;
+    if (contact.depth > tolerance + std::min(tolerance, known) && contact.depth <= known + came_in) deepest = contact;
   }
   tell(detector);
   return deepest;

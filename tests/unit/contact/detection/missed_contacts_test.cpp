@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "contact/detection/missed_contacts.hpp"
+#include "support/solver_scenes.hpp"
 #include "unit/contact/blocks.hpp"
 
 /// Contacts at the end of a step that nothing at its start told of.
@@ -61,6 +63,42 @@ TEST_F(MissedContact, LookingAheadChangesNothingThatIsFoundAtTheStart) {
     EXPECT_EQ(after.points[i].gap, before.points[i].gap);
     EXPECT_EQ(after.points[i].normal, before.points[i].normal);
   }
+}
+
+/// A rigid cube 1 cm above a slab, or as deep in it, of which no contact is known; it goes down by `way` [m].
+std::optional<ContactDetector::MissedContact> missed_by(double height, double way) {
+  const Project project = test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 1, {}}});
+  const BlockSystem system =
+      test::block_system({test::box_block("slab", Vec3(-3, -3, -1), Vec3(3, 3, 0), BodyKind::fixed),
+                          test::box_block("cube", Vec3(0, 0, height), Vec3(1, 1, 1 + height), BodyKind::rigid)});
+  const BodySet set(project, system);
+  std::vector<Surface> surfaces;
+  for (const Block& block : system.blocks) surfaces.push_back(make_surface(block.mesh.nodes, block.surface));
+  ContactDetector detector({{&surfaces[0], set.bodies[0].first_node, true, 5e9, true},
+                            {&surfaces[1], set.bodies[1].first_node, false, 5e9, true}},
+                           {{.friction = 0.5}}, PairJoints(), {});
+  std::vector<Vec3> far_away = set.nodes.position;
+  for (int n = 0; n < set.bodies[1].node_count; ++n) far_away[set.bodies[1].first_node + n].z() += 5;
+  ContactSet found;
+  detector.detect(far_away, 0.1, found);
+  EXPECT_TRUE(found.points.empty());
+  const ContactSet none;
+  ContactLinks links(set, none);
+  links.connect();
+  Increment d = Increment::Zero(set.unknowns());
+  d.head<3>() = Vec3(0, 0, -way);
+  return MissedContacts(set).seek(detector, links, d, 0.1, 1e-3, 0);
+}
+
+TEST(MissedContacts, WhatComesInDuringAStepIsMissed) {
+  const auto missed = missed_by(0.01, 0.02);
+  ASSERT_TRUE(missed);
+  EXPECT_NEAR(missed->depth * missed->size, 0.01, 1e-12);
+}
+
+TEST(MissedContacts, WhatLayDeeperBeforeItIsNot) {
+  EXPECT_FALSE(missed_by(-0.01, 0.005));
+  EXPECT_FALSE(missed_by(-0.01, 0));
 }
 
 }  // namespace
