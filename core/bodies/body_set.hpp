@@ -55,6 +55,7 @@ struct Body {
   double reference_volume = 0;      ///< m³, of the mesh
   double largest_displacement = 0;  ///< m, of a node, when the body moved last
 
+  double mass() const { return density * reference_volume; }  ///< kg
   bool built_fixed() const { return kind == BodyKind::fixed; }
   bool single_body() const { return kind == BodyKind::rigid || kind == BodyKind::affine; }
   /// Nodes whose motion is that of a body that is not rigid: the four control nodes of an affine one, else all.

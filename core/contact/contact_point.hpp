@@ -38,12 +38,14 @@ struct ContactPoint {
   double area = 0;                      ///< m², its part of the contact area; 0 where a vertex or an edge touches
   double normal_stiffness = 0;          ///< N/m
   double shear_stiffness = 0;           ///< N/m
-  double penalty_scaling = 1;           ///< by which the normal stiffness has been raised
+  double penalty_scaling = 1;           ///< of both stiffnesses, by what the step can follow or by what sinks too deep
   std::optional<double> restitution{};  ///< of the joint
   double friction = 0;                  ///< tan φ that holds now (residual once broken)
   double cohesion = 0;                  ///< N, c·A while bonded, else 0
   double tension = 0;                   ///< N, σ_t·A while bonded, else 0
   bool bonded = false;
+  bool is_new = true;               ///< goes on from no former contact
+  bool let_go = false;              ///< it stopped a landing, and pushes nothing out from the end of the step on
   Vec3 shear_start = Vec3::Zero();  ///< N, shear force on the first body at the start of the step, in the contact plane
   double slip_start = 0;            ///< m, path slipped so far
   double multiplier = 0;            ///< N, compression carried without penetration at the start of the step

@@ -56,7 +56,7 @@ void NormalContact::accept(const Increment& d) {
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
     const double force = normal_force(point, links_.gap(i, d));
-    if (force == 0) continue;
+    if (force == 0 || point.let_go) continue;
     const double compression = (force - point.multiplier) / point.normal_stiffness;
     stored_ += 0.5 * point.normal_stiffness * compression * compression;
   }

@@ -198,6 +198,9 @@ struct ImpactTolerances {
   /// Steps. Springs may push out within so many what penetrates, no faster. Chosen. Larger: bodies stay in each other
   /// longer. Smaller: they part faster than they met.
   double steps_to_part = 10;
+  /// Of h. Contacts that were open by more at the start of a step have landed in it. That of
+  /// ConvergenceTolerances::first_closing. Smaller: contacts at rest are let go by rounding.
+  double landing_gap = 2e-7;
   /// – (ωΔ). Springs that swing slower than this in a step are left to themselves: they throw a body back at the same
   /// speed wherever in the step it lands, within 0.07 of that of landing; at three it is 0.13 to 0.48 of it, at ten 0
   /// to 0.7 (measured).
@@ -210,6 +213,14 @@ struct ImpactTolerances {
   /// Sweeps over all contacts in which impulses are to be found. Larger: time in crowds. Smaller: less exact rebounds.
   /// Reaching it is counted in the report.
   int sweep_limit = 500;
+};
+
+/// How stiff the springs of new contacts are in dynamic steps.
+struct FollowedSpringTolerances {
+  /// – (ωΔ). Two rigid or affine bodies swing no faster on the springs between them. 2π: one swing a step, as
+  /// "near-rigid" contact has it. Larger: more iterations, four times as many for a crowd at 8π. Smaller: bodies sink
+  /// visibly when they land.
+  double oscillation = 6.283185307179586;
 };
 
 /// How inertia fades in static stages.
@@ -283,6 +294,7 @@ struct SolverTolerances {
   ContactOutcomeTolerances contact_outcome;
   AccelerationResetTolerances acceleration_reset;
   ImpactTolerances impact;
+  FollowedSpringTolerances followed_spring;
   PseudoTransientTolerances pseudo_transient;
   StepControlTolerances step_control;
   SleepTolerances sleep;

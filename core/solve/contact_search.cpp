@@ -23,6 +23,9 @@ void seek_and_wake(SimulationState& s, double length) {
     changed = true;
   }
   if (changed) account_for_awake_bodies(s);
+  if (s.dynamic())
+    s.followed_springs.limit(s.project, s.adaptive() ? length : s.clock.next_length(), s.dynamic_penetration(),
+                             s.contacts);
 }
 
 /// Pairs of degree-of-freedom blocks that contacts couple or may couple soon.

@@ -197,9 +197,10 @@ void accept(SimulationState& s, StepReport& report) {
   const bool may_hit = s.impacts && s.dynamic() && s.anything_moves();
   if (may_hit) s.impacts->note_speeds(s.contacts, s.context);
   s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
+  double by_impacts = may_hit ? s.impacts->let_go_landed(s.contacts, s.context, s.outcomes.outcomes()) : 0;
   if (s.anything_moves()) remember_step(s, report);
   move_bodies(s, report);
-  const double by_impacts = may_hit ? s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes()) : 0;
+  if (may_hit) by_impacts += s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes());
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   if (s.dynamic()) s.falls_asleep = s.sleep.after_step(s.bodies, s.contacts, s.context.length);
   report.energy = s.anything_moves()

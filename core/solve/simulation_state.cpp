@@ -74,6 +74,7 @@ SimulationState::SimulationState(const Project& p, const BlockSystem& s, const T
       first_guess(tolerances.first_guess),
       pseudo_transient(tolerances.pseudo_transient),
       acceleration_reset(bodies, tolerances.acceleration_reset),
+      followed_springs(bodies, tolerances.followed_spring),
       sleep(sizes_of(surfaces), p.solver.sleep_tolerance, tolerances.sleep),
       stress(bodies, composition),
       troubles(p, s, bodies, contacts) {
@@ -85,6 +86,10 @@ SimulationState::SimulationState(const Project& p, const BlockSystem& s, const T
   for (const Vec3& x : bodies.nodes.reference) context.extent = std::max(context.extent, x.cwiseAbs().maxCoeff());
   for (std::size_t b = 0; b < surfaces.size(); ++b)
     if (!bodies.bodies[b].built_fixed()) context.mesh_size = std::max(context.mesh_size, surfaces[b].size);
+}
+
+double SimulationState::dynamic_penetration() const {
+  return project.solver.penetration_tolerance.value_or(tolerances.step.dynamic_penetration);
 }
 
 }  // namespace talus

@@ -10,6 +10,7 @@
 #include "model/tolerances.hpp"
 #include "solve/contact_outcomes.hpp"
 #include "solve/dynamics/acceleration_reset.hpp"
+#include "solve/dynamics/followed_springs.hpp"
 #include "solve/dynamics/impacts.hpp"
 #include "solve/dynamics/prescribed_motion.hpp"
 #include "solve/dynamics/pseudo_transient.hpp"
@@ -31,6 +32,7 @@ struct SimulationState {
   bool adaptive() const { return project.solver.time_step_control == TimeStepControl::adaptive; }
   bool augmented() const { return project.solver.penetration_tolerance.has_value(); }
   bool dynamic() const { return context.dynamic_factor > 0; }  ///< is the stage?
+  double dynamic_penetration() const;                          ///< of h, that contacts of a dynamic stage may have
   bool anything_moves() const { return bodies.nodes.movable > 0; }
 
   const Project& project;
@@ -68,6 +70,7 @@ struct SimulationState {
   PseudoTransientContinuation pseudo_transient;  ///< of static stages
   AccelerationReset acceleration_reset;
   MissedContacts missed_contacts{bodies};
+  FollowedSprings followed_springs;
   std::optional<Impacts> impacts;  ///< where some joint takes speed from them
   Sleep sleep;
   bool accelerations_wanted = false;  ///< the next step is to begin with those of OpenClose

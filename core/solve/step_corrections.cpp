@@ -20,7 +20,7 @@ bool correct_contacts(SimulationState& s) {
   const std::optional<double>& asked = s.project.solver.penetration_tolerance;
   // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
   if (s.dynamic()) {
-    const double tolerance = asked.value_or(s.tolerances.step.dynamic_penetration);
+    const double tolerance = s.dynamic_penetration();
     const auto as_given = asked ? std::span<const Joint>() : s.project.joints;
     return update_normals(s, tolerance) ||
            scale_penalty(s.contacts, s.links, s.increment, tolerance, as_given, s.tolerances.contact_outcome);

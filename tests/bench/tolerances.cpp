@@ -193,10 +193,16 @@ std::vector<Entry> entries() {
     using G = ImpactTolerances;
     add<G>(all, "solver.impact.", [](Tolerances& t) -> G& { return t.solver.impact; },
            {{"steps_to_part", &G::steps_to_part},
+            {"landing_gap", &G::landing_gap},
             {"followed_oscillation", &G::followed_oscillation},
             {"negligible_speed", &G::negligible_speed},
             {"impulse_accuracy", &G::impulse_accuracy},
             {"sweep_limit", &G::sweep_limit}});
+  }
+  {
+    using G = FollowedSpringTolerances;
+    add<G>(all, "solver.followed_spring.", [](Tolerances& t) -> G& { return t.solver.followed_spring; },
+           {{"oscillation", &G::oscillation}});
   }
   {
     using G = PseudoTransientTolerances;

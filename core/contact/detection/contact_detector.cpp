@@ -208,6 +208,7 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) 
   p.shear_start = Vec3::Zero();
   const auto past = memory.transferred_to(f, scale.size);
   known = past.has_value();
+  p.is_new = !known;
   if (past) {
     p.bonded = past->bonded && f.area > 0;
     p.mode = past->mode;
@@ -218,8 +219,8 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) 
     p.penalty_scaling = past->penalty_scaling;
     p.normal_stiffness *= p.penalty_scaling;
     p.shear_stiffness *= p.penalty_scaling;
-    // A vertex is stiffer than the corner of an area that it was: the same gap would push harder all of a sudden.
-    if (past->lost_area)
+    // By the gap another spring might push harder than the force that it takes over.
+    if (!past->same_spring)
       p.initial_interference = std::max(p.initial_interference, -f.gap - past->spring_force / p.normal_stiffness);
   } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {
     p.initial_interference = initial_interference(f, p.normal_stiffness);

@@ -105,7 +105,7 @@ std::optional<ContactMemory::TransferredHistory> ContactMemory::transferred_to(c
                          .penalty_scaling = first.penalty_scaling,
                          .mode = first.mode,
                          .bonded = first.bonded,
-                         .lost_area = first.area > 0 && point.area == 0};
+                         .same_spring = own && own->key == point.key && !(own->area > 0 && point.area == 0)};
   if (own) add_forces(*own, point, all);
   for (auto it = received; it != transfers_.end() && it->first == point.key; ++it)
     add_forces(histories_[it->second], point, all);
@@ -156,6 +156,7 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
     if (o.broke) broken_.push_back(families[i]);
     if (p.mode == ContactMode::open && !bonded) continue;
     any_bonded_ = any_bonded_ || bonded;
+    const double given_by = p.let_go ? std::max(0.0, -o.gap) : 0;  // m, from now on it interferes
     histories_.push_back({.key = p.key,
                           .family = families[i],
                           .bodies = {p.bodies[0], p.bodies[1]},
@@ -163,13 +164,13 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
                           .position = p.position,
                           .normal = p.normal,
                           .shear = o.shear_force,
-                          .gap = o.gap,
+                          .gap = o.gap + given_by,
                           .size = p.size,
                           .area = p.area,
-                          .normal_force = o.normal_force,
+                          .normal_force = p.let_go ? 0 : o.normal_force,
                           .multiplier = o.multiplier,
                           .slip = p.slip_start + o.slip,
-                          .initial_interference = p.initial_interference,
+                          .initial_interference = p.initial_interference + given_by,
                           .penalty_scaling = p.penalty_scaling,
                           .mode = p.mode,
                           .bonded = bonded,

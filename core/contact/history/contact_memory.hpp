@@ -27,7 +27,7 @@ class ContactMemory {
     double penalty_scaling;             ///< as ContactPoint's
     ContactMode mode;
     bool bonded;
-    bool lost_area;  ///< it was a face–face contact before, and now only a vertex or an edge touches
+    bool same_spring;  ///< the contact of this key, and no face–face contact of which only a vertex or an edge is left
   };
 
   /// `by_key_alone`: the facet-wise model knows nothing of the features around.

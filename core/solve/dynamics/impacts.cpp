@@ -27,7 +27,7 @@ double speed_of(const BodySet& set, const ContactSet& contacts, const ContactPoi
   return point.normal.dot(velocity_of(set, nodes, weights, step));
 }
 
-double mass_of(const Body& body) { return body.fixed ? 1e300 : body.density * body.reference_volume; }
+double mass_of(const Body& body) { return body.fixed ? 1e300 : body.mass(); }
 
 }  // namespace
 
@@ -41,7 +41,8 @@ Impacts::Range Impacts::range(const ContactPoint& point, double closing, double 
                               double step) const {
   const double leaves = point.restitution.value_or(0) * std::max(0.0, closing);
   const bool has_met = point.gap > 0;  // in this step
-  return {has_met ? leaves : std::min(0.0, speed), std::max(leaves, -end.gap / (tolerances_.steps_to_part * step))};
+  const double pushed_out = point.let_go ? 0 : -end.gap / (tolerances_.steps_to_part * step);
+  return {has_met ? leaves : std::min(0.0, speed), std::max(leaves, pushed_out)};
 }
 
 void Impacts::add_up_springs(const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes) {
@@ -62,6 +63,22 @@ bool Impacts::left_to_springs(const ContactPoint& point, double step) const {
   };
   const auto& [a, b] = point.bodies;
   return deforms(a) || deforms(b) || (swings_slowly(a) && swings_slowly(b));
+}
+
+double Impacts::let_go_landed(ContactSet& contacts, const StepContext& step,
+                              const std::vector<ContactOutcome>& outcomes) {
+  const Stopwatch watch(seconds_);
+  add_up_springs(contacts, outcomes);
+  double energy = 0;
+  for (const int i : contacts.loose) {
+    ContactPoint& point = contacts.points[i];
+    const double force = outcomes[i].normal_force;
+    const bool landed = force > 0 && point.gap > tolerances_.landing_gap * point.size;
+    if (!landed || left_to_springs(point, step.length)) continue;
+    point.let_go = true;
+    energy += force * force / (2 * point.normal_stiffness);
+  }
+  return energy;
 }
 
 bool Impacts::gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {

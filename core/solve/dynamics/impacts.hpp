@@ -22,6 +22,10 @@ class Impacts {
 
   /// Before a step is accepted: bodies and contacts are as at its start.
   void note_speeds(const ContactSet& contacts, const StepContext& step);
+  /// Before effects and contacts remember the step: springs that have stopped a landing between rigid bodies are let
+  /// go, for what they would push out later is speed that the law of impact has not given. What is in by then stays out
+  /// of account until the contact opens. Returns the energy that was in them [J].
+  double let_go_landed(ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes);
   /// After it was accepted, and bodies have moved; forces and gaps are those at its end. Returns the kinetic energy
   /// that impacts take [J].
   double apply(const ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes);

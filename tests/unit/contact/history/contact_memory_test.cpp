@@ -117,6 +117,27 @@ TEST(ContactMemory, AContactFoundDeepDoesNotPushAsThoseWithOtherNormalsDo) {
   EXPECT_GT(beside, 0);
 }
 
+TEST(ContactMemory, ASpringThatWasLetGoPushesNothingOut) {
+  Scene scene = bonded_block();
+  scene.laws = {{.friction = 0.6}};
+  scene.detect(reach);
+  auto all = outcomes(scene.contacts, Vec3::Zero(), ContactMode::stick, scene);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    scene.contacts.points[i].let_go = true;
+    all[i].gap = -0.002;
+    all[i].normal_force = 3;
+  }
+  scene.detector().accept(scene.contacts, all);
+  scene.move(1, {0, 0, -0.002});
+  ASSERT_FALSE(scene.detect(reach).points.empty());
+  for (const ContactPoint& p : scene.contacts.points) {
+    EXPECT_NEAR(p.gap, 0, 1e-12);
+    EXPECT_NEAR(p.initial_interference, 0.002, 1e-12);
+    EXPECT_FALSE(p.let_go);
+    EXPECT_FALSE(p.is_new);
+  }
+}
+
 TEST(ContactMemory, NothingIsFoundDeeperThanAStepCanReach) {
   // A corner that has come past beside a block is not in it, however its face's plane lies.
   Scene scene = bonded_block(0.5);

@@ -1,0 +1,55 @@
+#include "solve/dynamics/followed_springs.hpp"
+
+#include <algorithm>
+
+namespace talus {
+
+namespace {
+
+bool deforms(const Body& body) { return !body.fixed && !body.single_body(); }
+
+double inverse_mass(const Body& body) { return body.fixed ? 0 : 1 / body.mass(); }
+
+std::pair<int, int> pair_of(const ContactPoint& point) { return {point.bodies[0], point.bodies[1]}; }
+
+void soften(ContactPoint& point, double scaling) {
+  point.penalty_scaling = scaling;
+  point.normal_stiffness *= scaling;
+  point.shear_stiffness *= scaling;
+}
+
+}  // namespace
+
+double FollowedSprings::limit_of(const ContactPoint& point, double length, double gravity, double penetration) const {
+  const double first = inverse_mass(bodies_.bodies[point.bodies[0]]),
+               second = inverse_mass(bodies_.bodies[point.bodies[1]]);
+  const double rate = tolerances_.oscillation / length;
+  const double weight = gravity / std::max(first, second);
+  return std::max(rate * rate / (first + second), weight / (penetration * point.size));
+}
+
+void FollowedSprings::limit(const Project& project, double length, double penetration, ContactSet& contacts) {
+  std::vector<ContactPoint>& points = contacts.points;
+  by_pair_.clear();
+  if (std::none_of(points.begin(), points.end(), [](const ContactPoint& p) { return p.is_new; })) return;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    const ContactPoint& p = points[i];
+    if (deforms(bodies_.bodies[p.bodies[0]]) || deforms(bodies_.bodies[p.bodies[1]])) continue;
+    if (!project.joints[p.joint].normal_stiffness) by_pair_.push_back(i);
+  }
+  std::sort(by_pair_.begin(), by_pair_.end(), [&](int i, int j) {
+    return pair_of(points[i]) != pair_of(points[j]) ? pair_of(points[i]) < pair_of(points[j]) : i < j;
+  });
+  for (auto first = by_pair_.begin(); first != by_pair_.end();) {
+    const auto last =
+        std::find_if(first, by_pair_.end(), [&](int i) { return pair_of(points[i]) != pair_of(points[*first]); });
+    double stiffness = 0;  // N/m, as they would be
+    for (auto i = first; i != last; ++i) stiffness += points[*i].normal_stiffness / points[*i].penalty_scaling;
+    const double scaling = limit_of(points[*first], length, project.gravity.norm(), penetration) / stiffness;
+    for (auto i = first; i != last && scaling < 1; ++i)
+      if (points[*i].is_new) soften(points[*i], scaling);
+    first = last;
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,105 @@
+// How stiff the springs of new contacts are.
+#include "solve/dynamics/followed_springs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/solver_scenes.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double step = 0.01, penetration = 5e-4;
+
+/// Two cubes of 1 m and 2 m over a fixed slab, and as many contact points between each two as are asked for.
+class FollowedSpringsOf : public ::testing::Test {
+ protected:
+  void build(BodyKind small) {
+    system_ = test::block_system({test::box_block("slab", Vec3(-5, -5, -1), Vec3(5, 5, 0), BodyKind::fixed),
+                                  test::box_block("small", Vec3(0, 0, 0), Vec3(1, 1, 1), small),
+                                  test::box_block("large", Vec3(0, 0, 1), Vec3(2, 2, 3), BodyKind::rigid)});
+    bodies_.emplace(project_, system_);
+  }
+  void add_points(int count, int first, int second) {
+    for (int i = 0; i < count; ++i) {
+      ContactPoint point;
+      point.bodies[0] = first, point.bodies[1] = second;
+      point.size = 1;
+      point.normal_stiffness = 1e11, point.shear_stiffness = 4e10;
+      contacts_.points.push_back(point);
+    }
+  }
+  void limit(double length = step) { FollowedSprings(*bodies_, {}).limit(project_, length, penetration, contacts_); }
+  double stiffness_between(int first, int second) const {
+    double sum = 0;
+    for (const ContactPoint& p : contacts_.points)
+      if (p.bodies[0] == first && p.bodies[1] == second) sum += p.normal_stiffness;
+    return sum;
+  }
+
+  Project project_ = test::rock_project(30, {{"fall", StageKind::dynamic, step, 1, {}}});
+  BlockSystem system_;
+  std::optional<BodySet> bodies_;
+  ContactSet contacts_;
+};
+
+constexpr double small_mass = 2600, large_mass = 8 * 2600;
+
+TEST_F(FollowedSpringsOf, TwoRigidBodiesLetThemSwingOnceAStep) {
+  build(BodyKind::rigid);
+  add_points(4, 1, 2);
+  add_points(3, 0, 1);
+  limit();
+  const double squared = std::pow(2 * M_PI / step, 2);
+  EXPECT_NEAR(stiffness_between(1, 2), squared / (1 / small_mass + 1 / large_mass), 1e-3);
+  EXPECT_NEAR(stiffness_between(0, 1), squared * small_mass, 1e-3) << "a fixed body is as heavy as can be";
+  for (const ContactPoint& p : contacts_.points) {
+    EXPECT_NEAR(p.normal_stiffness, p.penalty_scaling * 1e11, 1e-3);
+    EXPECT_NEAR(p.shear_stiffness, p.penalty_scaling * 4e10, 1e-3);
+  }
+}
+
+TEST_F(FollowedSpringsOf, LongStepsBearTheWeightWithinTheAllowedPenetration) {
+  build(BodyKind::rigid);
+  add_points(4, 0, 1);
+  limit(10);
+  EXPECT_NEAR(small_mass * project_.gravity.norm() / stiffness_between(0, 1), penetration, 1e-9);
+}
+
+TEST_F(FollowedSpringsOf, ShortStepsChangeNothing) {
+  build(BodyKind::rigid);
+  add_points(4, 1, 2);
+  limit(1e-6);
+  EXPECT_EQ(stiffness_between(1, 2), 4e11);
+}
+
+TEST_F(FollowedSpringsOf, ContactsThatGoOnKeepTheirs) {
+  build(BodyKind::rigid);
+  add_points(2, 1, 2);
+  contacts_.points[0].is_new = false;
+  contacts_.points[0].penalty_scaling = 0.5;
+  contacts_.points[0].normal_stiffness *= 0.5;
+  limit();
+  EXPECT_EQ(contacts_.points[0].normal_stiffness, 5e10);
+  const double all = std::pow(2 * M_PI / step, 2) / (1 / small_mass + 1 / large_mass);
+  EXPECT_NEAR(contacts_.points[1].normal_stiffness, all / 2, 1e-3) << "its part of what all would have";
+}
+
+TEST_F(FollowedSpringsOf, JointsThatHaveAStiffnessKeepIt) {
+  project_.joints[0].normal_stiffness = 1e11;
+  build(BodyKind::rigid);
+  add_points(1, 1, 2);
+  limit();
+  EXPECT_EQ(stiffness_between(1, 2), 1e11);
+}
+
+TEST_F(FollowedSpringsOf, BlocksThatDeformKeepTheirs) {
+  build(BodyKind::tetrahedra);
+  add_points(1, 1, 2);
+  limit();
+  EXPECT_EQ(stiffness_between(1, 2), 1e11);
+}
+
+}  // namespace
+}  // namespace talus
