@@ -171,14 +171,15 @@ void BroadPhase::filter(BodyPair& pair, std::span<const Vec3> x, double distance
   pair.filter_at = std::min(pair.search_at, (gone(pair) + apart) * (1 - rounding));
 }
 
-std::span<const FacetPair> BroadPhase::find(std::span<const Vec3> x, double reach) {
+std::span<const FacetPair> BroadPhase::find(std::span<const Vec3> x, double reach,
+                                            const std::function<double(int, int)>& nearer) {
   if (neighbours_.follow(x, reach, odometers_, facets_)) list_neighbours();
   near_.clear();
   for (int p : listed_) {
     BodyPair& pair = pairs_[p];
     const double distance = std::max(reach, pair.depth), now = gone(pair) + distance;
     if (!(now <= pair.search_at)) search(pair, x, distance);
-    if (!(now <= pair.filter_at)) filter(pair, x, distance);
+    if (!(now <= pair.filter_at)) filter(pair, x, nearer ? std::min(distance, nearer(pair.a, pair.b)) : distance);
   }
   odometers_.have_seen();
   return near_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -57,8 +58,10 @@ class BroadPhase {
 
   /// Pairs of facets whose boxes are within the search distance of their bodies at positions x; sorted by bodies and
   /// then by facets. What is found does not depend on earlier calls. Two fixed bodies have none, nor have two of which
-  /// one is asleep and the other asleep or fixed.
-  std::span<const FacetPair> find(std::span<const Vec3> x, double reach);
+  /// one is asleep and the other asleep or fixed. `nearer`: a lesser distance for two bodies of which more is known
+  /// [m].
+  std::span<const FacetPair> find(std::span<const Vec3> x, double reach,
+                                  const std::function<double(int body_a, int body_b)>& nearer = {});
 
   /// How far apart the features of two bodies may lie and yet touch: the reach outside, the depth inside.
   double search_distance(int body_a, int body_b, double reach) const;

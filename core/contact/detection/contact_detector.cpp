@@ -1,6 +1,7 @@
 #include "contact/detection/contact_detector.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "contact/body_width.hpp"
@@ -44,7 +45,8 @@ struct ContactDetector::State {
   bool rests(int body) const { return bodies[body].fixed || asleep[body]; }
   bool joints_bond() const;
   double bond_reach() const;
-  void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach);
+  void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x,
+                       const std::function<double(int, int)>& nearer);
   void measure_bodies(std::span<const Vec3> x);
   StepGeometry look(std::span<const Vec3> x, double reach);
   void find_points(std::span<const Vec3> x, double reach);
@@ -113,7 +115,8 @@ double ContactDetector::State::bond_reach() const {
 }
 
 /// The planes of both facets tell most of the pairs that are apart; the boxes know it only along the axes.
-void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x, double reach) {
+void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x,
+                                             const std::function<double(int, int)>& nearer) {
   near.clear();
   const auto apart = [&](int facet, int from, double distance) {
     const auto &n = features.facets[facet].nodes, &m = features.facets[from].nodes;
@@ -128,7 +131,7 @@ void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, s
     const int a = features.facets[pair.a].body, b = features.facets[pair.b].body;
     if (a != body_a || b != body_b) {
       body_a = a, body_b = b;
-      distance = broad.search_distance(a, b, reach) + reach_slack * broad.size(a, b);
+      distance = nearer(a, b);
     }
     if (!apart(pair.a, pair.b, distance) && !apart(pair.b, pair.a, distance)) near.push_back(pair);
   }
@@ -141,20 +144,26 @@ void ContactDetector::State::measure_bodies(std::span<const Vec3> x) {
 
 /// Fills `near` with the pairs of facets that may touch.
 StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach) {
+  const StepGeometry step = {.features = features,
+                             .broad = broad,
+                             .x = x,
+                             .penetration = penetration,
+                             .widths = widths,
+                             .first_areas = first_areas,
+                             .tolerances = settings.tolerances,
+                             .reach = reach,
+                             .moved = moved,
+                             .memory = memory,
+                             .shapes = shapes,
+                             .work = work};
+  const auto nearer = [&](int a, int b) {
+    const bool by_facets = settings.model == ContactModel::facet_wise;
+    const double distance = by_facets ? broad.search_distance(a, b, reach) : step.search_distance(a, b);
+    return distance + reach_slack * broad.size(a, b);
+  };
   shapes.look(x);
-  keep_near_pairs(broad.find(x, reach), x, reach);
-  return {.features = features,
-          .broad = broad,
-          .x = x,
-          .penetration = penetration,
-          .widths = widths,
-          .first_areas = first_areas,
-          .tolerances = settings.tolerances,
-          .reach = reach,
-          .moved = moved,
-          .memory = memory,
-          .shapes = shapes,
-          .work = work};
+  keep_near_pairs(broad.find(x, reach, std::ref(nearer)), x, std::ref(nearer));
+  return step;
 }
 
 void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {

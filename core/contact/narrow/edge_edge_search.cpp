@@ -56,6 +56,17 @@ bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactE
   return middle_is_inside();
 }
 
+/// Whether the boxes about two edges are farther apart than `distance`: most are.
+bool are_apart(const StepGeometry& step, const ContactEdge& a, const ContactEdge& b, double distance) {
+  const Vec3 &a0 = step.x[a.nodes[0]], &a1 = step.x[a.nodes[1]], &b0 = step.x[b.nodes[0]], &b1 = step.x[b.nodes[1]];
+  for (int k = 0; k < 3; ++k) {
+    const double between =
+        std::max(std::min(a0[k], a1[k]) - std::max(b0[k], b1[k]), std::min(b0[k], b1[k]) - std::max(a0[k], a1[k]));
+    if (between > distance) return true;
+  }
+  return false;
+}
+
 /// Where two edges cross, seen along a normal into whose cones both bodies' facets let them.
 struct Crossing {
   const ContactEdge &a, &b;
@@ -151,6 +162,8 @@ void EdgeEdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> p
 
 void EdgeEdgeSearch::find_of_bodies(const StepGeometry& step, std::span<const FacetPair> pairs,
                                     const VertexFaceSearch& vertices, FoundPoints& found) {
+  const auto& facets = step.features.facets;
+  farthest_ = step.search_distance(facets[pairs[0].a].body, facets[pairs[0].b].body);
   const auto convex_edge = [&](const ContactFacet& facet, int k) {
     return facet.owns_edge[k] && step.shapes.edge(facet.edges[k]).is_clearly_convex;
   };
@@ -169,6 +182,7 @@ void EdgeEdgeSearch::find_of_bodies(const StepGeometry& step, std::span<const Fa
 
 void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const VertexFaceSearch& vertices,
                            FoundPoints& found) {
+  if (are_apart(step, step.features.edges[edge_a], step.features.edges[edge_b], farthest_)) return;
   const std::optional<Crossing> crossing = crossing_of(step, edge_a, edge_b);
   if (!crossing) return;
   const Crossing& c = *crossing;

@@ -22,7 +22,9 @@ class EdgeEdgeSearch {
   bool found_before(const FoundPoint& p, double near, const StepGeometry& step, const FoundPoints& found) const;
 
   PointsByBodies vertices_;  // of the vertices on faces
-  std::size_t first_ = 0;    // point of the two bodies that are looked at
+  // Of the two bodies that are looked at:
+  std::size_t first_ = 0;  // point
+  double farthest_ = 0;    // m, that edges may be apart
 };
 
 }  // namespace talus

@@ -48,6 +48,14 @@ struct StepGeometry {
   /// deeper than this step can add to what the last one left: a feature that seems to lie deeper has passed beside the
   /// other body. [m]
   double depth(int body_a, int body_b) const;
+  /// How far apart a corner and an edge in vertex–vertex contact may be. [m]
+  double farthest_cores(int body_a, int body_b) const {
+    return reach + 3 * tolerances.deepest_core * edge_tolerance(body_a, body_b);
+  }
+  /// Facets that are farther apart than this, or that lie deeper behind each other, do not touch. [m]
+  double search_distance(int body_a, int body_b) const {
+    return std::max(depth(body_a, body_b), farthest_cores(body_a, body_b));
+  }
   /// Penetration that is certainly more than rounding. [m]
   double noticeable_depth(int body_a, int body_b) const;
   /// Of `points` of the body `other` some lie below a facet. Whether they came there from outside, past a convex sharp

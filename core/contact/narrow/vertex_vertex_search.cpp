@@ -17,6 +17,13 @@ std::uint64_t vertex_vertex_key(int node, int other) {
   return static_cast<std::uint64_t>(node) << 31 | static_cast<std::uint64_t>(other);
 }
 
+/// Whether a point is within a distance of the box about a segment: most are not.
+bool lies_beside(const Vec3& p, const Vec3& a, const Vec3& b, double distance) {
+  for (int k = 0; k < 3; ++k)
+    if (std::min(a[k], b[k]) - p[k] > distance || p[k] - std::max(a[k], b[k]) > distance) return false;
+  return true;
+}
+
 void add_faces(const StepGeometry& step, std::span<const int> facets, std::vector<std::pair<int, Vec3>>& faces) {
   for (const int facet : facets) {
     const int smooth_face = step.features.facets[facet].smooth_face;
@@ -51,7 +58,9 @@ void VertexVertexSearch::find(const StepGeometry& step, std::span<const FacetPai
 void VertexVertexSearch::find_candidates(const StepGeometry& step, std::span<const FacetPair> pairs) {
   candidates_.clear();
   const ContactFeatures& features = step.features;
-  edge_tolerance_ = step.edge_tolerance(features.facets[pairs[0].a].body, features.facets[pairs[0].b].body);
+  const int body_a = features.facets[pairs[0].a].body, body_b = features.facets[pairs[0].b].body;
+  edge_tolerance_ = step.edge_tolerance(body_a, body_b);
+  far_ = step.farthest_cores(body_a, body_b);
   const auto corner = [&](const ContactFacet& f, int k) { return f.owns_node[k] && features.corner[f.nodes[k]]; };
   const auto sharp_edge = [&](const ContactFacet& f, int k) {
     return f.owns_edge[k] && features.edges[f.edges[k]].is_sharp;
@@ -83,9 +92,10 @@ void VertexVertexSearch::add_vertex_at_edge(const StepGeometry& step, int node, 
   const ContactFeatures& features = step.features;
   const ContactEdge& e = features.edges[edge];
   const Vec3 &v = step.x[node], &p = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - p;
-  const double r = edge_tolerance_, far = step.reach + 3 * step.tolerances.deepest_core * r;
+  if (!lies_beside(v, p, step.x[e.nodes[1]], far_)) return;
+  const double r = edge_tolerance_;
   const double nearest = std::clamp((v - p).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  if (!((v - p - nearest * along).squaredNorm() < far * far) || !step.shapes.edge(edge).is_convex) return;
+  if (!((v - p - nearest * along).squaredNorm() < far_ * far_) || !step.shapes.edge(edge).is_convex) return;
   if (face_face_holds(step, features.facets_at(node), e.facets, node_is_first)) return;
 
   const Vec3 core = v + r * step.shapes.towards_core(node);

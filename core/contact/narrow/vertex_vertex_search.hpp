@@ -85,6 +85,7 @@ class VertexVertexSearch {
   std::vector<std::uint64_t> face_face_families_;  // sorted
   std::vector<Candidate> candidates_;
   double edge_tolerance_ = 0;  // m
+  double far_ = 0;             // m, between a corner and an edge
   std::size_t first_ = 0;      // vertex–vertex contact that was found
 
   PointsByBodies others_;  // those that were there before

@@ -110,6 +110,32 @@ TEST_P(AnyMotion, FindsWhatIsNearToTheBit) {
   EXPECT_GT(found, 1000u);
 }
 
+TEST(BroadPhase, ALesserDistanceLeavesOutWhatIsFartherForOnceOnly) {
+  Scene scene = heap(2, 0.2);
+  const ContactFeatures features(scene.bodies());
+  ContactWork work;
+  BroadPhase broad(features, scene.bodies(), scene.settings, work);
+  std::vector<char> awake(scene.bodies().size(), 1);
+  awake[0] = 0;
+  std::mt19937 random(3);
+  for (int step = 0; step < 20; ++step) {
+    for (int b = 1; b < static_cast<int>(awake.size()); ++b) disturb(scene, b, 0.01, random);
+    broad.read_motion(scene.x);
+    const double lesser = 0.05 * step / 20;
+    std::vector<FacetPair> within = all_near(broad, features, scene.x, 0.3, awake);
+    const std::vector<FacetPair> all = within;
+    std::erase_if(within, [&](const FacetPair& pair) {
+      Box a, b;
+      for (int node : features.facets[pair.a].nodes) a.add(scene.x[node]);
+      for (int node : features.facets[pair.b].nodes) b.add(scene.x[node]);
+      return !a.within(b, lesser);
+    });
+    EXPECT_LT(within.size(), all.size());
+    expect_same(broad.find(scene.x, 0.3, [&](int, int) { return lesser; }), within, step);
+    expect_same(broad.find(scene.x, 0.3), all, step);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(BroadPhase, AnyMotion,
                          ::testing::Values(Trial{0.02, 0, false}, Trial{0.02, 0, true}, Trial{0.5, 0, true},
                                            Trial{0.02, 1e6, true}, Trial{0.1, 1e6, false}));
