@@ -40,9 +40,8 @@ class StepResidual {
   /// The gradient at D = 0 without inertia's force.
   void evaluate_without_inertia();
   double force_scale() const { return force_scale_; }  ///< N, of the forces that the last gradient is the sum of
-  /// Whether on each body alone so much of the forces on it is out of balance at most: a grain beside a mountain is no
-  /// rounding.
-  /// And whether what is left does next to no work, for the ledger adds it up.
+  /// Whether on each body alone so much of the forces on it is out of balance at most, a grain beside a mountain being
+  /// no rounding, and what is left does next to no work, which the ledger would add up.
   bool each_body_balances(double tolerance) const;
   /// ∇Π_e·D of each effect at the last D that was evaluated [J].
   const std::vector<double>& works() const { return works_; }
