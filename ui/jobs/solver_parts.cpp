@@ -22,8 +22,8 @@ std::optional<SceneSize> sizeWhereItCanRun(const Project& project, const BlockSy
 }  // namespace
 
 SolverParts solverParts() {
-  const auto build = [kept = std::make_shared<KeptMeshes>()](const Project& project, const std::filesystem::path& folder,
-                                                             Progress& progress) {
+  const auto build = [kept = std::make_shared<KeptMeshes>()](const Project& project,
+                                                             const std::filesystem::path& folder, Progress& progress) {
     return build_blocks(project, folder, progress, *kept);
   };
   return {build, sizeWhereItCanRun, run};
