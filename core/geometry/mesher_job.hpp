@@ -60,12 +60,13 @@ struct MesherSolid {
   std::optional<MesherCombination> combined;
   MesherPlacement placement;
   bool is_part = false;             ///< of a combined solid: no body of its own
+  bool corners_suffice = false;     ///< for all of its blocks, which planes without end cut
   std::optional<double> mesh_size;  ///< m
 
   template <class Stream>
   void fields(Stream& stream) {
     stream(name, polyhedron.vertices, polyhedron.faces, file, file_as_written, scale, terrain, combined, placement,
-           is_part, mesh_size);
+           is_part, corners_suffice, mesh_size);
   }
 };
 
@@ -134,7 +135,7 @@ struct MesherJob {
   std::vector<MesherOverride> overrides;
   std::vector<MesherMerge> merges;
   std::optional<double> splinter_thickness;  ///< m; 1e-4 of the mesh size when absent
-  SplinterRule splinter_rule = SplinterRule::refuse;
+  SplinterRule splinter_rule = SplinterRule::drop;
   std::vector<MesherRefinement> refinements;
 
   template <class Stream>

@@ -1618,8 +1618,8 @@
         <translation>Regel</translation>
     </message>
     <message>
-        <source>refuse tells where they are; drop leaves them out; merge makes each one with the block that it shares most of its surface with: refuse when absent</source>
-        <translation>ablehnen sagt, wo sie sind; weglassen lässt sie aus; zusammenfassen macht jeden eins mit dem Block, mit dem er am meisten Oberfläche teilt: ablehnen, wenn es fehlt</translation>
+        <source>refuse tells where they are and cuts nothing; drop leaves them out; merge makes each one with the block that it shares most of its surface with: drop when absent</source>
+        <translation>ablehnen sagt, wo sie sind, und schneidet nichts; weglassen lässt sie aus; zusammenfassen macht jeden eins mit dem Block, mit dem er am meisten Oberfläche teilt: weglassen, wenn es fehlt</translation>
     </message>
     <message>
         <source>Mesh</source>

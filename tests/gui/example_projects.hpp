@@ -84,6 +84,7 @@ inline const char* const splinters = R"({
               "box": {"min": [0, 0, 0], "max": [10, 10, 10]}}],
   "cuts": [{"joint": "east", "dip": 45, "dip_direction": 90, "through": [10, 5, 9.9999]},
            {"joint": "west", "dip": 45, "dip_direction": 270, "through": [0, 5, 9.9999]}],
+  "splinters": {"rule": "refuse"},
   "stages": [{"name": "go", "type": "dynamic", "time_step": 0.01, "steps": 1}]
 })";
 

@@ -229,6 +229,7 @@ void WholeWay::theRockIsCutAndItsSplintersAreDropped() {
   goTo(WorkflowPage::blocks);
   selectRow({Item::Kind::splinters, 0});
   type("/splinters/thickness", QStringLiteral("30 cm"));
+  choose("/splinters/rule", QStringLiteral("refuse"));
   cutAndMesh();
   EXPECT_EQ(session->project.system(), nullptr);
   const auto& splinters = *window->findChild<PlainTable*>(QStringLiteral("splinters"));

@@ -130,4 +130,25 @@ PolyhedronShape flattened(PolyhedronShape shape, const std::string& place) {
   return with_flat_faces(std::move(shape), place);
 }
 
+Plane plane_of(const PolyhedronShape& shape, const std::vector<int>& face) { return fitted_plane(shape, face); }
+
+bool is_convex(const PolyhedronShape& shape) {
+  constexpr double rounding = 1e-9;  // of the longest side
+  const double size = longest_side(shape), reach = rounding * size;
+  const auto at = [&](int v) -> const Vec3& { return shape.vertices[static_cast<std::size_t>(v)]; };
+  return std::all_of(shape.faces.begin(), shape.faces.end(), [&](const std::vector<int>& face) {
+    const Plane plane = fitted_plane(shape, face);
+    for (const Vec3& vertex : shape.vertices)
+      if (plane.distance(vertex) > reach) return false;
+    // Each edge has the whole face on its left.
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Vec3& from = at(face[k]);
+      const Vec3 inwards = plane.normal.cross(at(face[(k + 1) % face.size()]) - from);
+      for (const int v : face)
+        if (inwards.dot(at(v) - from) < -reach * inwards.norm()) return false;
+    }
+    return true;
+  });
+}
+
 }  // namespace talus

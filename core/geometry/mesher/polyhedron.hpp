@@ -15,4 +15,10 @@ PolyhedronShape flattened(PolyhedronShape shape, const std::string& place);
 /// The same of faces that may be several bodies.
 PolyhedronShape with_flat_faces(PolyhedronShape shape, const std::string& place);
 
+/// Whether the polyhedron, of flat faces and one body, is convex, and all of its faces are.
+bool is_convex(const PolyhedronShape& shape);
+
+/// m, the plane of a flat face, its normal outwards.
+Plane plane_of(const PolyhedronShape& shape, const std::vector<int>& face);
+
 }  // namespace talus

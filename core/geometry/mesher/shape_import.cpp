@@ -30,6 +30,12 @@ ImportedSolid make_polyhedron(const MesherSolid& solid, const Vec3& origin) {
   local = flattened(std::move(local), place_of(solid));
   const double enclosed = signed_volume(local);
   ImportedSolid imported;
+  if (solid.corners_suffice && is_convex(local)) {
+    for (const Vec3& vertex : local.vertices) imported.bounds.extend(vertex);
+    imported.volume = enclosed;
+    imported.convex = std::move(local);
+    return imported;
+  }
   try {
     imported.volumes = {add_polyhedron(local)};
     imported.volume = volume_of(imported.volumes);

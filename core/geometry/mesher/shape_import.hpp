@@ -11,16 +11,20 @@
 
 namespace talus {
 
-/// A solid of the project in coordinates relative to the model's origin: volumes of gmsh's current OpenCASCADE model,
-/// or triangles where there are too many for that. A part of a combined solid that is to be cut has neither.
+/// A solid of the project in coordinates relative to the model's origin: volumes of gmsh's current OpenCASCADE model;
+/// or triangles where there are too many for that; or a convex polyhedron whose blocks need no mesh inside. A part of a
+/// combined solid that is to be cut has none of them.
 struct ImportedSolid {
   std::vector<int> volumes;  ///< gmsh tags; a file may hold several
   TriangleSolid triangles;
+  PolyhedronShape convex;                ///< with flat faces
   Eigen::AlignedBox3d bounds;            ///< m
   double volume = 0;                     ///< m³
   std::vector<SurfaceFinding> findings;  ///< in the project's coordinates
 
-  bool is_body() const { return !volumes.empty() || !triangles.empty(); }
+  bool is_body() const { return !volumes.empty() || is_cells(); }
+  /// It is cut as convex cells, without OpenCASCADE.
+  bool is_cells() const { return !triangles.empty() || !convex.faces.empty(); }
   double longest_side() const { return bounds.sizes().maxCoeff(); }
 };
 

@@ -45,8 +45,8 @@ constexpr std::string_view to_string(SplinterRule rule) {
 }
 
 struct Splinters {
-  std::optional<double> thickness{};         ///< m; 1e-4 of the mesh size when absent
-  SplinterRule rule = SplinterRule::refuse;  ///< merge: with the neighbour that it shares most of its surface with
+  std::optional<double> thickness{};       ///< m; 1e-4 of the mesh size when absent
+  SplinterRule rule = SplinterRule::drop;  ///< merge: with the neighbour that it shares most of its surface with
   bool operator==(const Splinters&) const = default;
 };
 

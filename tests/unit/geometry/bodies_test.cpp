@@ -67,7 +67,7 @@ TEST(Bodies, AGivenMeshSizeIsKept) {
   p.solids[0].body = BodyKind::rigid;
   EXPECT_EQ(build(p).blocks[0].mesh.nodes.size(), nodes);
   p.solids[0].mesh_size.reset();
-  EXPECT_EQ(build(p).blocks[0].mesh.nodes.size(), 8u);
+  EXPECT_EQ(build(p).blocks[0].mesh.nodes.size(), 9u) << "corners and centroid";
   p.blocks = {{"cube too", {5, 5, 5}, {}, {}, 2.0}};
   EXPECT_EQ(build(p).blocks[0].mesh.nodes.size(), nodes);
 }

@@ -142,6 +142,7 @@ Project cube_with_a_splinter() {
 TEST(Splinters, AreAllToldWithPlaceThicknessAndVolume) {
   Project p = cube_with_a_splinter();
   p.cuts.push_back(cut("J2", 45, 270, {0, 5, 9.9999}));
+  p.splinters.rule = SplinterRule::refuse;
   try {
     build(p);
     FAIL() << "no error";
@@ -159,9 +160,8 @@ TEST(Splinters, AreAllToldWithPlaceThicknessAndVolume) {
   }
 }
 
-TEST(Splinters, ThatAreDroppedAreTold) {
-  Project p = cube_with_a_splinter();
-  p.splinters.rule = SplinterRule::drop;
+TEST(Splinters, AreDroppedAndToldWhereNothingIsSaidOfThem) {
+  const Project p = cube_with_a_splinter();
   const BlockSystem system = build(p);
   EXPECT_THAT(names_of(system), ElementsAre("cube.1"));
   ASSERT_EQ(system.splinters.size(), 1u);
@@ -189,6 +189,7 @@ TEST(Splinters, AreMergedWithTheNeighbourThatTheyShareMostWith) {
 
 TEST(Splinters, AreWhatIsThinnerThanTheProjectSays) {
   Project p = column();  // the lowest piece is 2 · 1 / 6 m thick, the next 2 · 2 / 10
+  p.splinters.rule = SplinterRule::refuse;
   p.splinters.thickness = 0.333;
   EXPECT_EQ(build(p).blocks.size(), 4u);
   p.splinters.thickness = 0.334;

@@ -57,6 +57,7 @@ TEST(Refusal, TwoJointsOnOnePlane) {
 
 TEST(Refusal, ASplinterIsShown) {
   Project p = cube_of_10_m();
+  p.splinters.rule = SplinterRule::refuse;
   p.cuts = {cut("J1", 45, 90, {10, 5, 9.9999})};
   EXPECT_THAT(error_of(p), AllOf(StartsWith("solid cube: the cuts leave a splinter "), HasSubstr("around (")));
 }

@@ -41,17 +41,11 @@ void append(std::vector<CutBlock>& blocks, const std::vector<CutBlock>& more) {
   blocks.insert(blocks.end(), more.begin(), more.end());
 }
 
-/// Tags of facets of cells are negative, below those of the solids before.
-int next_tag(const CutModel& model) {
-  int lowest = 0;
-  for (const CutBlock& block : model.blocks)
-    if (!block.facets.empty()) lowest = std::min(lowest, block.facets.begin()->first);
-  return lowest - 1;
-}
-
 void cut_as_cells(const MesherJob& job, const ImportedModel& model, int solid, const std::vector<ActingJoint>& joints,
-                  CutModel& result, std::vector<bool>& hit) {
-  CutCells cut = cut_cells(job, model, solid, joints, next_tag(result));
+                  CutModel& result, std::vector<bool>& hit, int& next_tag) {
+  CutCells cut = cut_cells(job, model, solid, joints, next_tag);
+  for (const CutBlock& block : cut.blocks)
+    if (!block.facets.empty()) next_tag = std::min(next_tag, block.facets.begin()->first - 1);
   append(result.blocks, cut.blocks);
   result.cells.emplace(solid, std::move(cut.solid));
   for (std::size_t k = 0; k < joints.size(); ++k)
@@ -68,13 +62,14 @@ CutModel cut_solids(const MesherJob& job, const ImportedModel& model,
   CutModel result{PlaneTable(rounding * bounds.diagonal().norm()), {}, {}, {}};
   std::vector<bool> hit(job.cuts.size(), false);
   std::set<std::pair<int, int>> dividing;
+  int next_tag = -1;  // facets of cells have negative ones
   for (std::size_t s = 0; s < job.solids.size(); ++s) {
     if (!model.solids[s].is_body()) continue;
     const int solid = static_cast<int>(s);
     report(static_cast<double>(s) / static_cast<double>(job.solids.size()), "cutting " + job.solids[s].name);
     const std::vector<ActingJoint> joints = acting_joints(job, solid, model.origin, model.solids[s].bounds);
-    if (!model.solids[s].triangles.empty()) {
-      cut_as_cells(job, model, solid, joints, result, hit);
+    if (model.solids[s].is_cells()) {
+      cut_as_cells(job, model, solid, joints, result, hit, next_tag);
       continue;
     }
     SolidCutter cutter(job, model, solid, result.planes);

@@ -5,7 +5,10 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
 #include <deque>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "geometry/mesher/cells/divided_edges.hpp"
@@ -68,6 +71,44 @@ void fill(Triangulation& triangulation, const FlatFacet& flat, SkinVertices& ver
   count_outlines(triangulation);
 }
 
+/// The corners of an outline in order, where it is one loop that turns left at each of them; else none.
+std::vector<int> convex_loop(const FacetOutline& outline, const SkinVertices& vertices) {
+  std::map<int, int> next(outline.edges.begin(), outline.edges.end());
+  std::vector<int> loop{outline.edges.begin()->first};
+  while (loop.size() <= next.size() && next.contains(loop.back()) && next.at(loop.back()) != loop.front())
+    loop.push_back(next.at(loop.back()));
+  if (loop.size() != outline.edges.size()) return {};
+  constexpr double straight = 1e-5;
+  const std::size_t count = loop.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec3& corner = vertices[loop[(k + 1) % count]];
+    const Vec3 before = corner - vertices[loop[k]], after = vertices[loop[(k + 2) % count]] - corner;
+    const double turn = before.cross(after).dot(outline.normal.normalized());
+    if (turn < straight * before.norm() * after.norm()) return {};
+  }
+  return loop;
+}
+
+/// Cuts off the corner with the shortest diagonal until a triangle is left: the same triangles from both sides of a
+/// joint, also in a rectangle, where a Delaunay triangulation has the choice.
+void take_convex(std::vector<int> loop, int mark, const SkinVertices& vertices, BlockSkin& skin) {
+  while (loop.size() > 3) {
+    const std::size_t count = loop.size();
+    const auto diagonal = [&](std::size_t k) {
+      const auto [a, b] = std::minmax(loop[(k + count - 1) % count], loop[(k + 1) % count]);
+      return std::tuple((vertices[b] - vertices[a]).norm(), a, b, loop[k]);
+    };
+    std::size_t shortest = 0;
+    for (std::size_t k = 1; k < count; ++k)
+      if (diagonal(k) < diagonal(shortest)) shortest = k;
+    skin.triangles.push_back({loop[(shortest + count - 1) % count], loop[shortest], loop[(shortest + 1) % count]});
+    skin.marks.push_back(mark);
+    loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(shortest));
+  }
+  skin.triangles.push_back({loop[0], loop[1], loop[2]});
+  skin.marks.push_back(mark);
+}
+
 }  // namespace
 
 BlockSkin block_skin(const CellSolid& solid, std::span<const int> cells, const SkinSize& size) {
@@ -77,6 +118,12 @@ BlockSkin block_skin(const CellSolid& solid, std::span<const int> cells, const S
   if (fine) divide_edges(outlines, vertices, size);
   BlockSkin skin;
   for (const FacetOutline& outline : outlines) {
+    if (!fine) {
+      if (std::vector<int> loop = convex_loop(outline, vertices); !loop.empty()) {
+        take_convex(std::move(loop), outline.mark, vertices, skin);
+        continue;
+      }
+    }
     const FlatFacet flat(outline, vertices);
     Triangulation triangulation = triangulated(outline, flat);
     count_outlines(triangulation);

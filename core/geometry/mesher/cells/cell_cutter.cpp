@@ -6,8 +6,10 @@
 #include <tuple>
 
 #include "base/error.hpp"
+#include "geometry/mesher/cells/joint_planes.hpp"
 #include "geometry/mesher/cells/set_numbers.hpp"
 #include "geometry/mesher/cells/solid_cells.hpp"
+#include "geometry/mesher/solid_size.hpp"
 
 namespace talus {
 namespace {
@@ -26,21 +28,46 @@ std::vector<int> blocks_of_cells(const CellSolid& solid) {
   return set_numbers(blocks);
 }
 
-void add_cell(CutBlock& block, int cell, const CellComplex& complex) {
-  const Cell& shape = complex.cells()[static_cast<std::size_t>(cell)];
-  Vec3 middle = Vec3::Zero();
+/// m, about one of its corners, by the divergence theorem.
+Vec3 centroid_of(const Cell& cell, const std::vector<Vec3>& vertices) {
+  const auto at = [&](int v) -> const Vec3& { return vertices[static_cast<std::size_t>(v)]; };
+  const Vec3& origin = at(cell.front().corners.front());
+  double sixfold = 0;
+  Vec3 moment = Vec3::Zero();
+  for (const CellFace& face : cell)
+    for (std::size_t k = 1; k + 1 < face.corners.size(); ++k) {
+      const Vec3 a = at(face.corners[0]) - origin, b = at(face.corners[k]) - origin,
+                 c = at(face.corners[k + 1]) - origin;
+      const double part = a.dot(b.cross(c));
+      sixfold += part;
+      moment += part * (a + b + c) / 4;
+    }
+  return origin + moment / sixfold;
+}
+
+/// Near enough for an order and a place.
+Vec3 mean_corner(const Cell& cell, const std::vector<Vec3>& vertices) {
+  Vec3 sum = Vec3::Zero();
   int corners = 0;
-  for (const CellFace& face : shape) {
+  for (const CellFace& face : cell)
     for (int corner : face.corners) {
-      block.bounds.extend(complex.vertex(corner));
-      middle += complex.vertex(corner);
+      sum += vertices[static_cast<std::size_t>(corner)];
       ++corners;
     }
-  }
-  const double volume = volume_of(shape, complex.vertices());
+  return sum / corners;
+}
+
+/// Blocks of convex solids are numbered as those that OpenCASCADE cuts, by their centroids; those of triangulated
+/// solids keep the numbers that they always had.
+void add_cell(CutBlock& block, int cell, const CellComplex& complex, bool convex) {
+  const Cell& shape = complex.cells()[static_cast<std::size_t>(cell)];
+  const std::vector<Vec3>& vertices = complex.vertices();
+  for (const CellFace& face : shape)
+    for (int corner : face.corners) block.bounds.extend(complex.vertex(corner));
+  const double volume = volume_of(shape, vertices);
   block.cells.push_back(cell);
   block.volume += volume;
-  block.centroid += volume * middle / corners;  // near enough for an order and a place
+  block.centroid += volume * (convex ? centroid_of(shape, vertices) : mean_corner(shape, vertices));
 }
 
 /// A facet for all faces of one mark between the same two blocks, or between a block and the outside.
@@ -90,11 +117,11 @@ void check_volume(const std::vector<CutBlock>& blocks, double volume, const std:
   throw InputError("solid " + solid, problem.str(), "move cuts that nearly coincide apart or make them one");
 }
 
-std::vector<CutBlock> glued(const CellSolid& solid, int index, int first_tag) {
+std::vector<CutBlock> glued(const CellSolid& solid, int index, int first_tag, bool convex) {
   const std::vector<int> block_of = blocks_of_cells(solid);
   std::vector<CutBlock> blocks(static_cast<std::size_t>(1 + *std::max_element(block_of.begin(), block_of.end())));
   for (std::size_t c = 0; c < block_of.size(); ++c)
-    add_cell(blocks[static_cast<std::size_t>(block_of[c])], static_cast<int>(c), solid.complex);
+    add_cell(blocks[static_cast<std::size_t>(block_of[c])], static_cast<int>(c), solid.complex, convex);
   for (CutBlock& block : blocks) {
     block.solid = index;
     block.centroid /= block.volume;
@@ -103,13 +130,28 @@ std::vector<CutBlock> glued(const CellSolid& solid, int index, int first_tag) {
   return blocks;
 }
 
+/// Throws InputError where another joint has the plane.
+void give_joint(KnownPlane& plane, int cut, const MesherJob& job, const std::string& solid) {
+  const auto at = [&](int index) -> const MesherCut& { return job.cuts[static_cast<std::size_t>(index)]; };
+  if (plane.cut < 0) plane.cut = cut;
+  if (at(plane.cut).joint == at(cut).joint) return;
+  throw InputError(at(cut).title, "lies on the same plane of " + solid + " as " + at(plane.cut).title,
+                   "keep one of the two joints there, or limit the cuts with \"solids\"");
+}
+
 }  // namespace
 
 CutCells cut_cells(const MesherJob& job, const ImportedModel& model, int solid, const std::vector<ActingJoint>& joints,
                    int first_tag) {
   const auto s = static_cast<std::size_t>(solid);
   const std::string place = "solid " + job.solids[s].name;
-  SolidCells cells = cells_of(model.solids[s].triangles, place);
+  const ImportedSolid& imported = model.solids[s];
+  const bool convex = !imported.convex.faces.empty();
+  SolidCells cells = convex ? cells_of(imported.convex) : cells_of(imported.triangles, place);
+  JointPlanes planes;
+  if (convex)
+    planes =
+        JointPlanes(cells.complex.cells().front(), cells.complex.vertices(), least_thickness(job.solids[s], imported));
   CutCells result;
   result.solid.complex = std::move(cells.complex);
   result.solid.joints.assign(static_cast<std::size_t>(cells.flat_faces), -1);
@@ -119,12 +161,19 @@ CutCells cut_cells(const MesherJob& job, const ImportedModel& model, int solid, 
       throw InputError(cut.title, "ends, and " + place + " is cut along planes without end alone: it has many faces",
                        "limit the cut to other \"solids\", or let it go through");
     }
+    if (KnownPlane* under = planes.under(joint.plane)) {
+      give_joint(*under, joint.cut, job, place);
+      result.solid.joints[static_cast<std::size_t>(under->mark)] = cut.joint;
+      result.hit.push_back(true);
+      continue;
+    }
     const int mark = static_cast<int>(result.solid.joints.size());
+    planes.add(joint.plane, joint.cut, mark);
     result.hit.push_back(result.solid.complex.cut(joint.plane, mark, cells.flat_faces));
     result.solid.joints.push_back(cut.joint);
   }
   result.solid.across = cells_across(result.solid.complex);
-  result.blocks = glued(result.solid, solid, first_tag);
+  result.blocks = glued(result.solid, solid, first_tag, convex);
   check_volume(result.blocks, model.solids[s].volume, job.solids[s].name);
   sort_by_place(result.blocks, model.solids[s].longest_side());
   return result;

@@ -17,9 +17,9 @@ struct CutCells {
   std::vector<bool> hit;         ///< of each joint: it divides the solid or lies on one of its faces
 };
 
-/// Cuts a triangulated solid along planes without end: cell by cell, then cells that no joint parts are one block.
-/// `solid`: index into the job's; `first_tag`: negative, below the tags of all facets so far. Throws InputError for
-/// joints that end, and where volume is lost.
+/// Cuts a triangulated or convex solid along planes without end: cell by cell, then cells that no joint parts are one
+/// block. `solid`: index into the job's; `first_tag`: negative, below the tags of all facets so far. Throws InputError
+/// for joints that end, and where volume is lost.
 CutCells cut_cells(const MesherJob& job, const ImportedModel& model, int solid, const std::vector<ActingJoint>& joints,
                    int first_tag);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/mesher/cells/flat_groups.hpp"
+#include "geometry/mesher/polyhedron.hpp"
 #include "geometry/mesher/tet_mesher.hpp"
 
 namespace talus {
@@ -68,6 +69,24 @@ SolidCells tetrahedra(const TriangleSolid& solid, const std::vector<int>& groups
 }
 
 }  // namespace
+
+SolidCells cells_of(const PolyhedronShape& convex) {
+  constexpr double rounding = 1e-9, parallel = 1e-6;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& vertex : convex.vertices) box.extend(vertex);
+  const double reach = rounding * box.diagonal().norm();
+  std::vector<Plane> planes;
+  Cell cell;
+  for (const std::vector<int>& face : convex.faces) {
+    const Plane own = plane_of(convex, face);
+    const auto same = std::ranges::find_if(planes, [&](const Plane& known) {
+      return known.normal.dot(own.normal) > 0 && angle_between(known, own) < parallel;
+    });
+    cell.push_back({face, static_cast<int>(same - planes.begin())});
+    if (same == planes.end()) planes.push_back(own);
+  }
+  return {CellComplex(convex.vertices, {std::move(cell)}, reach), static_cast<int>(planes.size())};
+}
 
 SolidCells cells_of(const TriangleSolid& solid, const std::string& place) {
   constexpr double rounding = 1e-9;

@@ -4,6 +4,7 @@
 
 #include "geometry/mesher/cells/cell_complex.hpp"
 #include "geometry/mesher/surfaces/triangle_solid.hpp"
+#include "model/project.hpp"
 
 namespace talus {
 
@@ -11,6 +12,9 @@ struct SolidCells {
   CellComplex complex;
   int flat_faces = 0;  ///< of the solid: marks of the cells' faces from 0
 };
+
+/// A convex polyhedron with flat faces is one cell; faces on one plane have one mark.
+SolidCells cells_of(const PolyhedronShape& convex);
 
 /// Convex cells that fill the solid: prisms below the triangles of a terrain, else tetrahedra (gmsh's Delaunay). Faces
 /// on the skin have the number of its flat face for a mark. Throws InputError at `place` where it cannot be filled.
