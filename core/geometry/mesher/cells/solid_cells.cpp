@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "geometry/mesher/cells/flat_groups.hpp"
-#include "geometry/mesher/polyhedron.hpp"
 #include "geometry/mesher/tet_mesher.hpp"
 
 namespace talus {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "geometry/mesher/cells/cell_complex.hpp"
+#include "geometry/mesher/polyhedron.hpp"
 #include "geometry/mesher/surfaces/triangle_solid.hpp"
-#include "model/project.hpp"
 
 namespace talus {
 
