@@ -7,14 +7,18 @@ extern "C" {
 
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string>
+#include <thread>
 
 #include "base/error.hpp"
 #include "images/compare.hpp"
 #include "images/test_scenes.hpp"
 #include "render/film/movie.hpp"
+#include "render/scene/offscreen.hpp"
 
 namespace talus {
 namespace {
@@ -175,6 +179,39 @@ TEST_F(Film, OfASlideShowsEveryFrame) {
   EXPECT_EQ(decode(folder / "slide.mp4").frames, 6);
   ASSERT_EQ(progress.fractions.size(), 6u);
   EXPECT_DOUBLE_EQ(progress.fractions.back(), 1);
+}
+
+/// Letters of ever other sizes, on both threads: fonts that VTK keeps are thrown away and read again all the time.
+TEST_F(Film, IsWrittenWhileAnotherThreadDraws) {
+  constexpr int pictures = 60;
+  const BlockSystem boxes = two_boxes();
+  const auto write = [](Scene& scene, const std::string& title, int picture) {
+    SceneSettings settings = scene.settings();
+    settings.title = title + " " + std::to_string(picture);
+    settings.text_height = 10 + picture % 17;
+    scene.set_settings(settings);
+  };
+  std::atomic<bool> is_filmed = false;
+  std::jthread film([&] {
+    Scene scene(boxes);
+    const auto frame = [&](int i) {
+      write(scene, "film", i);
+      return slid(boxes, 0.01 * i, i);
+    };
+    NoProgress progress;
+    render_film(scene, pictures, frame, folder / "beside.mp4", {.width = 320, .height = 200, .fps = 5}, progress);
+    is_filmed = true;
+  });
+  Scene scene(boxes);
+  OffscreenView view(scene, 320, 200, Sampling::fast);
+  int drawn = 0;
+  for (; !is_filmed; ++drawn) {
+    write(scene, "view", drawn);
+    view.draw();
+  }
+  film.join();
+  EXPECT_EQ(decode(folder / "beside.mp4").frames, pictures);
+  EXPECT_GT(drawn, pictures / 4);
 }
 
 TEST_F(Film, CanBeCancelled) {

@@ -11,7 +11,9 @@
 #include <vtkVector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <sstream>
 
@@ -21,6 +23,13 @@ vtkStandardNewMacro(PainterItem)
 
     namespace {
   constexpr int dots_per_inch = 72;  ///< one point is one pixel
+
+  /// VTK has one cache of fonts and glyphs for all threads, and nothing guards it: a film that is written while the
+  /// view is drawn letters at the same time. All text of pictures goes through this file, one thread at a time.
+  std::mutex& lettering() {
+    static std::mutex mutex;
+    return mutex;
+  }
 
   void apply(const TextStyle& style, vtkTextProperty& property) {
     property.SetFontFamily(VTK_FONT_FILE);
@@ -47,13 +56,22 @@ vtkStandardNewMacro(PainterItem)
     return points;
   }
 
+  /// One thread at a time. VTK keeps the first property that it meets with a font, to open that font again when it was
+  /// thrown out of the cache: it must be one that stays as it is, not that of a drawing, which takes up other fonts.
+  std::array<int, 4> box_around(std::string_view text, vtkTextProperty & property) {
+    std::array<int, 4> box = {0, -1, 0, -1};
+    vtkTextRenderer::GetInstance()->GetBoundingBox(&property, vtkStdString(std::string(text)), box.data(),
+                                                   dots_per_inch);
+    return box;
+  }
+
 }  // namespace
 
 double text_width(std::string_view text, double height, FontWeight weight) {
   vtkNew<vtkTextProperty> property;
   apply({.height = height, .colour = {}, .weight = weight}, *property);
-  int box[4] = {0, -1, 0, -1};
-  vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(std::string(text)), box, dots_per_inch);
+  const std::lock_guard one_thread(lettering());
+  const auto box = box_around(text, *property);
   return std::max(0, box[1] - box[0] + 1);
 }
 
@@ -143,6 +161,8 @@ void Painter::disc(PixelPoint centre, double radius, Rgb colour) {
 void Painter::text(PixelPoint at, std::string_view text, const TextStyle& style) {
   vtkNew<vtkTextProperty> property;
   apply(style, *property);
+  const std::lock_guard one_thread(lettering());
+  box_around(" ", *property);  // makes the font known
   context_.ApplyTextProp(property);
   context_.DrawString(static_cast<float>(std::round(at.x)), static_cast<float>(std::round(at.y)),
                       std::string(text).c_str());
