@@ -53,6 +53,35 @@ TEST(SceneImage, BlocksHaveTheirColours) {
   expect_baseline(image);
 }
 
+/// 0 to 255.
+double mean_luminance(const Image& image) {
+  double sum = 0;
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3)
+    sum += 0.299 * image.rgb[i] + 0.587 * image.rgb[i + 1] + 0.114 * image.rgb[i + 2];
+  return 3 * sum / static_cast<double>(image.rgb.size());
+}
+
+/// How much darker than without its lines a cube of so many cells a side is drawn, of what black would take.
+double taken_by_mesh_lines(int cells) {
+  BlockSystem system;
+  system.blocks = {box("B", {0, 0, 0}, {1, 1, 1}, cells, BodyKind::tetrahedra)};
+  SceneSettings settings;
+  settings.legend = settings.triad = settings.scale_bar = false;
+  Scene scene(system, settings);
+  const double plain = mean_luminance(draw_image(scene, width, height));
+  settings.edges = Edges::mesh;
+  scene.set_settings(settings);
+  return 1 - mean_luminance(draw_image(scene, width, height)) / plain;
+}
+
+/// The cube fills about a third of the picture.
+TEST(SceneImage, LinesOfAFineMeshDoNotBlackenTheRock) {
+  const double coarse = taken_by_mesh_lines(6), fine = taken_by_mesh_lines(30), finest = taken_by_mesh_lines(90);
+  EXPECT_GT(coarse, 0.002) << "lines that are far apart are seen";
+  EXPECT_LT(fine, 0.02);
+  EXPECT_LT(finest, 0.02);
+}
+
 TEST(SceneImage, DisplacementWithLegend) {
   const BlockSystem slope = jointed_slope();
   SceneSettings settings = titled("Jointed slope");

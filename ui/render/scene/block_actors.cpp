@@ -61,20 +61,28 @@ std::vector<Vec3> ways_to_blocks(const BlockSurface& surface, const Vec3& origin
   return ways;
 }
 
-/// Infinite where there are none.
-double mean_mesh_line(const BlockSurface& surface) {
-  double sum = 0;
-  int count = 0;
-  for (const BlockSurface::Edge& edge : surface.edges) {
-    if (edge.sharp) continue;
-    sum += (surface.rest[edge.vertices[0]] - surface.rest[edge.vertices[1]]).norm();
-    ++count;
+/// m, the area of all faces over the length of the lines on them; infinite where there are none.
+double spacing_of_lines(const BlockSurface& surface, bool sharp) {
+  const auto at = [&](int vertex) -> const Vec3& { return surface.rest[static_cast<std::size_t>(vertex)]; };
+  double length = 0, area = 0;
+  for (const BlockSurface::Edge& edge : surface.edges)
+    if (edge.sharp == sharp) length += (at(edge.vertices[0]) - at(edge.vertices[1])).norm();
+  for (const BlockSurface::Triangle& triangle : surface.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    area += (at(b) - at(a)).cross(at(c) - at(a)).norm() / 2;
   }
-  return count > 0 ? sum / count : std::numeric_limits<double>::infinity();
+  return length > 0 ? area / length : std::numeric_limits<double>::infinity();
 }
 
-constexpr double apart = 6, palest = 0.25;  // pixels between lines that are drawn at full strength; opacity
-constexpr double thinnest_line = 1.05;      // pixels; a thinner one passes between their centres and looks dashed
+/// Opacity of lines that are so many pixels apart. What they cover of the rock is their width over their spacing: near
+/// to each other they fade faster than they grow dense, and small facets show the rock, not the lines around them.
+double strength_of_lines(double spacing) {
+  constexpr double apart = 3;  // pixels; triangles of three times as much a side
+  const double fraction = std::min(1.0, spacing / apart);
+  return fraction * fraction;
+}
+
+constexpr double thinnest_line = 1.05;  // pixels; a thinner one passes between their centres and looks dashed
 
 /// Lines lie on faces: they are drawn as if a little nearer, `lift` depth steps, or half of each would vanish.
 void add_lines(vtkRenderer& renderer, vtkPolyData& lines, vtkActor& actor, int lift) {
@@ -94,7 +102,8 @@ BlockActors::BlockActors(BlockSurface surface, const Vec3& origin)
       origin_(origin),
       from_origin_(ways_to_blocks(surface_, origin)),
       positions_(surface_.rest),
-      mesh_size_(mean_mesh_line(surface_)) {
+      edge_spacing_(spacing_of_lines(surface_, true)),
+      mesh_spacing_(spacing_of_lines(surface_, false)) {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   points_->SetDataTypeToDouble();
   for (vtkPolyData* data : {faces_.Get(), thinned_faces_.Get(), sharp_edges_.Get(), mesh_lines_.Get()})
@@ -226,9 +235,14 @@ void BlockActors::colour_by_values(std::span<const double> values, bool at_nodes
 
 void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour, double metres_per_pixel) {
   if (mesh_edges > 0) show_mesh_lines();
-  sharp_edge_actor_->SetVisibility(block_edges > 0);
-  mesh_actor_->SetVisibility(mesh_edges > 0);
-  mesh_actor_->GetProperty()->SetOpacity(std::clamp(mesh_size_ / metres_per_pixel / apart, palest, 1.0));
+  const auto draw = [&](vtkActor& actor, bool wanted, double spacing) {
+    constexpr double seen = 0.02;
+    const double strength = strength_of_lines(spacing / metres_per_pixel);
+    actor.SetVisibility(wanted && strength > seen);
+    actor.GetProperty()->SetOpacity(strength);
+  };
+  draw(*sharp_edge_actor_, block_edges > 0, edge_spacing_);
+  draw(*mesh_actor_, mesh_edges > 0, mesh_spacing_);
   sharp_edge_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, block_edges)));
   mesh_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, mesh_edges)));
   for (vtkActor* actor : {sharp_edge_actor_.Get(), mesh_actor_.Get()}) set_colour(*actor->GetProperty(), colour);

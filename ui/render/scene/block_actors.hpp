@@ -50,8 +50,8 @@ class BlockActors {
   /// `values` of all blocks' nodes, or tetrahedra, in the unit of `low` and `high`. Faces without a tetrahedron
   /// behind them get the table's colour for no value.
   void colour_by_values(std::span<const double> values, bool at_nodes, vtkLookupTable& table, double low, double high);
-  /// Line widths in pixels; 0 leaves those edges out. Lines of the mesh that lie closer than a few pixels are drawn
-  /// paler, or they would cover what they lie on.
+  /// Line widths in pixels; 0 leaves those edges out. Lines that lie closer than a few pixels are drawn paler, and
+  /// not at all in the end, or they would cover what they lie on.
   void draw_edges(double block_edges, double mesh_edges, Rgb colour, double metres_per_pixel);
 
  private:
@@ -66,7 +66,7 @@ class BlockActors {
   std::vector<bool> shown_;  ///< a block
   std::vector<int> drawn_;   ///< triangles that are shown, in the order of the cells
   bool has_mesh_lines_ = false;
-  double mesh_size_;  ///< m, mean length of the lines of the mesh
+  double edge_spacing_, mesh_spacing_;  ///< m, of the lines at bends and of the others
   vtkNew<vtkPoints> points_;
   std::vector<Face> thinned_;
   vtkNew<vtkPolyData> faces_, thinned_faces_, sharp_edges_, mesh_lines_;
