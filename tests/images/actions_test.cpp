@@ -1,7 +1,9 @@
 // Loads, supports, velocities, stress in situ and monitors in the picture.
 #include <gtest/gtest.h>
-#include <vtkNew.h>
 #include <vtkRenderer.h>
+
+#include <algorithm>
+#include <vector>
 
 #include "images/compare.hpp"
 #include "images/test_scenes.hpp"
@@ -30,6 +32,42 @@ Project acted_on(const BlockSystem& slope) {
   project.monitors = {{.name = "P1", .block = "B1", .at = slope.blocks[2].mesh.nodes.back()}};
   return project;
 }
+
+/// Blocks looked at from the front, without perspective, and what is drawn where for what acts on them.
+class GlyphsInView {
+ public:
+  GlyphsInView(const BlockSystem& blocks, const Project& project) : scene(blocks, without_perspective()) {
+    window_.add(*scene.renderer());
+    scene.look(View::front);
+    scene.set_actions(action_glyphs(project, blocks));
+  }
+  ~GlyphsInView() { window_.remove(*scene.renderer()); }
+  GlyphsInView(const GlyphsInView&) = delete;
+  GlyphsInView& operator=(const GlyphsInView&) = delete;
+
+  /// Pixels that show glyphs, every second one along both sides.
+  struct Found {
+    int x, y;
+    Kind kind;
+  };
+  std::vector<Found> found() {
+    std::vector<Found> pixels;
+    for (int y = 0; y < picture_height; y += 2)
+      for (int x = 0; x < picture_width; x += 2)
+        if (const auto glyph = scene.action_at(x, y)) pixels.push_back({x, y, glyph->kind});
+    return pixels;
+  }
+
+  Scene scene;
+
+ private:
+  static SceneSettings without_perspective() {
+    SceneSettings settings;
+    settings.parallel_projection = true;
+    return settings;
+  }
+  OffscreenWindow window_{picture_width, picture_height, 1};
+};
 
 TEST(ActionImage, LoadsSupportsAndMonitors) {
   const BlockSystem slope = jointed_slope();
@@ -73,61 +111,34 @@ TEST(ActionImage, FitKeepsWholeArrowsInView) {
   // The boxes fill the picture from side to side, where the plate is pulled, and a tall arrow presses on one of them.
   project.loads = {{.block = "plate", .at = Vec3(2.5, 0, 0), .force = {1e5, 0, 0}},
                    {.block = "B1", .at = Vec3(0.5, 0.5, 1), .force = {0, 0, -1e5}}};
-  SceneSettings settings;
-  settings.parallel_projection = true;
-  Scene scene(boxes, settings);
-  OffscreenWindow window(picture_width, picture_height, 1);
-  window.add(*scene.renderer());
-  scene.look(View::front);
-  scene.set_actions(action_glyphs(project, boxes));
-  scene.fit();
-  for (int x = 0; x < picture_width; x += 2) EXPECT_FALSE(scene.action_at(x, 1)) << "cut off at the top, " << x;
-  for (int y = 0; y < picture_height; y += 2)
-    EXPECT_FALSE(scene.action_at(picture_width - 2, y)) << "cut off at the right, " << y;
-  bool is_shown = false;
-  for (int y = 0; y < picture_height / 3; y += 2)
-    for (int x = 0; x < picture_width; x += 2) is_shown = is_shown || scene.action_at(x, y);
-  EXPECT_TRUE(is_shown);
-  window.remove(*scene.renderer());
+  GlyphsInView view(boxes, project);
+  view.scene.fit();
+  const auto pixels = view.found();
+  EXPECT_TRUE(std::ranges::any_of(pixels, [](const auto& p) { return p.y < picture_height / 3; })) << "none is shown";
+  for (const auto& [x, y, kind] : pixels) {
+    EXPECT_GT(y, 1) << "cut off at the top, " << x;
+    EXPECT_LT(x, picture_width - 2) << "cut off at the right, " << y;
+  }
 }
 
 TEST(ActionImage, AClickFindsTheGlyphAndItGoesWithItsBlock) {
   const BlockSystem slope = jointed_slope();
-  SceneSettings settings;
-  settings.parallel_projection = true;
-  Scene scene(slope, settings);
-  OffscreenWindow window(picture_width, picture_height, 1);
-  window.add(*scene.renderer());
-  scene.look(View::front);
-  scene.set_actions(action_glyphs(acted_on(slope), slope));
-  const auto found = [&] {
-    std::vector<int> kinds(5, 0);
-    for (int y = 0; y < picture_height; y += 2)
-      for (int x = 0; x < picture_width; x += 2)
-        if (const auto glyph = scene.action_at(x, y)) ++kinds[static_cast<std::size_t>(glyph->kind)];
-    return kinds;
-  };
-  const auto kinds = found();
-  for (const Kind kind : {Kind::load, Kind::support, Kind::monitor})
-    EXPECT_GT(kinds[static_cast<std::size_t>(kind)], 10) << static_cast<int>(kind);
-  EXPECT_EQ(kinds[static_cast<std::size_t>(Kind::velocity)], 0);
-  const auto place_of_monitor = [&] {
+  GlyphsInView view(slope, acted_on(slope));
+  const auto place_of = [&](Kind kind) {
     Vec3 sum = Vec3::Zero();
-    int count = 0;
-    for (int y = 0; y < picture_height; y += 2)
-      for (int x = 0; x < picture_width; x += 2)
-        if (const auto glyph = scene.action_at(x, y); glyph && glyph->kind == Kind::monitor) {
-          sum += Vec3(x, y, 0);
-          ++count;
-        }
-    return Vec3(sum / std::max(count, 1));
+    for (const auto& pixel : view.found())
+      if (pixel.kind == kind) sum += Vec3(pixel.x, pixel.y, 1);
+    return sum;  // its last: how many pixels
   };
-  const Vec3 before = place_of_monitor();
-  scene.set_frame(slid(slope, 8, 1));
-  const Vec3 after = place_of_monitor();
-  EXPECT_LT(after.x(), before.x() - 10);  // the slope falls to the west
-  EXPECT_GT(after.y(), before.y() + 5);
-  window.remove(*scene.renderer());
+  for (const Kind kind : {Kind::load, Kind::support, Kind::monitor})
+    EXPECT_GT(place_of(kind).z(), 10) << static_cast<int>(kind);
+  EXPECT_EQ(place_of(Kind::velocity).z(), 0);
+  const Vec3 before = place_of(Kind::monitor);
+  view.scene.set_frame(slid(slope, 8, 1));
+  const Vec3 after = place_of(Kind::monitor);
+  ASSERT_GT(after.z(), 0);
+  EXPECT_LT(after.x() / after.z(), before.x() / before.z() - 10);  // the slope falls to the west
+  EXPECT_GT(after.y() / after.z(), before.y() / before.z() + 5);
 }
 
 TEST(ActionGlyphs, SayTheLargestOfATableAndWhetherALoadPushes) {
