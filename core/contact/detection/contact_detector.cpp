@@ -52,7 +52,7 @@ struct ContactDetector::State {
   void find_points(std::span<const Vec3> x, double reach);
   bool is_given(std::uint64_t key) const;
   double initial_interference(const FoundPoint& found, double normal_stiffness) const;
-  ContactPoint complete(const FoundPoint& found, bool& known) const;
+  ContactPoint complete(const FoundPoint& found) const;
   void complete_all(ContactSet& contacts);
   void bond(std::span<ContactPoint> points) const;
   void weaken_broken(std::span<ContactPoint> points) const;
@@ -82,15 +82,10 @@ struct ContactDetector::State {
   std::vector<char> moved;          // a body: it took part in a step and neither was fixed nor asleep
   bool all_have_moved = false;      // that are free to
 
-  /// Where a point comes from.
-  struct Origin {
-    int found;
-    bool known;  // it goes on from a former one
-  };
   std::vector<FacetPair> near;
   FoundPoints found, ahead;
   std::vector<MissedContact> missed;
-  std::vector<Origin> origins;
+  std::vector<int> origins;             // of the points handed out: which one of `found` each was made of
   std::vector<std::uint64_t> families;  // of the points handed out
 };
 
@@ -190,7 +185,7 @@ double ContactDetector::State::initial_interference(const FoundPoint& f, double 
   return f.gap < 0 ? std::max(0.0, -f.gap - memory.known_compression(f, normal_stiffness)) : 0;
 }
 
-ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) const {
+ContactPoint ContactDetector::State::complete(const FoundPoint& f) const {
   ContactPoint p{};
   p.key = f.key;
   for (int k = 0; k < 2; ++k) {
@@ -216,8 +211,7 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f, bool& known) 
   p.mode = f.gap > 0 ? ContactMode::open : ContactMode::stick;
   p.shear_start = Vec3::Zero();
   const auto past = memory.transferred_to(f, scale.size);
-  known = past.has_value();
-  p.is_new = !known;
+  p.is_new = !past;
   if (past) {
     p.bonded = past->bonded && f.area > 0;
     p.mode = past->mode;
@@ -243,9 +237,8 @@ void ContactDetector::State::complete_all(ContactSet& contacts) {
   memory.transfer(found.points);
   for (int i = 0; i < static_cast<int>(found.points.size()); ++i) {
     if (found.points[i].dropped) continue;
-    Origin origin{i, false};
-    contacts.points.push_back(complete(found.points[i], origin.known));
-    origins.push_back(origin);
+    contacts.points.push_back(complete(found.points[i]));
+    origins.push_back(i);
   }
   if (joints_bond() || memory.any_bonded()) bond(contacts.points);
   if (memory.any_broken()) weaken_broken(contacts.points);
@@ -253,11 +246,9 @@ void ContactDetector::State::complete_all(ContactSet& contacts) {
 
 /// Bonds of joints that have just come to be, and the strength of all.
 void ContactDetector::State::bond(std::span<ContactPoint> points) const {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    ContactPoint& p = points[i];
+  for (ContactPoint& p : points) {
     const JointLaw& law = laws[p.joint];
-    const bool is_new = !origins[i].known && !moved[p.bodies[0]] && !moved[p.bodies[1]];
-    if (is_new && p.area > 0)
+    if (p.is_new && p.area > 0 && !moved[p.bodies[0]] && !moved[p.bodies[1]])
       p.bonded = (law.cohesion > 0 || law.tensile_strength > 0) && p.gap < settings.tolerances.bonded_gap * p.size;
     if (!p.bonded) continue;
     p.cohesion = law.cohesion * p.area;
@@ -268,8 +259,7 @@ void ContactDetector::State::bond(std::span<ContactPoint> points) const {
 void ContactDetector::State::weaken_broken(std::span<ContactPoint> points) const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContactPoint& p = points[i];
-    if (!p.bonded && memory.ever_broken(found.points[origins[i].found].family))
-      p.friction = laws[p.joint].residual_friction;
+    if (!p.bonded && memory.ever_broken(found.points[origins[i]].family)) p.friction = laws[p.joint].residual_friction;
   }
 }
 
@@ -279,7 +269,7 @@ void ContactDetector::State::write(double reach, ContactSet& contacts) {
   complete_all(contacts);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < origins.size(); ++i) {
-    FoundPoint& f = found.points[origins[i].found];
+    FoundPoint& f = found.points[origins[i]];
     ContactPoint& p = contacts.points[i];
     f.dropped = !p.bonded && p.gap > reach;
     if (f.dropped) continue;
@@ -310,7 +300,7 @@ void ContactDetector::detect(std::span<const Vec3> x, double reach, ContactSet& 
 
 ContactDetector::UpdatedNormal ContactDetector::updated_normal(int point, const std::function<Vec3(int)>& start,
                                                                const std::function<Vec3(int)>& end) const {
-  const FoundPoint& found = state_->found.points[state_->origins[point].found];
+  const FoundPoint& found = state_->found.points[state_->origins[point]];
   const Vec3 normal = talus::updated_normal(state_->features, found, start, end);
   return {normal, normal.dot(found.normal) * found.gap};
 }
