@@ -115,6 +115,20 @@ void put_onto_planes(SurfaceMesh& surface, const PlaneTable& planes) {
   }
 }
 
+using SizeKey = std::pair<double, bool>;  ///< m; refined
+
+/// Of each solid, by its index: how most of its blocks are meshed; of as many, the larger.
+std::map<int, SizeKey> usual_sizes(std::span<const NamedBlock> blocks, std::span<const MesherSize> sizes) {
+  std::map<int, std::map<SizeKey, int>> counts;
+  for (std::size_t b = 0; b < blocks.size(); ++b) ++counts[blocks[b].shape.solid][{sizes[b].size, sizes[b].refined}];
+  std::map<int, SizeKey> usual;
+  for (const auto& [solid, count] : counts) {
+    const auto fewer = [](const auto& a, const auto& c) { return a.second <= c.second; };
+    usual[solid] = std::max_element(count.begin(), count.end(), fewer)->first;
+  }
+  return usual;
+}
+
 }  // namespace
 
 std::vector<SurfaceMesh> mesh_surfaces(std::span<const NamedBlock> blocks, const PlaneTable& planes,
@@ -126,10 +140,16 @@ std::vector<SurfaceMesh> mesh_surfaces(std::span<const NamedBlock> blocks, const
     const bool corners_only = !refined && corners_suffice(blocks[b].shape, size);
     groups[{size, corners_only, refined}].push_back(b);
   }
+  const std::map<int, SizeKey> usual = usual_sizes(blocks, sizes);
   std::vector<SurfaceMesh> surfaces(blocks.size());
   for (const auto& [manner, members] : groups) {
+    // Where in gmsh's chance a face comes depends on all that are meshed with it: a solid's usual size is that of all
+    // of it, or the neighbours of a block that gets its own would have other triangles than before.
+    std::set<std::size_t> together(members.begin(), members.end());
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+      if (usual.at(blocks[b].shape.solid) == SizeKey(manner.size, manner.refined)) together.insert(b);
     gmsh::vectorpair volumes;
-    for (std::size_t b : members)
+    for (std::size_t b : together)
       for (int tag : blocks[b].shape.volume_tags) volumes.emplace_back(3, tag);
     generate(manner, volumes, manner.refined ? refinements : std::span<const MeshRefinement>());
     const auto nodes = all_nodes();

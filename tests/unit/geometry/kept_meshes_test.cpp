@@ -69,6 +69,21 @@ TEST(KeptMeshes, ServeTheBlocksThatStayAsTheyAre) {
   EXPECT_EQ(kept.taken_over(), 1) << "a cut that moves leaves the slab";
 }
 
+TEST(KeptMeshes, ServeTheNeighboursOfABlockThatGetsItsOwnSize) {
+  KeptMeshes kept;
+  Project p = cut_cube();
+  ASSERT_EQ(build_with(kept, p).blocks.size(), 9u);
+  p.blocks = {{"fine", {3, 2, 2}, {}, {}, 0.7}};
+  expect_the_same(build_with(kept, p), build(p));
+  EXPECT_EQ(kept.taken_over(), 8);
+  p.blocks[0].mesh_size = 0.9;
+  expect_the_same(build_with(kept, p), build(p));
+  EXPECT_EQ(kept.taken_over(), 8);
+  p.blocks.clear();
+  expect_the_same(build_with(kept, p), build(p));
+  EXPECT_EQ(kept.taken_over(), 8) << "it has its usual size again";
+}
+
 TEST(KeptMeshes, ServeAllBlocksUnderGroundButTheOneWhoseSizeIsAnother) {
   const auto folder = std::filesystem::temp_directory_path() / ("talus_kept_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
