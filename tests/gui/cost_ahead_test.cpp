@@ -22,7 +22,7 @@ class CostAheadTest : public StudiedWindow {
 };
 
 TEST_F(CostAheadTest, IsSaidOnceThereAreBlocksAndAnewWhenTheProjectChanges) {
-  window->open(slidingCube(2000));
+  window->open(slidingCube(20000));  // too long to be measured to its end
   session->display.goTo(WorkflowPage::solve);
   EXPECT_TRUE(said().contains(QStringLiteral("once its blocks are cut")));
   session->run.mesh();
