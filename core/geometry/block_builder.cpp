@@ -1,6 +1,5 @@
 #include "geometry/block_builder.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <functional>
 #include <tuple>
@@ -8,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "geometry/block_description.hpp"
+#include "geometry/corner_solids.hpp"
 #include "geometry/kept_meshes.hpp"
 #include "geometry/mesh_estimate.hpp"
 #include "geometry/mesher_answers.hpp"
@@ -47,36 +47,14 @@ MesherCut job_cut(const Project& project, std::size_t index) {
   job.may_miss = cut.network.has_value();
   return job;
 }
-
-/// Whether no block of the solid, a polyhedron, is filled with tetrahedra of some size.
-bool stands_on_corners(const Project& project, const Solid& solid, const MesherSolid& job) {
-  const std::vector<Vec3>& vertices = job.polyhedron.vertices;
-  if (vertices.empty() || job.is_part || !corners_suffice(solid.body, solid, nullptr, true)) return false;
-  Eigen::AlignedBox3d box;
-  for (const Vec3& vertex : vertices) box.extend(vertex);
-  return std::ranges::all_of(project.blocks, [&](const BlockOverride& wanted) {
-    return !box.contains(wanted.at) || corners_suffice(wanted.body.value_or(solid.body), solid, &wanted, true);
-  });
-}
-
-bool planes_alone_cut(const MesherJob& job, int solid) {
-  return std::ranges::all_of(job.cuts, [&](const MesherCut& cut) {
-    const bool acts = cut.solids.empty() || std::ranges::find(cut.solids, solid) != cut.solids.end();
-    const bool ends = !cut.ends_at.empty() ||
-                      std::ranges::any_of(cut.joints, [](const MesherJoint& joint) { return !joint.outline.empty(); });
-    return !acts || !ends;
-  });
-}
-
 MesherJob make_job(const Project& project, const std::filesystem::path& folder) {
   MesherJob job;
   job.solids = mesher_solids(project.solids, project.origin, folder);
   for (MesherSolid& solid : job.solids)
     if (!solid.mesh_size) solid.mesh_size = project.mesh.size;
   for (std::size_t i = 0; i < project.cuts.size(); ++i) job.cuts.push_back(job_cut(project, i));
-  for (std::size_t i = 0; i < project.solids.size(); ++i)
-    job.solids[i].corners_suffice =
-        stands_on_corners(project, project.solids[i], job.solids[i]) && planes_alone_cut(job, static_cast<int>(i));
+  const std::vector<bool> of_corners = corner_solids(project);
+  for (std::size_t i = 0; i < project.solids.size(); ++i) job.solids[i].corners_suffice = of_corners[i];
   for (const BlockOverride& wanted : project.blocks) {
     job.overrides.push_back({wanted.name, wanted.at, wanted.mesh_size, wanted.removed});
   }

@@ -68,7 +68,7 @@ std::vector<BlockToMesh> blocks_to_mesh(const Project& project, const MesherCutM
     const bool coarse = corners_suffice(blocks[b].body, project.solids[static_cast<std::size_t>(shape.solid)],
                                         override_of(project, shape), shape.of_cells);
     wanted.push_back({blocks[b].body, coarse ? shape.coarsest_size : shape.usual_size, !coarse, shape.volume,
-                      shape.area, shape.min, shape.max, shape.of_cells});
+                      shape.area, shape.min, shape.max, shape.of_cells, static_cast<double>(shape.corners)});
   }
   return wanted;
 }

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "geometry/block_description.hpp"
+#include "geometry/corner_solids.hpp"
 #include "mesh/size_field.hpp"
 #include "model/number_text.hpp"
 
@@ -58,16 +59,18 @@ struct Fit {
 };
 constexpr Fit of_solids{2.3, 5.9, 4.4, 0.4, 1.08}, of_cells{2.0, 4.5, 3.3, 0.15, 1.05};
 
+double triangles_between(double corners) { return 2 * (std::max(4.0, corners) - 2); }  // Euler
+
 /// Triangles of a block's surface: as many as its size asks for, at least those that its corners make. A surface of
 /// facets that are as small as the size is in between.
 double triangles_of(double squares, double corners, const Fit& fit) {
   constexpr double sharpness = 1.5;
   const double by_size = fit.triangles_in_a_square * squares + fit.triangles_along_edges * std::sqrt(squares);
-  const double by_corners = 2 * (std::max(4.0, corners) - 2);  // Euler
-  return std::pow(std::pow(by_size, sharpness) + std::pow(by_corners, sharpness), 1 / sharpness);
+  return std::pow(std::pow(by_size, sharpness) + std::pow(triangles_between(corners), sharpness), 1 / sharpness);
 }
 
 Counts counts_of(const BlockToMesh& block, std::span<const MeshRefinement> refinements) {
+  if (block.stands_on_corners()) return {triangles_between(block.corners), block.corners + 1};
   constexpr double on_triangles_of_the_size = 0.46, usual_in_a_square = 2.63, least = 12;
   const Fit& fit = block.of_cells ? of_cells : of_solids;
   const std::span<const MeshRefinement> reaching = block.refined ? refinements : std::span<const MeshRefinement>();
@@ -79,6 +82,11 @@ Counts counts_of(const BlockToMesh& block, std::span<const MeshRefinement> refin
   const double on_surface = triangles / 2 + 2;  // Euler
   return {std::max(fit.tetrahedra_in_a_cube * cubes + on_a_triangle * triangles, least),
           on_surface + fit.nodes_in_a_cube * cubes};
+}
+
+double seconds_of(const BlockToMesh& block, const Counts& counts) {
+  constexpr double a_tetrahedron = 45e-6, a_block = 5e-3, a_block_of_corners = 2e-4;
+  return block.stands_on_corners() ? a_block_of_corners : a_block + a_tetrahedron * counts.tetrahedra;
 }
 
 double unknowns_of(BodyKind body, double nodes) {
@@ -144,12 +152,13 @@ BodyKind wanted_body(const Block& block, const Solid& solid, const BlockOverride
   return body == BodyKind::automatic ? block.body : body;
 }
 
-BlockToMesh block_to_mesh(const Project& project, const Block& block, const Box& solid_box) {
+/// `of_corners`: all blocks of its solid stand on their corners.
+BlockToMesh block_to_mesh(const Project& project, const Block& block, const Box& solid_box, bool of_corners) {
   const Solid& solid = project.solids[static_cast<std::size_t>(block.solid)];
   const auto named = std::ranges::find(project.blocks, block.name, &BlockOverride::name);
   const BlockOverride* wanted = named == project.blocks.end() ? nullptr : &*named;
   const BodyKind body = wanted_body(block, solid, wanted);
-  const bool is_of_cells = std::holds_alternative<TerrainShape>(solid.shape);
+  const bool is_of_cells = of_corners || std::holds_alternative<TerrainShape>(solid.shape);
   const bool coarse = corners_suffice(body, solid, wanted, is_of_cells);
   const double usual = solid.mesh_size.value_or(project.mesh.size.value_or(solid_box.sizes().maxCoeff() / 10));
   Box box;
@@ -176,21 +185,23 @@ MeshEstimate mesh_estimate(std::span<const BlockToMesh> blocks, std::span<const 
     estimate.tetrahedra += counts.tetrahedra;
     estimate.nodes += counts.nodes;
     estimate.unknowns += unknowns_of(block.body, counts.nodes);
+    estimate.seconds += seconds_of(block, counts);
     largest = std::max(largest, counts.tetrahedra);
   }
   // The mesher holds all that was cut, gmsh one block at a time, the program keeps them all.
   constexpr double bytes_of_gmsh = 75e6, bytes_of_a_corner = 7e3, bytes_at_work = 550, bytes_kept = 60;
   estimate.bytes =
       bytes_of_gmsh + bytes_of_a_corner * corners + bytes_at_work * largest + bytes_kept * estimate.tetrahedra;
-  constexpr double seconds_a_tetrahedron = 45e-6, seconds_a_block = 5e-3;
-  estimate.seconds = seconds_a_tetrahedron * estimate.tetrahedra + seconds_a_block * static_cast<double>(blocks.size());
   return estimate;
 }
 
 MeshEstimate mesh_estimate(const Project& project, const BlockSystem& cut) {
   const ExtentOfSolids solids = extents(cut);
   std::vector<BlockToMesh> blocks;
-  for (const Block& block : cut.blocks) blocks.push_back(block_to_mesh(project, block, solids.at(block.solid)));
+  const std::vector<bool> of_corners = corner_solids(project);
+  for (const Block& block : cut.blocks)
+    blocks.push_back(
+        block_to_mesh(project, block, solids.at(block.solid), of_corners[static_cast<std::size_t>(block.solid)]));
   return mesh_estimate(blocks, project.mesh.refinements);
 }
 

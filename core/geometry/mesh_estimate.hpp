@@ -25,6 +25,10 @@ struct BlockToMesh {
   Vec3 min = Vec3::Zero(), max = Vec3::Zero();  ///< m, corners of the box around it
   bool of_cells = false;                        ///< its solid is triangles, whose corners all stay
   double corners = 8;                           ///< points where faces of three planes meet
+
+  /// It gets a tetrahedron on each triangle between its corners, without gmsh. (Under rough ground, where its centroid
+  /// does not see all of its surface, some times as many.)
+  bool stands_on_corners() const { return of_cells && !refined; }
 };
 
 /// Counts are right to a fifth; memory and time are those of the machine

@@ -162,10 +162,11 @@ struct MesherCutBlock {
   double volume = 0;         ///< m³
   double area = 0;           ///< m², of its surface
   Vec3 min = Vec3::Zero(), max = Vec3::Zero();  ///< m, corners of the box around it
+  int corners = 0;                              ///< points that every mesh of it has
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(name, solid, block_override, usual_size, coarsest_size, of_cells, volume, area, min, max);
+    stream(name, solid, block_override, usual_size, coarsest_size, of_cells, volume, area, min, max, corners);
   }
 };
 

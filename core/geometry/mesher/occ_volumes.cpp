@@ -79,6 +79,13 @@ double volume_of(const std::vector<int>& volumes) {
   return total;
 }
 
+int corner_count(const std::vector<int>& volumes) {
+  gmsh::vectorpair wanted, corners;
+  for (const int tag : volumes) wanted.emplace_back(3, tag);
+  gmsh::model::getBoundary(wanted, corners, false, false, true);
+  return static_cast<int>(corners.size());
+}
+
 TriangleSolid tessellated(const std::vector<int>& volumes) {
   gmsh::model::occ::synchronize();
   mesh_faces(volumes);

@@ -180,6 +180,49 @@ TEST(MeshEstimate, KnowsRefinementsAndBodies) {
   EXPECT_LT(rigid.tetrahedra, 50);
 }
 
+TEST(MeshEstimate, CountsOneTetrahedronATriangleWhereBlocksStandOnTheirCorners) {
+  NoProgress nobody;
+  Project p = cube_meshed_by({});
+  p.cuts = {joint_set("J1", 35, 90, {5, 5, 1}, 2, 4), joint_set("J2", 70, 200, {5, 1, 5}, 2.5, 4)};
+  for (const BodyKind body : {BodyKind::rigid, BodyKind::affine, BodyKind::fixed}) {
+    p.solids[0].body = body;
+    p.mesh.most_tetrahedra = 1e7;
+    const BlockSystem system = build(p);
+    const MeshEstimate ahead = mesh_estimate(p, cut_blocks(p, ".", nobody));
+    EXPECT_EQ(ahead.tetrahedra, tetrahedra_of(system));
+    double nodes = 0;
+    for (const Block& b : system.blocks) nodes += static_cast<double>(b.mesh.nodes.size());
+    EXPECT_EQ(ahead.nodes, nodes);
+    // What is refused before meshing is the same number.
+    p.mesh.most_tetrahedra = ahead.tetrahedra;
+    EXPECT_EQ(error_of(p), "no error");
+    p.mesh.most_tetrahedra = ahead.tetrahedra - 1;
+    EXPECT_THAT(error_of(p), StartsWith("/mesh/most_tetrahedra"));
+  }
+}
+
+TEST(MeshEstimate, OfBlocksThatWereMeshedKnowsThatFixedOnesWillStandOnTheirCorners) {
+  Project p = cube_meshed_by(1);
+  const BlockSystem fine = build(p);
+  p.solids[0].mesh_size.reset();
+  p.solids[0].body = BodyKind::fixed;
+  EXPECT_EQ(mesh_estimate(p, fine).tetrahedra, 12);
+  // Where a joint ends the cube is meshed, and so it is where one of its blocks deforms.
+  Project deforms = p;
+  deforms.blocks = {{"part", {5, 5, 5}, BodyKind::tetrahedra, {}, {}}};
+  EXPECT_GT(mesh_estimate(deforms, fine).tetrahedra, 1000);
+  p.cuts = {cut("J1", 35, 90, {5, 5, 5})};
+  p.cuts[0].disc = Disc{{5, 5, 5}, 2};
+  EXPECT_GT(mesh_estimate(p, fine).tetrahedra, 1000);
+}
+
+TEST(MeshEstimate, BeforeMeshingKnowsTheCornersOfTheBlocks) {
+  Project p = project();
+  p.solids = {solid("shaft", CylinderShape{{0, 0, 0}, {0, 0, 1}, 1, 200}, 2.0)};
+  p.mesh.most_tetrahedra = 300;
+  EXPECT_THAT(error_of(p), StartsWith("/mesh/most_tetrahedra")) << "400 corners make at least 796 triangles";
+}
+
 TEST(MeshEstimate, OfMoreThanIsAllowedIsRefusedAtOnce) {
   // To try it would never end.
   EXPECT_THAT(error_of(cube_meshed_by(1e-6)),

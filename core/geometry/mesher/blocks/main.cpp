@@ -15,6 +15,8 @@
 #include "base/error.hpp"
 #include "geometry/mesher/blocks/kept_blocks.hpp"
 #include "geometry/mesher/cells/cell_mesher.hpp"
+#include "geometry/mesher/cells/facet_outlines.hpp"
+#include "geometry/mesher/occ_volumes.hpp"
 #include "geometry/mesher/overlap.hpp"
 #include "geometry/mesher/solid_views.hpp"
 #include "geometry/mesher/tet_mesher.hpp"
@@ -96,6 +98,10 @@ double coarsest_size_of(const CutBlock& cut, const ImportedSolid& solid, double 
   return flat ? solid.bounds.diagonal().norm() : usual_size;
 }
 
+int corners_of(const CutBlock& block, const CutModel& cut) {
+  return block.cells.empty() ? corner_count(block.volume_tags) : corner_count(cut.cells.at(block.solid), block.cells);
+}
+
 MesherCutModel cut_model(const ImportedModel& model, const CutModel& cut, const KeptBlocks& kept) {
   MesherCutModel told;
   Eigen::AlignedBox3d bounds;
@@ -112,7 +118,8 @@ MesherCutModel cut_model(const ImportedModel& model, const CutModel& cut, const 
     const Eigen::AlignedBox3d& box = block.shape.bounds;
     told.blocks.push_back({block.name, block.shape.solid, block.block_override, block.mesh_size,
                            coarsest_size_of(block.shape, solid, block.mesh_size), !block.shape.cells.empty(),
-                           block.shape.volume, block.shape.area(), box.min() + model.origin, box.max() + model.origin});
+                           block.shape.volume, block.shape.area(), box.min() + model.origin, box.max() + model.origin,
+                           corners_of(block.shape, cut)});
   }
   return told;
 }

@@ -93,4 +93,11 @@ std::vector<FacetOutline> facet_outlines(const CellSolid& solid, std::span<const
   return outlines;
 }
 
+int corner_count(const CellSolid& solid, std::span<const int> cells) {
+  std::unordered_set<int> corners;
+  for (const FacetOutline& outline : facet_outlines(solid, cells))
+    for (const auto& [from, to] : outline.edges) corners.insert(from);
+  return static_cast<int>(corners.size());
+}
+
 }  // namespace talus

@@ -20,4 +20,7 @@ struct FacetOutline {
 /// Vertices in the middle of a straight edge of the block are left out.
 std::vector<FacetOutline> facet_outlines(const CellSolid& solid, std::span<const int> cells);
 
+/// Vertices that the outlines have.
+int corner_count(const CellSolid& solid, std::span<const int> cells);
+
 }  // namespace talus
