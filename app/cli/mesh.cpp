@@ -17,17 +17,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Null where it is not rated.
+Json quality_of(const Block& block) {
+  if (block.stands_on_corners) return nullptr;
+  const MeshQuality quality = mesh_quality(block.mesh);
+  return {{"worst", quality.worst}, {"mean", quality.mean}};
+}
+
+std::string quality_text(const Json& quality, const char* figure) {
+  return quality.is_null() ? "–" : number(quality[figure], 3);
+}
+
 Json json_of(const Project& project, const BlockSystem& system) {
   Json blocks = Json::array();
   double volume = 0;
   for (const Block& block : system.blocks) {
-    const MeshQuality quality = mesh_quality(block.mesh);
     volume += block.volume;
     Json json = {{"name", block.name}, {"volume", block.volume}, {"body", to_string(block.body)}};
     if (!block.body_reason.empty()) json["body_reason"] = block.body_reason;
     json.update({{"nodes", block.mesh.nodes.size()},
                  {"tetrahedra", block.mesh.tetrahedra.size()},
-                 {"quality", {{"worst", quality.worst}, {"mean", quality.mean}}}});
+                 {"quality", quality_of(block)}});
     blocks.push_back(json);
   }
   Json json = {{"blocks", blocks}, {"volume", volume}, {"solids_volume", system.solids_volume}};
@@ -42,10 +52,13 @@ void print(const Json& mesh, const Project& project, const BlockSystem& system) 
     nodes += block["nodes"].get<std::size_t>();
     tetrahedra += block["tetrahedra"].get<std::size_t>();
     table.add({block["name"], number(block["volume"], 8), block["body"], block["nodes"].dump(),
-               block["tetrahedra"].dump(), number(block["quality"]["worst"], 3), number(block["quality"]["mean"], 3)});
+               block["tetrahedra"].dump(), quality_text(block["quality"], "worst"),
+               quality_text(block["quality"], "mean")});
   }
   table.add({"total", number(mesh["volume"], 8), "", std::to_string(nodes), std::to_string(tetrahedra), "", ""});
-  std::cout << table.text() << "Quality: 3 × inscribed / circumscribed radius; 1 is regular, 0 flat.\n"
+  std::cout << table.text()
+            << "Quality: 3 × inscribed / circumscribed radius; 1 is regular, 0 flat; – where a block stands on its "
+               "corners,\nand moves as a whole.\n"
             << chosen_bodies_text(system) << cutting_report_text(project, system);
 }
 

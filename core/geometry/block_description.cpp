@@ -18,6 +18,13 @@ int material_named(const Project& project, const std::string& name) {
   return static_cast<int>(found - project.materials.begin());  // it exists: the project has been validated
 }
 
+/// False where its faces are curved: it is meshed to the usual size then.
+bool stands_on_corners(const Project& project, const MesherCutBlock& cut, BodyKind body) {
+  return cut.coarsest_size != cut.usual_size &&
+         corners_suffice(body, project.solids[static_cast<std::size_t>(cut.solid)], override_of(project, cut),
+                         cut.of_cells);
+}
+
 Block described_block(const Project& project, const MesherCutBlock& cut, const BodyChooser& chooser) {
   const Solid& solid = project.solids[static_cast<std::size_t>(cut.solid)];
   Block block;
@@ -36,6 +43,7 @@ Block described_block(const Project& project, const MesherCutBlock& cut, const B
     block.body = choice.body;
     block.body_reason = std::move(choice.reason);
   }
+  block.stands_on_corners = stands_on_corners(project, cut, block.body);
   return block;
 }
 

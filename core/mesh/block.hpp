@@ -19,6 +19,8 @@ struct Block {
   TetMesh mesh;
   std::vector<SurfaceTriangle> surface;
   double volume = 0;  ///< m³, of the shape before meshing
+  /// It moves as a whole, and is meshed from its corners alone: what shape its tetrahedra have matters to nothing.
+  bool stands_on_corners = false;
 };
 
 /// All blocks of a project. Node numbers of a frame run through the blocks in this order.

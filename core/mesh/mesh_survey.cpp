@@ -30,6 +30,10 @@ MeshSurvey survey_mesh(const BlockSystem& system, Progress& progress, std::size_
   MeshSurvey survey;
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
     if (progress.cancelled()) throw Cancelled{};
+    if (system.blocks[b].stands_on_corners) {
+      survey.blocks.emplace_back();
+      continue;
+    }
     const TetMesh& mesh = system.blocks[b].mesh;
     survey.blocks.push_back(mesh_quality(mesh, [&](std::size_t t, double quality, const DihedralRange& dihedrals) {
       ++survey.quality.counts[survey.quality.bin_of(quality)];

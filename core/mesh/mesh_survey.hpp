@@ -1,12 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "mesh/block.hpp"
 #include "mesh/quality.hpp"
 
-/// How well shaped the tetrahedra of all blocks are: for a histogram, a table of blocks, and a list of the worst.
+/// How well shaped the tetrahedra of all blocks are: for a histogram, a table of blocks, and a list of the worst. Those
+/// of blocks that stand on their corners are not rated.
 namespace talus {
 
 /// Counts of values in bins of equal width; what lies on a limit belongs to the bin above, the last one's upper limit
@@ -30,7 +32,7 @@ struct PoorTetrahedron {
 struct MeshSurvey {
   Histogram quality{0, 1, std::vector<long>(20)};    ///< 3 × inscribed / circumscribed radius
   Histogram dihedral{0, 75, std::vector<long>(15)};  ///< smallest angle between two faces, degrees; at most 70.53
-  std::vector<MeshQuality> blocks;                   ///< in the order of the system
+  std::vector<std::optional<MeshQuality>> blocks;    ///< in the order of the system; empty: not rated
   std::vector<PoorTetrahedron> worst;                ///< those of least quality, the worst first
 };
 

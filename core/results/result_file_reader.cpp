@@ -66,6 +66,9 @@ BlockSystem read_system(hid_t file) {
   const auto names = hdf5::read_strings(talus, "blocks/name"), bodies = hdf5::read_strings(talus, "blocks/body");
   const auto reasons =
       holds(talus, "blocks/body_reason") ? hdf5::read_strings(talus, "blocks/body_reason") : std::vector<std::string>();
+  const auto on_corners = holds(talus, "blocks/stands_on_corners")
+                              ? hdf5::read_all<std::int32_t>(talus, "blocks/stands_on_corners")
+                              : std::vector<std::int32_t>();
   const auto solid = hdf5::read_all<std::int32_t>(talus, "blocks/solid");
   const auto material = hdf5::read_all<std::int32_t>(talus, "blocks/material");
   const auto volume = hdf5::read_all<double>(talus, "blocks/volume");
@@ -87,6 +90,7 @@ BlockSystem read_system(hid_t file) {
     block.material = material.at(b);
     block.body = body_kind(bodies.at(b));
     if (!reasons.empty()) block.body_reason = reasons.at(b);
+    if (!on_corners.empty()) block.stands_on_corners = on_corners.at(b) != 0;
     block.volume = volume.at(b);
     for (int i = 0; i < node_counts.at(b); ++i)
       block.mesh.nodes.emplace_back(Eigen::Map<const Vec3>(&nodes.at(3 * (first_node + i))));

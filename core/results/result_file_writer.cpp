@@ -58,7 +58,7 @@ FlatMesh flatten(const BlockSystem& system) {
 
 void write_blocks(hid_t talus, const BlockSystem& system) {
   const Handle group = hdf5::create_group(talus, "blocks");
-  std::vector<std::int32_t> solid, material, nodes, tetrahedra, triangles;
+  std::vector<std::int32_t> solid, material, nodes, tetrahedra, triangles, on_corners;
   std::vector<std::string> body, body_reason;
   std::vector<double> volume;
   for (const Block& block : system.blocks) {
@@ -70,6 +70,7 @@ void write_blocks(hid_t talus, const BlockSystem& system) {
     tetrahedra.push_back(static_cast<std::int32_t>(block.mesh.tetrahedra.size()));
     triangles.push_back(static_cast<std::int32_t>(block.surface.size()));
     volume.push_back(block.volume);
+    on_corners.push_back(block.stands_on_corners ? 1 : 0);
   }
   hdf5::write_strings(group, "name", names_of(system.blocks));
   hdf5::write_fixed(group, "solid", solid);
@@ -80,6 +81,7 @@ void write_blocks(hid_t talus, const BlockSystem& system) {
   hdf5::write_fixed(group, "nodes", nodes);
   hdf5::write_fixed(group, "tetrahedra", tetrahedra);
   hdf5::write_fixed(group, "triangles", triangles);
+  hdf5::write_fixed(group, "stands_on_corners", on_corners);
 }
 
 /// 1 for a monitor that records stress, else 0.

@@ -107,7 +107,21 @@ TEST_F(Commands, MeshTellsBlocks) {
   EXPECT_GT(mesh["blocks"][1]["tetrahedra"], 4);
   EXPECT_GT(mesh["blocks"][1]["quality"]["worst"], 0.05);
   EXPECT_LE(mesh["blocks"][1]["quality"]["mean"], 1.0);
+  EXPECT_GT(mesh["blocks"][0]["quality"]["worst"], 0.05) << "fixed, and meshed to the size that it has";
   EXPECT_THAT(talus_cli({"mesh", sample("incline_slide")}).out, HasSubstr("Volume [m³]"));
+}
+
+TEST_F(Commands, MeshDoesNotRateBlocksThatStandOnTheirCorners) {
+  Json project = Json::parse(text_of(sample("incline_slide")), nullptr, true, true);
+  project["solids"][0].erase("mesh_size");
+  write_text(*folder / "corners.talus", project.dump());
+  const Json mesh = Json::parse(talus_cli({"mesh", place("corners.talus"), "--json"}).out);
+  EXPECT_EQ(mesh["blocks"][0]["nodes"], 9);
+  EXPECT_TRUE(mesh["blocks"][0]["quality"].is_null());
+  EXPECT_FALSE(mesh["blocks"][1]["quality"].is_null());
+  const std::string table = talus_cli({"mesh", place("corners.talus")}).out;
+  EXPECT_THAT(table, HasSubstr("12              –             –\n"));
+  EXPECT_THAT(table, HasSubstr("– where a block stands on its corners"));
 }
 
 TEST_F(Commands, InspectSaysWhatTheSolidsAre) {

@@ -31,6 +31,7 @@ TEST(Bodies, RigidAndAffineBlocksAreMeshedFromTheirCorners) {
       EXPECT_THAT(block.body_reason, IsEmpty());
     }
     EXPECT_LT(block(system, "base").mesh.nodes.size(), 40u);
+    for (const Block& block : system.blocks) EXPECT_TRUE(block.stands_on_corners);
     EXPECT_GT(fine, 10 * block(system, "base").mesh.nodes.size());
   }
 }

@@ -52,11 +52,24 @@ TEST(MeshSurvey, OfABlockIsItsMeshQuality) {
   const MeshSurvey survey = survey_mesh(system, nobody);
   for (std::size_t b = 0; b < 2; ++b) {
     const MeshQuality alone = mesh_quality(system.blocks[b].mesh);
-    EXPECT_DOUBLE_EQ(survey.blocks[b].worst, alone.worst);
-    EXPECT_DOUBLE_EQ(survey.blocks[b].mean, alone.mean);
-    EXPECT_DOUBLE_EQ(survey.blocks[b].smallest_dihedral, alone.smallest_dihedral);
-    EXPECT_DOUBLE_EQ(survey.blocks[b].largest_dihedral, alone.largest_dihedral);
+    EXPECT_DOUBLE_EQ(survey.blocks[b]->worst, alone.worst);
+    EXPECT_DOUBLE_EQ(survey.blocks[b]->mean, alone.mean);
+    EXPECT_DOUBLE_EQ(survey.blocks[b]->smallest_dihedral, alone.smallest_dihedral);
+    EXPECT_DOUBLE_EQ(survey.blocks[b]->largest_dihedral, alone.largest_dihedral);
   }
+}
+
+TEST(MeshSurvey, LeavesBlocksOutThatStandOnTheirCorners) {
+  BlockSystem system = three_tetrahedra();
+  system.blocks[1].stands_on_corners = true;
+  NoProgress nobody;
+  const MeshSurvey survey = survey_mesh(system, nobody);
+  ASSERT_EQ(survey.blocks.size(), 2u);
+  EXPECT_FALSE(survey.blocks[1]);
+  EXPECT_EQ(sum(survey.quality), 2);
+  EXPECT_EQ(sum(survey.dihedral), 2);
+  EXPECT_EQ(survey.worst.size(), 2u);
+  for (const PoorTetrahedron& one : survey.worst) EXPECT_EQ(one.block, 0);
 }
 
 TEST(Histogram, HasBinsThatAreClosedBelowAndTheLastOneOnBothSides) {

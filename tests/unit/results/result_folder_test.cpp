@@ -221,11 +221,14 @@ TEST(ResultFolder, WhyABodyWasChosenComesBack) {
   BlockSystem system = example_system();
   system.blocks[0].body = BodyKind::rigid;
   system.blocks[0].body_reason = "hard rock, ä";
+  system.blocks[1].stands_on_corners = true;
   { const ResultWriter writer(temporary.path, example_project(), system, "{}"); }
   const ResultReader reader(temporary.path);
   EXPECT_EQ(reader.system().blocks[0].body, BodyKind::rigid);
   EXPECT_EQ(reader.system().blocks[0].body_reason, "hard rock, ä");
   EXPECT_EQ(reader.system().blocks[1].body_reason, "");
+  EXPECT_FALSE(reader.system().blocks[0].stands_on_corners);
+  EXPECT_TRUE(reader.system().blocks[1].stands_on_corners);
 }
 
 TEST(ResultFolder, TheCsvHeadersNameUnits) {

@@ -137,7 +137,8 @@ std::vector<BlockColumn> meshColumns(System system, std::shared_ptr<const MeshSu
   const auto quality = [survey](auto figure) {
     return [survey, figure](int block) -> std::optional<double> {
       if (!survey) return {};
-      return figure(survey->blocks[static_cast<std::size_t>(block)]);
+      const auto& rated = survey->blocks[static_cast<std::size_t>(block)];
+      return rated ? std::optional<double>(figure(*rated)) : std::nullopt;
     };
   };
   const auto ratio = [](double value) { return numbers::fixed(value, 3); };
