@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "rock.hpp"
+#include "voronoi_cells.hpp"
 
 // Convex solids whose blocks do not deform are cut as convex cells, without OpenCASCADE: the same promises as for all
 // others, and the same blocks.
@@ -11,18 +12,12 @@ using namespace rock;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-Cut set(const std::string& joint, double dip, double dip_direction, const Vec3& through, double spacing, int count) {
-  Cut made = cut(joint, dip, dip_direction, through);
-  made.spacing = spacing;
-  made.count = count;
-  return made;
-}
-
 Project cube(BodyKind body) {
   Project p = project();
   p.solids = {box("cube", {0, 0, 0}, {10, 10, 10})};
   p.solids[0].body = body;
-  p.cuts = {set("J1", 30, 70, {5, 5, 2}, 2, 3), set("J2", 80, 200, {5, 8, 5}, 2.5, 3), cut("J3", 70, 300, {4, 5, 5})};
+  p.cuts = {joint_set("J1", 30, 70, {5, 5, 2}, 2, 3), joint_set("J2", 80, 200, {5, 8, 5}, 2.5, 3),
+            cut("J3", 70, 300, {4, 5, 5})};
   return p;
 }
 
@@ -73,6 +68,88 @@ TEST(ConvexSolids, MayTouchAndNotOverlap) {
   p.solids[1].move = {0, 0, 0};
   p.solids[2].move = {0, 0, -1};
   EXPECT_THAT(error_of(p), HasSubstr("overlaps solid on top by 4 m³"));
+}
+
+/// m, middles of the block's triangles on the plane of a face.
+std::vector<Vec3> middles_on(const Block& block, const voronoi::Face& face) {
+  const Vec3 normal = (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[0]).normalized();
+  std::vector<Vec3> middles;
+  for (const SurfaceTriangle& triangle : block.surface) {
+    Vec3 sum = Vec3::Zero();
+    bool lies_on_it = true;
+    for (const int node : triangle.nodes) {
+      const Vec3& at = block.mesh.nodes[node];
+      sum += at;
+      lies_on_it = lies_on_it && std::abs(normal.dot(at - face.corners[0])) < 1e-7;
+    }
+    if (lies_on_it) middles.push_back(sum / 3);
+  }
+  return middles;
+}
+
+TEST(ConvexSolids, ThatFillABoxAsVoronoiCellsMatchFaceByFace) {
+  constexpr int count = 20;
+  const Vec3 sides(4, 3, 2);
+  const std::vector<voronoi::Cell> cells = voronoi::cells(sides, count, 5);
+  Project p = project();
+  for (int i = 0; i < count; ++i) {
+    p.solids.push_back(solid("cell " + std::to_string(i), voronoi::polyhedron(cells[i])));
+    p.solids.back().body = BodyKind::rigid;
+  }
+  const BlockSystem system = build(p);
+  expect_sound(system, sides.prod());
+  ASSERT_EQ(system.blocks.size(), static_cast<std::size_t>(count));
+  int inner = 0;
+  for (int i = 0; i < count; ++i) {
+    const Block& own = system.blocks[i];
+    EXPECT_EQ(own.mesh.nodes.size(), std::get<PolyhedronShape>(p.solids[i].shape).vertices.size() + 1)
+        << "corners and centroid: OpenCASCADE and gmsh had no part in it";
+    for (const voronoi::Face& face : cells[i]) {
+      const std::vector<Vec3> here = middles_on(own, face);
+      EXPECT_EQ(here.size(), face.corners.size() - 2);
+      if (face.across < 0) continue;
+      ++inner;
+      const std::vector<Vec3> there = middles_on(system.blocks[face.across], face);
+      EXPECT_EQ(here.size(), there.size());
+      for (const Vec3& middle : here)
+        EXPECT_TRUE(std::ranges::any_of(there, [&](const Vec3& other) { return (other - middle).norm() < 1e-9; }))
+            << own.name << " against " << system.blocks[face.across].name;
+    }
+  }
+  EXPECT_GT(inner, 100);
+}
+
+/// Of unit density about the origin: all on which the motion of an affine block depends.
+struct Moments {
+  double volume = 0;
+  Vec3 first = Vec3::Zero();
+  Mat3 second = Mat3::Zero();
+};
+
+Moments moments_of(const Block& block) {
+  Moments moments;
+  for (const auto& tetrahedron : block.mesh.tetrahedra) {
+    std::array<Vec3, 4> at;
+    for (std::size_t k = 0; k < 4; ++k) at[k] = block.mesh.nodes[tetrahedron[k]];
+    const double volume = (at[1] - at[0]).cross(at[2] - at[0]).dot(at[3] - at[0]) / 6;
+    const Vec3 sum = at[0] + at[1] + at[2] + at[3];
+    moments.volume += volume;
+    moments.first += volume * sum / 4;
+    moments.second += volume * sum * sum.transpose() / 20;
+    for (const Vec3& corner : at) moments.second += volume * corner * corner.transpose() / 20;
+  }
+  return moments;
+}
+
+TEST(ConvexSolids, HaveTheMassAndTheInertiaOfThoseThatAreMeshed) {
+  const BlockSystem affine = build(cube(BodyKind::affine)), meshed = build(cube(BodyKind::tetrahedra));
+  ASSERT_EQ(affine.blocks.size(), meshed.blocks.size());
+  for (std::size_t b = 0; b < affine.blocks.size(); ++b) {
+    const Moments own = moments_of(affine.blocks[b]), other = moments_of(meshed.blocks[b]);
+    EXPECT_NEAR(own.volume / other.volume, 1, 1e-12);
+    EXPECT_LT((own.first - other.first).norm(), 1e-12 * other.first.norm());
+    EXPECT_LT((own.second - other.second).norm(), 1e-12 * other.second.norm());
+  }
 }
 
 TEST(ConvexSolids, AreMeshedWhereABlockDeforms) {

@@ -120,13 +120,6 @@ void expect_an_estimate_right_to_a_fifth(const Project& p, const std::filesystem
   EXPECT_NEAR(mesh_estimate(p, system).nodes / estimate.nodes, 1, 0.05);
 }
 
-Cut joint_set(const char* joint, double dip, double dip_direction, const Vec3& through, double spacing, int count) {
-  Cut made = cut(joint, dip, dip_direction, through);
-  made.spacing = spacing;
-  made.count = count;
-  return made;
-}
-
 TEST(MeshEstimate, IsRightToAFifthForBlocksOfAQuarterOfAnEdgeToManyAcross) {
   Project p = project();
   p.solids = {box("cube", {0, 0, 0}, {10, 10, 10})};

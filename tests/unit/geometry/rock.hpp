@@ -53,6 +53,14 @@ inline Cut cut(const std::string& joint, double dip, double dip_direction, const
   return made;
 }
 
+inline Cut joint_set(const std::string& joint, double dip, double dip_direction, const Vec3& through, double spacing,
+                     int count) {
+  Cut made = cut(joint, dip, dip_direction, through);
+  made.spacing = spacing;
+  made.count = count;
+  return made;
+}
+
 inline BlockSystem build(const Project& project, const std::filesystem::path& folder = ".") {
   NoProgress nobody;
   return build_blocks(project, folder, nobody);
