@@ -89,6 +89,30 @@ double seconds_of(const BlockToMesh& block, const Counts& counts) {
   return block.stands_on_corners() ? a_block_of_corners : a_block + a_tetrahedron * counts.tetrahedra;
 }
 
+/// The mesher holds all that was cut, gmsh one block at a time, the program keeps them all.
+class Held {
+ public:
+  void add(const BlockToMesh& block, const Counts& counts) {
+    kept_ += counts.tetrahedra;
+    if (block.stands_on_corners()) {
+      cell_corners_ += block.corners;
+    } else {
+      corners_ += block.corners;
+      largest_ = std::max(largest_, counts.tetrahedra);
+    }
+  }
+  double bytes() const {
+    constexpr double of_gmsh = 45e6, of_opencascade = 30e6, a_corner = 7e3, a_corner_of_cells = 1e3, at_work = 550,
+                     kept = 60;
+    return of_gmsh + (corners_ > 0 ? of_opencascade : 0) + a_corner * corners_ + a_corner_of_cells * cell_corners_ +
+           at_work * largest_ + kept * kept_;
+  }
+
+ private:
+  double corners_ = 0, cell_corners_ = 0;
+  double largest_ = 0, kept_ = 0;  ///< tetrahedra
+};
+
 double unknowns_of(BodyKind body, double nodes) {
   switch (body) {
     case BodyKind::fixed:
@@ -178,20 +202,16 @@ BlockToMesh block_to_mesh(const Project& project, const Block& block, const Box&
 
 MeshEstimate mesh_estimate(std::span<const BlockToMesh> blocks, std::span<const MeshRefinement> refinements) {
   MeshEstimate estimate;
-  double largest = 0, corners = 0;
+  Held held;
   for (const BlockToMesh& block : blocks) {
-    corners += block.corners;
     const Counts counts = counts_of(block, refinements);
     estimate.tetrahedra += counts.tetrahedra;
     estimate.nodes += counts.nodes;
     estimate.unknowns += unknowns_of(block.body, counts.nodes);
     estimate.seconds += seconds_of(block, counts);
-    largest = std::max(largest, counts.tetrahedra);
+    held.add(block, counts);
   }
-  // The mesher holds all that was cut, gmsh one block at a time, the program keeps them all.
-  constexpr double bytes_of_gmsh = 75e6, bytes_of_a_corner = 7e3, bytes_at_work = 550, bytes_kept = 60;
-  estimate.bytes =
-      bytes_of_gmsh + bytes_of_a_corner * corners + bytes_at_work * largest + bytes_kept * estimate.tetrahedra;
+  estimate.bytes = held.bytes();
   return estimate;
 }
 
