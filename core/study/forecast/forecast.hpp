@@ -14,7 +14,7 @@ struct BlockSystem;
 struct Forecast {
   double seconds = 0;           ///< of the processor, on one thread: solving and writing
   double fewest = 0, most = 0;  ///< s between which `seconds` is thought to come out
-  double memory = 0;            ///< bytes that solving holds beside the blocks
+  double memory = 0;            ///< bytes that solving holds at most, beside the blocks
   long steps = 0;               ///< of the whole run, where no static stage ends sooner
   double share_seen = 0;        ///< of `seconds`, that was measured and not foreseen; 1: the run itself was made
   std::optional<double> error;  ///< of the displacements by step doubling, over the largest; empty: not known

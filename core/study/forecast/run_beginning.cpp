@@ -1,10 +1,9 @@
 #include "study/forecast/run_beginning.hpp"
 
-#include <malloc.h>
-
 #include <algorithm>
 
 #include "base/processor_time.hpp"
+#include "base/resident_memory.hpp"
 #include "base/temporary_folder.hpp"
 #include "io/project_file.hpp"
 #include "model/stage_length.hpp"
@@ -67,12 +66,6 @@ Project with_stages(Project project, const std::vector<Part>& parts) {
   return project;
 }
 
-/// Bytes that the program has asked for and not given back. (What the system holds for it also counts what was freed.)
-double memory_held() {
-  const auto held = mallinfo2();
-  return static_cast<double>(held.uordblks + held.hblkhd);
-}
-
 /// Times the steps until the budget is spent.
 class StepTimer final : public RunObserver {
  public:
@@ -84,9 +77,6 @@ class StepTimer final : public RunObserver {
     const Part& part = parts_[step.stage];
     if (part.counts) note(part, step, seconds);
     in_steps_ += seconds;
-    constexpr double last = 1 - 1e-9;
-    if (in_steps_ >= budget_ || fraction >= last)
-      memory_ = memory_held();  // looks at all that is held: too slow for every step
     progress_.report(std::max(in_steps_ / budget_, fraction), "");
     since_ = processor_seconds_of_thread();
   }
@@ -97,7 +87,6 @@ class StepTimer final : public RunObserver {
   }
 
   double in_steps() const { return in_steps_; }
-  double memory() const { return memory_; }
   std::vector<StageBeginning> take(bool completed) {
     for (const Part& part : parts_)
       if (part.is_end && part.of < static_cast<int>(stages_.size()))
@@ -116,7 +105,7 @@ class StepTimer final : public RunObserver {
   const std::vector<Part>& parts_;
   double budget_;
   Progress& progress_;
-  double since_ = 0, in_steps_ = 0, memory_ = 0;
+  double since_ = 0, in_steps_ = 0;
   std::vector<StageBeginning> stages_;
 };
 
@@ -124,7 +113,8 @@ RunBeginning run_parts(const Project& project, const BlockSystem& system, int st
                        Progress& progress) {
   const std::vector<Part> parts = parts_of(project, static_steps);
   const Project beginning = with_stages(project, parts);
-  const double memory_before = memory_held(), begin = processor_seconds_of_thread();
+  const bool counts = count_resident_memory_anew();
+  const double memory_before = resident_memory().now, begin = processor_seconds_of_thread();
   const TemporaryFolder folder;
   StepTimer timer(parts, budget, progress);
   const RunReport report = run(beginning, system, {folder.path() / "results", write_project(project), 1}, timer);
@@ -132,7 +122,8 @@ RunBeginning run_parts(const Project& project, const BlockSystem& system, int st
   const bool all_counts = std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.counts; });
   RunBeginning result;
   result.around = processor_seconds_of_thread() - begin - timer.in_steps();
-  result.memory = std::max(0.0, timer.memory() - memory_before);
+  const ResidentMemory memory = resident_memory();
+  result.memory = std::max(0.0, (counts ? memory.most : memory.now) - memory_before);
   result.whole = all_counts && report.status != RunStatus::stopped;
   if (result.whole) result.failure = report.reason;  // after long steps it may be theirs
   result.stages = timer.take(report.status == RunStatus::completed);

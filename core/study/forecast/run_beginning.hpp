@@ -26,7 +26,7 @@ struct StageBeginning {
 struct RunBeginning {
   std::vector<StageBeginning> stages;  ///< those that were reached
   double around = 0;                   ///< s of the processor, before the first step and after the last
-  double memory = 0;                   ///< bytes that were held when the last step was done, beside the blocks
+  double memory = 0;                   ///< bytes that were held at most, beside the blocks
   bool whole = false;                  ///< it is the run: nothing was left out
   std::string failure;                 ///< of the run, why it does not converge; empty: as far as was seen it does
 };

@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdio>
 
 #include "geometry/mesh_estimate.hpp"
 #include "rock.hpp"
+#include "support/in_a_child.hpp"
 
 // What the mesher holds at most, told before it is asked.
 namespace talus {
@@ -16,24 +15,12 @@ using namespace rock;
 
 /// Bytes that the mesher held at most. A child of the test starts it: its count is of that mesher alone.
 double bytes_held(const Project& project) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
-  const pid_t child = fork();
-  if (child == 0) {
+  return test::in_a_child([&] {
     build(project);
     rusage mesher{};
     getrusage(RUSAGE_CHILDREN, &mesher);
-    const double bytes = 1024.0 * static_cast<double>(mesher.ru_maxrss);
-    _exit(write(ends[1], &bytes, sizeof bytes) == sizeof bytes ? 0 : 1);
-  }
-  close(ends[1]);
-  double bytes = 0;
-  const bool told = read(ends[0], &bytes, sizeof bytes) == sizeof bytes;
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  if (!told || status != 0) throw std::runtime_error("the mesher was not measured");
-  return bytes;
+    return 1024.0 * static_cast<double>(mesher.ru_maxrss);
+  });
 }
 
 Project cut_cube(BodyKind body, double spacing, std::optional<double> size) {
