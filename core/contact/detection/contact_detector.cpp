@@ -311,7 +311,8 @@ bool ContactDetector::State::is_given(std::uint64_t key) const {
   return same != found.points.end() && same->key == key && !same->dropped;
 }
 
-std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts(std::span<const Vec3> end,
+std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts(std::span<const Vec3> start,
+                                                                                 std::span<const Vec3> end,
                                                                                  double reach, double tolerance) {
   State& s = *state_;
   s.missed.clear();
@@ -325,7 +326,10 @@ std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts
   for (const FoundPoint& point : s.ahead.points) {
     const double size = s.broad.size(point.bodies[0], point.bodies[1]), depth = -point.gap / size;
     if (point.dropped || depth < tolerance || s.is_given(point.key)) continue;
-    s.missed.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth, size});
+    double approach = 0;
+    for (int k = point.stencil_begin; k < point.stencil_end; ++k)
+      approach += s.ahead.weights[k] * point.normal.dot(start[s.ahead.nodes[k]] - end[s.ahead.nodes[k]]);
+    s.missed.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth, approach / size, size});
   }
   return s.missed;
 }

@@ -53,13 +53,13 @@ std::optional<ContactDetector::MissedContact> MissedContacts::seek(ContactDetect
   place_nodes(d);
   tell(detector);
   std::optional<ContactDetector::MissedContact> deepest;
-  for (const ContactDetector::MissedContact& contact : detector.missed_contacts(end_, reach, tolerance)) {
+  for (const ContactDetector::MissedContact& contact : detector.missed_contacts(set_.nodes.position, end_, reach, tolerance)) {
     if (deepest && contact.depth <= deepest->depth) continue;
     const double known = known_depth(contact, links, d);
-    // However deep others lie, one that is twice as deep as they may be was missed. What lies deeper than the bodies
-    // have come in this step lay there before it, and a shorter step would find it again.
-    const double came_in = (displacements_[contact.bodies[0]] + displacements_[contact.bodies[1]]) / contact.size;
-    if (contact.depth > tolerance + std::min(tolerance, known) && contact.depth <= known + came_in) deepest = contact;
+    // However deep others lie, one that is twice as deep as they may be was missed. What is deeper than the bodies have
+    // come nearer there in this step lay there before it, and a shorter step would find it again.
+    if (contact.depth > tolerance + std::min(tolerance, known) && contact.depth <= known + contact.approach)
+      deepest = contact;
   }
   tell(detector);
   return deepest;

@@ -34,7 +34,7 @@ class MissedContact : public ::testing::Test {
 
 TEST_F(MissedContact, WhatRotatesIntoAnotherIsFoundWithItsDepth) {
   scene_.detect(0.01);
-  const auto missed = scene_.detector().missed_contacts(end_, 0.5, 1e-3);
+  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, 0.5, 1e-3);
   ASSERT_FALSE(missed.empty());
   double deepest = 0;
   for (const ContactDetector::MissedContact& contact : missed) {
@@ -48,14 +48,14 @@ TEST_F(MissedContact, WhatRotatesIntoAnotherIsFoundWithItsDepth) {
 
 TEST_F(MissedContact, WhatTheStepKnowsAndWhatIsNotSoDeepIsNot) {
   ASSERT_FALSE(scene_.detect(0.2).points.empty());
-  EXPECT_TRUE(scene_.detector().missed_contacts(end_, 0.5, 1e-3).empty());
+  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, 0.5, 1e-3).empty());
   scene_.detect(0.01);
-  EXPECT_TRUE(scene_.detector().missed_contacts(end_, 0.5, 0.1).empty());
+  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, 0.5, 0.1).empty());
 }
 
 TEST_F(MissedContact, LookingAheadChangesNothingThatIsFoundAtTheStart) {
   const ContactSet before = scene_.detect(0.2);
-  scene_.detector().missed_contacts(end_, 0.5, 1e-3);
+  scene_.detector().missed_contacts(scene_.x, end_, 0.5, 1e-3);
   const ContactSet& after = scene_.detect(0.2);
   ASSERT_EQ(after.points.size(), before.points.size());
   for (std::size_t i = 0; i < before.points.size(); ++i) {
@@ -65,8 +65,8 @@ TEST_F(MissedContact, LookingAheadChangesNothingThatIsFoundAtTheStart) {
   }
 }
 
-/// A rigid cube 1 cm above a slab, or as deep in it, of which no contact is known; it goes down by `way` [m].
-std::optional<ContactDetector::MissedContact> missed_by(double height, double way) {
+/// A rigid cube `height` [m] above a slab, or in it, of which no contact is known; it goes by `way` [m].
+std::optional<ContactDetector::MissedContact> missed_by(double height, const Vec3& way) {
   const Project project = test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 1, {}}});
   const BlockSystem system =
       test::block_system({test::box_block("slab", Vec3(-3, -3, -1), Vec3(3, 3, 0), BodyKind::fixed),
@@ -86,19 +86,20 @@ std::optional<ContactDetector::MissedContact> missed_by(double height, double wa
   ContactLinks links(set, none);
   links.connect();
   Increment d = Increment::Zero(set.unknowns());
-  d.head<3>() = Vec3(0, 0, -way);
+  d.head<3>() = way;
   return MissedContacts(set).seek(detector, links, d, 0.1, 1e-3, 0);
 }
 
 TEST(MissedContacts, WhatComesInDuringAStepIsMissed) {
-  const auto missed = missed_by(0.01, 0.02);
+  const auto missed = missed_by(0.01, {0, 0, -0.02});
   ASSERT_TRUE(missed);
   EXPECT_NEAR(missed->depth * missed->size, 0.01, 1e-12);
 }
 
 TEST(MissedContacts, WhatLayDeeperBeforeItIsNot) {
-  EXPECT_FALSE(missed_by(-0.01, 0.005));
-  EXPECT_FALSE(missed_by(-0.01, 0));
+  EXPECT_FALSE(missed_by(-0.01, {0, 0, -0.005}));
+  EXPECT_FALSE(missed_by(-0.01, {0, 0, 0}));
+  EXPECT_FALSE(missed_by(-0.01, {0.03, 0.02, 0.001})) << "what slides along does not come in";
 }
 
 }  // namespace
