@@ -347,6 +347,17 @@ TEST_F(BlocksPage, HistogramCountsEveryTetrahedronOnceAndTheWorstAreShownInTheVi
   EXPECT_THAT(session->display.settings().places, IsEmpty());
 }
 
+TEST_F(BlocksPage, QualityOfTheMeshIsReadWithoutScrollingOnASmallScreen) {
+  cut(2);
+  window->resize(1280, 720);
+  session->display.goTo(WorkflowPage::mesh);
+  rest(50);
+  const auto& table = named<BlockTable>("mesh");
+  constexpr int mean = 4;  // after block, tetrahedra, worst and angle
+  ASSERT_EQ(table.model()->headerData(mean, Qt::Horizontal).toString(), QStringLiteral("Mean"));
+  EXPECT_LE(table.columnViewportPosition(mean) + table.columnWidth(mean), table.viewport()->width());
+}
+
 TEST_F(BlocksPage, MeshIsRefinedNearAPlaceAndWhatItWillComeToIsTold) {
   cut(2);
   session->display.goTo(WorkflowPage::mesh);

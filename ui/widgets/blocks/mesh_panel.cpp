@@ -18,7 +18,7 @@ namespace talus {
 
 namespace {
 
-constexpr int chart_width = 250, worst_width = 240;
+constexpr int chart_width = 210, worst_width = 240;  // leave the table five whole columns on the smallest screen
 /// Below these a tetrahedron is stiff, and a step of it small: limits that meshers commonly warn at.
 constexpr double poor_ratio = 0.2, poor_angle = 10;
 constexpr double reach = 2, finer = 0.5;  // of a refinement that is made, over the edges of the block
