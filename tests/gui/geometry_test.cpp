@@ -205,6 +205,26 @@ TEST_F(GeometryPage, ACornerOfASectionIsDraggedAndTakenBack) {
   EXPECT_EQ(std::get<SectionShape>(project().solids[2].shape).points, corners);
 }
 
+TEST_F(GeometryPage, CornersOfASectionAreSeenLightAndDark) {
+  window->open(slidingCube());
+  trigger(QStringLiteral("New bench in section"));
+  auto* editor = window->findChild<SectionEditor*>();
+  ASSERT_TRUE(editor && editor->isVisible());
+  SectionPlot& plot = editor->plot();
+  for (const bool dark : {false, true}) {
+    session->display.setDark(dark);
+    rest(50);
+    const QImage drawn = plot.grab().toImage();
+    const int ground = qGray(drawn.pixel(plot.width() - 3, 3));
+    int strongest = 0;
+    const QPoint corner = plot.pixelOf(plot.corners()[1]).toPoint();
+    for (int x = corner.x() - 6; x <= corner.x() + 6; ++x)
+      for (int y = corner.y() - 6; y <= corner.y() + 6; ++y)
+        strongest = std::max(strongest, std::abs(qGray(drawn.pixel(x, y)) - ground));
+    EXPECT_GT(strongest, 128) << "of 255, " << (dark ? "dark" : "light");
+  }
+}
+
 TEST_F(GeometryPage, ATunnelIsSubtractedFromABox) {
   window->open(
       write("rock.talus", R"({"talus": 1, "materials": {"rock": {"density": 2600, "young": 25e9, "poisson": 0.2}},

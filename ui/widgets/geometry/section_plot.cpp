@@ -174,7 +174,7 @@ void SectionPlot::drawProfile(QPainter& painter) const {
   QColor rock = refused_ ? c.error : c.rock;
   rock.setAlphaF(refused_ ? 0.15F : 0.55F);
   painter.setBrush(rock);
-  painter.setPen(QPen(refused_ ? c.error : c.edge, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(QPen(refused_ ? c.error : c.text, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(outline);
 }
 
@@ -184,7 +184,7 @@ void SectionPlot::drawHandles(QPainter& painter) const {
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const QPointF at = pixelOf(corners_[i]);
     const bool marked = static_cast<int>(i) == chosen_ || static_cast<int>(i) == under;
-    painter.setPen(QPen(marked ? c.pick : c.edge, marked ? 2 : 1.2));
+    painter.setPen(QPen(marked ? c.pick : c.text, marked ? 2 : 1.2));
     painter.setBrush(static_cast<int>(i) == chosen_ ? c.pick : c.raised);
     painter.drawRect(QRectF(at - QPointF(handle, handle), QSizeF(2 * handle, 2 * handle)));
   }
