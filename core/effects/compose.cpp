@@ -242,13 +242,15 @@ std::vector<EffectStatus> called_effects(const Project& project, const BlockSyst
   add(EffectKind::cohesion_and_tension, touching && any_joint(bonds), "bonds on " + joints_where(project, bonds),
       "no joint has cohesion or tensile strength");
   const bool given = any_joint(rebounds), moves = any_stage(StageKind::dynamic);
-  add(EffectKind::rebound, touching && moves && (given || rigid > 0),
+  const bool extras = project.solver.extras == Extras::called_for;
+  add(EffectKind::rebound, extras && touching && moves && (given || rigid > 0),
       given
           ? "restitution of " + joints_where(project, rebounds)
           : count(rigid, "rigid block stays", "rigid blocks stay") + " where a contact too stiff for the step stops it",
-      !touching ? "nothing can touch"
-      : !moves  ? "every stage is static"
-                : "no restitution given, and no block is rigid");
+      !extras     ? "the settings ask for nothing beyond the equations"
+      : !touching ? "nothing can touch"
+      : !moves    ? "every stage is static"
+                  : "no restitution given, and no block is rigid");
   add(EffectKind::damping, movable > 0 && damps(project), "a stage or a material asks for it",
       "no stage or material asks for it");
   return list;

@@ -2,13 +2,23 @@
 
 namespace talus {
 
+double NormalContact::force(int i, double gap) const {
+  const ContactPoint& point = links_.point(i);
+  if (!held_) return normal_force(point, gap);
+  return (*held_)[i].closed ? point.multiplier - point.normal_stiffness * gap : -point.tension;
+}
+
+bool NormalContact::has_spring(int i, double gap) const {
+  return held_ ? (*held_)[i].closed : resists_elastically(links_.point(i), gap);
+}
+
 double NormalContact::energy(const Increment& d) const {
   double sum = 0;
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
-    const double g = links_.gap(i, d), force = normal_force(point, g), k = point.normal_stiffness;
-    sum += resists_elastically(point, g) ? force * force / (2 * k)
-                                         : -force * g - force * force / (2 * k) + force * point.multiplier / k;
+    const double g = links_.gap(i, d), force = this->force(i, g), k = point.normal_stiffness;
+    sum += has_spring(i, g) ? force * force / (2 * k)
+                            : -force * g - force * force / (2 * k) + force * point.multiplier / k;
   }
   return sum;
 }
@@ -16,7 +26,7 @@ double NormalContact::energy(const Increment& d) const {
 void NormalContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const {
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
-    const double force = normal_force(point, links_.gap(i, d));
+    const double force = this->force(i, links_.gap(i, d));
     if (force != 0) links_.moves().add_force(i, d, -force * point.normal, arms, sum);
   }
 }
@@ -25,7 +35,7 @@ void NormalContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const 
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
     const double g = links_.gap(i, d);
-    if (resists_elastically(point, g) || touches(point, g, touching_))
+    if (has_spring(i, g) || (!held_ && touches(point, g, touching_)))
       links_.moves().add_spring(i, d, point.normal_stiffness * point.normal * point.normal.transpose(), sum);
   }
 }
@@ -34,9 +44,9 @@ void NormalContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBl
   if (!links_.moves().any_turns()) return;
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
-    const double force = normal_force(point, links_.gap(i, d));
+    const double force = this->force(i, links_.gap(i, d));
     if (force != 0) links_.moves().add_turning(i, d, -force * point.normal, arms, sum);
-    if (resists_elastically(point, links_.gap(i, d)))
+    if (has_spring(i, links_.gap(i, d)))
       links_.moves().add_lever_difference(i, d, point.normal_stiffness * point.normal * point.normal.transpose(), arms,
                                           sum);
   }
@@ -55,7 +65,7 @@ void NormalContact::accept(const Increment& d) {
   stored_ = 0;
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
-    const double force = normal_force(point, links_.gap(i, d));
+    const double force = this->force(i, links_.gap(i, d));
     if (force == 0 || point.let_go) continue;
     const double compression = (force - point.multiplier) / point.normal_stiffness;
     stored_ += 0.5 * point.normal_stiffness * compression * compression;
@@ -66,7 +76,7 @@ double NormalContact::work_on_held(const Increment& d) const {
   double sum = 0;
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
-    sum -= links_.moves().work_on_held(i, normal_force(point, links_.gap(i, d)) * point.normal);
+    sum -= links_.moves().work_on_held(i, force(i, links_.gap(i, d)) * point.normal);
   }
   return sum;
 }

@@ -3,6 +3,7 @@
 #include "contact/contact_law.hpp"
 #include "contact/contact_links.hpp"
 #include "effects/effect.hpp"
+#include "effects/held_contact.hpp"
 #include "model/solver_tolerances.hpp"
 
 namespace talus {
@@ -29,6 +30,8 @@ class NormalContact final : public Effect {
   void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   /// The Hessian takes contacts that are open by less than this fraction of their size for closed.
   void count_as_closed(double fraction) { touching_ = fraction; }
+  /// Until it is told null, points are as these say, one a point of the contact set: then Π is quadratic in D.
+  void hold(const std::vector<HeldContact>* held) { held_ = held; }
   /// Joins the degree-of-freedom blocks of points that may push while each of these goes on from D by a fraction of its
   /// own, 0 to 1, of `change`.
   void join_touching(const Increment& d, const Eigen::VectorXd& change, DisjointSets& together) const;
@@ -37,11 +40,15 @@ class NormalContact final : public Effect {
   double work_on_held(const Increment& d) const override;
 
  private:
+  double force(int point, double gap) const;  ///< N, compression positive
+  bool has_spring(int point, double gap) const;
+
   const ContactLinks& links_;
   EffectTolerances tolerances_;
   bool bonded_;
   const std::vector<int>& points_;
   double touching_ = 0;
+  const std::vector<HeldContact>* held_ = nullptr;
   double stored_ = 0;  ///< J, in the springs at the end of the last step
 };
 

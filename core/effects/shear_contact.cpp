@@ -21,9 +21,15 @@ void ShearContact::join_with_strength(DisjointSets& together) const {
     if (strength_[i] > 0) links_.moves().join_dof_blocks(i, together);
 }
 
+ContactMode ShearContact::mode(int i, const Increment& d) const {
+  if (strength_[i] == 0) return ContactMode::open;
+  return spring_force(i, d).norm() <= strength_[i] ? ContactMode::stick : ContactMode::slip;
+}
+
 Vec3 ShearContact::force(int i, const Increment& d) const {
-  if (strength_[i] == 0) return Vec3::Zero();
+  if (is_free(i)) return Vec3::Zero();
   const Vec3 spring = spring_force(i, d);
+  if (held_) return (*held_)[i].shear == ContactMode::stick ? spring : (*held_)[i].friction;
   const double length = spring.norm();
   return length <= strength_[i] ? spring : Vec3(strength_[i] / length * spring);
 }
@@ -31,22 +37,27 @@ Vec3 ShearContact::force(int i, const Increment& d) const {
 double ShearContact::energy(const Increment& d) const {
   double sum = 0;
   for (const int i : points_) {
+    if (held_ && (*held_)[i].shear != ContactMode::stick) {
+      sum -= (*held_)[i].friction.dot(links_.moves().increment(i, d));  // (37)
+      continue;
+    }
     const double length = spring_force(i, d).norm(), strength = strength_[i], k = links_.point(i).shear_stiffness;
-    sum += length <= strength ? length * length / (2 * k) : strength * length / k - strength * strength / (2 * k);
+    sum +=
+        held_ || length <= strength ? length * length / (2 * k) : strength * length / k - strength * strength / (2 * k);
   }
   return sum;
 }
 
 void ShearContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const {
   for (const int i : points_)
-    if (strength_[i] > 0) links_.moves().add_force(i, d, -force(i, d), arms, sum);
+    if (!is_free(i)) links_.moves().add_force(i, d, -force(i, d), arms, sum);
 }
 
 void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
-    const bool set_down = strength_[i] == 0 && touching_ > 0 && touches(point, links_.gap(i, d), touching_);
-    if (strength_[i] == 0 && !set_down) continue;
+    const bool set_down = !held_ && strength_[i] == 0 && touching_ > 0 && touches(point, links_.gap(i, d), touching_);
+    if (is_free(i) && !set_down) continue;
     const Mat3 stuck = point.shear_stiffness * (Mat3::Identity() - point.normal * point.normal.transpose());
     links_.moves().add_spring(i, d, set_down ? stuck : spring_at(i, d), sum);
   }
@@ -58,6 +69,7 @@ Mat3 ShearContact::spring_at(int i, const Increment& d) const {
   const Vec3 trial = spring_force(i, d);
   const double length = trial.norm();
   if (!slides(i, length)) return stuck;
+  if (held_) return Mat3::Zero();
   return strength_[i] / length * (stuck - point.shear_stiffness * trial * trial.transpose() / (length * length));
 }
 
@@ -79,14 +91,14 @@ bool ShearContact::let_slide(const Increment& d) {
 void ShearContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
   for (const int i : points_) {
     const ContactPoint& point = links_.point(i);
-    if (strength_[i] == 0) continue;
+    if (is_free(i)) continue;
     if (links_.moves().any_turns()) {
       links_.moves().add_turning(i, d, -force(i, d), arms, sum);
       links_.moves().add_lever_difference(i, d, spring_at(i, d), arms, sum);
     }
     const Vec3 trial = spring_force(i, d);
     const double length = trial.norm();
-    if (!slides(i, length) || !resists_elastically(point, links_.gap(i, d))) continue;
+    if (held_ || !slides(i, length) || !resists_elastically(point, links_.gap(i, d))) continue;
     const double growth = point.friction * point.normal_stiffness;  // N/m, of the strength as the gap closes
     links_.moves().add_spring(i, d, growth / length * trial * point.normal.transpose(), sum);
   }

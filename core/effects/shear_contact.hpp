@@ -3,6 +3,7 @@
 #include "contact/contact_law.hpp"
 #include "contact/contact_links.hpp"
 #include "effects/effect.hpp"
+#include "effects/held_contact.hpp"
 #include "model/solver_tolerances.hpp"
 
 namespace talus {
@@ -33,6 +34,10 @@ class ShearContact final : public Effect {
   /// their strength at `d`, although they are on the border of sticking. True if there are any.
   bool let_slide(const Increment& d);
   void stick() { slides_on_.clear(); }
+  /// Until it is told null, points are as these say, one a point of the contact set: then Π is quadratic in D.
+  void hold(const std::vector<HeldContact>* held) { held_ = held; }
+  /// What the law makes of a point at D, whose strength is known.
+  ContactMode mode(int point, const Increment& d) const;
   void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
   double stored_energy() const override { return stored_; }
@@ -61,10 +66,14 @@ class ShearContact final : public Effect {
 
  private:
   bool slides(int point, double spring_force) const {
+    if (held_) return (*held_)[point].shear == ContactMode::slip;
     return spring_force > strength_[point] || (!slides_on_.empty() && slides_on_[point]);
   }
   /// By how much the force falls as the point moves, in stick or in slip, its strength held [N/m].
   Mat3 spring_at(int point, const Increment& d) const;
+
+  /// Whether a point bears no shear.
+  bool is_free(int point) const { return held_ ? (*held_)[point].shear == ContactMode::open : strength_[point] == 0; }
 
   const ContactLinks& links_;
   EffectTolerances tolerances_;
@@ -72,6 +81,7 @@ class ShearContact final : public Effect {
   std::vector<double> strength_;  ///< N, a point of the contact set; zero where it does not resist shear
   std::vector<bool> slides_on_;   ///< a point of the contact set; empty: none
   double touching_ = 0;
+  const std::vector<HeldContact>* held_ = nullptr;
   double stored_ = 0;  ///< J, in the springs at the end of the last step
 };
 

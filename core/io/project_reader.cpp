@@ -391,7 +391,9 @@ void read_tolerance(const OrderedJson& object, double& tolerance) {
 }
 
 SolverSettings solver_from(const OrderedJson& value) {
-  SolverSettings solver;
+  Preset preset = Preset::talus;
+  read_word(value, "preset", preset, {Preset::talus, Preset::paper});
+  SolverSettings solver = settings_of(preset);
   read_word(value, "strain", solver.strain, {Strain::corotational, Strain::incremental});
   read_word(value, "integrator", solver.integrator,
             {Integrator::newmark, Integrator::constant_acceleration, Integrator::generalized_alpha});
@@ -400,7 +402,10 @@ SolverSettings solver_from(const OrderedJson& value) {
   read(value, "contact_stiffness", solver.contact_stiffness);
   read(value, "penetration_tolerance", solver.penetration_tolerance);
   read_tolerance(value, solver.tolerance);
+  read_word(value, "open_close", solver.open_close, {OpenCloseMethod::newton, OpenCloseMethod::states});
   read(value, "open_close_limit", solver.open_close_limit);
+  read_word(value, "static_inertia", solver.static_inertia, {StaticInertia::fading, StaticInertia::full});
+  read_word(value, "extras", solver.extras, {Extras::called_for, Extras::none});
   read(value, "sleep_tolerance", solver.sleep_tolerance);
   read_word(value, "time_step_control", solver.time_step_control, {TimeStepControl::fixed, TimeStepControl::adaptive});
   if (value.contains("adaptive")) solver.adaptive = adaptive_from(value.at("adaptive"));

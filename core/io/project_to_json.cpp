@@ -283,15 +283,20 @@ OrderedJson tolerance_json(double tolerance) {
 }
 
 OrderedJson json_from(const SolverSettings& solver) {
-  const SolverSettings usual;
-  OrderedJson json{{"strain", to_string(solver.strain)}};
+  const SolverSettings usual = settings_of(solver.preset);
+  OrderedJson json = OrderedJson::object();
+  write_word_unless_usual(json, "preset", solver.preset, Preset::talus);
+  if (json.empty() || solver.strain != usual.strain) json["strain"] = to_string(solver.strain);
   write_word_unless_usual(json, "integrator", solver.integrator, usual.integrator);
   write_unless_usual(json, "spectral_radius", solver.spectral_radius, usual.spectral_radius);
   write_word_unless_usual(json, "contact", solver.contact, usual.contact);
   write_unless_usual(json, "contact_stiffness", solver.contact_stiffness, usual.contact_stiffness);
   write(json, "penetration_tolerance", solver.penetration_tolerance);
   if (solver.tolerance != usual.tolerance) json["tolerance"] = tolerance_json(solver.tolerance);
+  write_word_unless_usual(json, "open_close", solver.open_close, usual.open_close);
   write_unless_usual(json, "open_close_limit", solver.open_close_limit, usual.open_close_limit);
+  write_word_unless_usual(json, "static_inertia", solver.static_inertia, usual.static_inertia);
+  write_word_unless_usual(json, "extras", solver.extras, usual.extras);
   write_unless_usual(json, "sleep_tolerance", solver.sleep_tolerance, usual.sleep_tolerance);
   write_word_unless_usual(json, "time_step_control", solver.time_step_control, usual.time_step_control);
   if (solver.adaptive != usual.adaptive) json["adaptive"] = json_from(solver.adaptive);

@@ -18,6 +18,19 @@ enum class ContactModel { area, facet_wise };
 
 enum class TimeStepControl { fixed, adaptive };
 
+/// Newton's method on the law of contacts, or the paper's open–close iteration, which holds their states for a round.
+enum class OpenCloseMethod { newton, states };
+
+/// Inertia of static steps: falling with what is out of balance, or the paper's, all of it.
+enum class StaticInertia { fading, full };
+
+/// What Talus does beyond the equations where a scene calls for it: impacts, sleep, springs that a step can follow,
+/// penalty scaling, updated normals, missed contacts, acceleration resets; or none of it.
+enum class Extras { called_for, none };
+
+/// Talus's own scheme, or the paper's, whole: what settings are that a project leaves out.
+enum class Preset { talus, paper };
+
 /// The words the project file uses.
 constexpr std::string_view to_string(Strain strain) {
   return strain == Strain::corotational ? "corotational" : "incremental";
@@ -37,6 +50,14 @@ constexpr std::string_view to_string(ContactModel model) { return model == Conta
 constexpr std::string_view to_string(TimeStepControl control) {
   return control == TimeStepControl::fixed ? "fixed" : "adaptive";
 }
+constexpr std::string_view to_string(OpenCloseMethod method) {
+  return method == OpenCloseMethod::newton ? "newton" : "states";
+}
+constexpr std::string_view to_string(StaticInertia inertia) {
+  return inertia == StaticInertia::fading ? "fading" : "full";
+}
+constexpr std::string_view to_string(Extras extras) { return extras == Extras::called_for ? "called_for" : "none"; }
+constexpr std::string_view to_string(Preset preset) { return preset == Preset::talus ? "talus" : "paper"; }
 
 /// How exactly a step is solved, by the names of the project file: the residual that is left over the largest force,
 /// and with it what friction strengths and impulses are off by.
@@ -60,6 +81,7 @@ struct AdaptiveSteps {
 };
 
 struct SolverSettings {
+  Preset preset = Preset::talus;  ///< what the settings below were before a project said otherwise
   Strain strain = Strain::corotational;
   Integrator integrator = Integrator::newmark;
   double spectral_radius = 0.8;  ///< of generalized_alpha at infinite frequency, 0 … 1
@@ -70,12 +92,21 @@ struct SolverSettings {
   /// own.
   std::optional<double> penetration_tolerance;
   double tolerance = reference_tolerance.value;  ///< residual over the largest force at which a step has converged
-  int open_close_limit = 160;                    ///< iterations before the step is cut
+  OpenCloseMethod open_close = OpenCloseMethod::newton;
+  int open_close_limit = 160;  ///< iterations before the step is cut
+  StaticInertia static_inertia = StaticInertia::fading;
+  Extras extras = Extras::called_for;
   double sleep_tolerance =
       1e-9;  ///< 1/s: blocks slower than this times their mesh size sleep in dynamic stages; 0: none
   TimeStepControl time_step_control = TimeStepControl::fixed;
   AdaptiveSteps adaptive;
   bool operator==(const SolverSettings&) const = default;
 };
+
+/// Sets what a preset decides: the scheme. Stiffness, tolerances and the length of steps stay.
+void adopt(Preset preset, SolverSettings& settings);
+
+/// The settings of a project that names a preset and says nothing else.
+SolverSettings settings_of(Preset preset);
 
 }  // namespace talus

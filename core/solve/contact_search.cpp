@@ -23,7 +23,7 @@ void seek_and_wake(SimulationState& s, double length) {
     changed = true;
   }
   if (changed) account_for_awake_bodies(s);
-  if (s.dynamic())
+  if (s.extras() && s.dynamic())
     s.followed_springs.limit(s.project, s.adaptive() ? length : s.clock.next_length(), s.dynamic_penetration(),
                              s.contacts);
 }
@@ -45,6 +45,7 @@ std::vector<std::pair<int, int>> couplings_of_contacts(const SimulationState& s)
 }  // namespace
 
 void seek_contacts(SimulationState& s, double length) {
+  s.open_close.release_states();
   double prescribed = 0;
   for (const int b : s.bodies.driven)
     prescribed = std::max(prescribed, s.bodies.nodes.prescribed[s.bodies.bodies[b].first_node].norm());

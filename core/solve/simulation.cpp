@@ -116,7 +116,10 @@ bool try_step(SimulationState& s, double start, double length, StepReport& repor
     detect_contacts(s, length);
     if (!s.anything_moves()) return true;  // the last ones have fallen asleep
     set_up(s);
-    s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
+    if (s.project.solver.open_close == OpenCloseMethod::states)
+      s.increment.setZero();  // a linear system is solved from anywhere
+    else
+      s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
     const OpenCloseResult result = converge(s);
     const bool good = check(s, result, report);
     if (!retry_with_more_inertia(s, good)) return good;
@@ -213,11 +216,13 @@ void accept(SimulationState& s, StepReport& report) {
 void remember_step(SimulationState& s, StepReport& report) {
   const StepMeasure measured = measure(s, 0);
   report.time_error = std::max(report.time_error, measured.time_error);
-  if (!s.dynamic()) s.pseudo_transient.accept(measured.displacement, s.open_close.residual().static_residual());
+  if (!s.dynamic() && s.project.solver.static_inertia == StaticInertia::fading)
+    s.pseudo_transient.accept(measured.displacement, s.open_close.residual().static_residual());
   for (const auto& effect : s.composition.effects) effect->accept(s.increment);
   s.detector.accept(s.contacts, s.outcomes.outcomes());
   s.acceleration_reset.note_contact_forces(s.bodies, s.contacts, s.outcomes.outcomes());
-  if (s.dynamic() && s.context.integration.carries_acceleration()) s.acceleration_reset.drop_after_blows(s.bodies);
+  if (s.extras() && s.dynamic() && s.context.integration.carries_acceleration())
+    s.acceleration_reset.drop_after_blows(s.bodies);
 }
 
 void move_bodies(SimulationState& s, StepReport& report) {

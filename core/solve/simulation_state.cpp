@@ -70,12 +70,12 @@ SimulationState::SimulationState(const Project& p, const BlockSystem& s, const T
       outcomes(tolerances.contact_outcome),
       clock(p.stages, tolerances.step.time_rounding),
       control(p.solver.adaptive, half_height(bodies), smallest_size, tolerances.step_control),
-      open_close(tolerances, p.solver.open_close_limit),
+      open_close(tolerances, p.solver.open_close_limit, p.solver.open_close),
       first_guess(tolerances.first_guess),
       pseudo_transient(tolerances.pseudo_transient),
       acceleration_reset(bodies, tolerances.acceleration_reset),
       followed_springs(bodies, tolerances.followed_spring),
-      sleep(sizes_of(surfaces), p.solver.sleep_tolerance, tolerances.sleep),
+      sleep(sizes_of(surfaces), extras() ? p.solver.sleep_tolerance : 0, tolerances.sleep),
       stress(bodies, composition),
       troubles(p, s, bodies, contacts) {
   for (const Monitor& monitor : p.monitors) {

@@ -31,8 +31,9 @@ struct SimulationState {
 
   bool adaptive() const { return project.solver.time_step_control == TimeStepControl::adaptive; }
   bool augmented() const { return project.solver.penetration_tolerance.has_value(); }
-  bool dynamic() const { return context.dynamic_factor > 0; }  ///< is the stage?
-  double dynamic_penetration() const;                          ///< of h, that contacts of a dynamic stage may have
+  bool extras() const { return project.solver.extras == Extras::called_for; }  ///< beyond the equations
+  bool dynamic() const { return context.dynamic_factor > 0; }                  ///< is the stage?
+  double dynamic_penetration() const;  ///< of h, that contacts of a dynamic stage may have
   bool anything_moves() const { return bodies.nodes.movable > 0; }
 
   const Project& project;

@@ -19,7 +19,7 @@ int inverted_element(const SimulationState& s) {
 
 std::optional<ContactDetector::MissedContact> missed_contact(SimulationState& s) {
   const double longest = s.project.stages[s.clock.stage()].time_step;
-  if (!s.dynamic() || s.context.length < s.tolerances.step.shortest_recheck * longest) return {};
+  if (!s.extras() || !s.dynamic() || s.context.length < s.tolerances.step.shortest_recheck * longest) return {};
   const double tolerance = s.dynamic_penetration();
   const Stopwatch watch(s.detect_seconds);
   return s.missed_contacts.seek(s.detector, s.links, s.increment, s.reach, tolerance, tolerance * s.smallest_size);

@@ -20,6 +20,7 @@ bool correct_contacts(SimulationState& s) {
   const std::optional<double>& asked = s.project.solver.penetration_tolerance;
   // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
   if (s.dynamic()) {
+    if (!s.extras()) return false;
     const double tolerance = s.dynamic_penetration();
     const auto as_given = asked ? std::span<const Joint>() : s.project.joints;
     return update_normals(s, tolerance) ||
@@ -31,7 +32,7 @@ bool correct_contacts(SimulationState& s) {
 }
 
 bool correct_accelerations(SimulationState& s) {
-  return s.dynamic() && s.context.integration.carries_acceleration() &&
+  return s.extras() && s.dynamic() && s.context.integration.carries_acceleration() &&
          s.acceleration_reset.reset_to_end(s.bodies, s.context, s.increment);
 }
 

@@ -1194,6 +1194,38 @@
         <source>adaptive</source>
         <translation>angepasst</translation>
     </message>
+    <message>
+        <source>paper</source>
+        <translation>Aufsatz</translation>
+    </message>
+    <message>
+        <source>talus</source>
+        <translation>Talus</translation>
+    </message>
+    <message>
+        <source>newton</source>
+        <translation>Newton</translation>
+    </message>
+    <message>
+        <source>states</source>
+        <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>fading</source>
+        <translation>schwindend</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>volle</translation>
+    </message>
+    <message>
+        <source>called_for</source>
+        <translation>was die Szene verlangt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
 </context>
 <context>
     <name>counted</name>
@@ -2900,6 +2932,38 @@
     <message>
         <source>force that a step leaves out of balance on a block, over the largest force on it: draft (1e-3), standard (1e-6), reference (1e-10, when absent), or a number from 1e-12 to 0.01</source>
         <translation>Kraft, die ein Schritt an einem Block unausgeglichen lässt, bezogen auf die größte Kraft an ihm: grob (1e-3), üblich (1e-6), fein (1e-10, wenn nichts dasteht) oder eine Zahl von 1e-12 bis 0,01</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>what the settings are that a project leaves out: talus (when absent), or paper, the paper&apos;s own scheme as a whole</source>
+        <translation>was gilt, wo das Projekt nichts sagt: Talus (wenn nichts dasteht) oder Aufsatz, das Verfahren des Aufsatzes als Ganzes</translation>
+    </message>
+    <message>
+        <source>Open–close</source>
+        <translation>Öffnen–Schließen</translation>
+    </message>
+    <message>
+        <source>newton (when absent), or states, the paper&apos;s own: rounds in which contacts keep their states</source>
+        <translation>Newton (wenn nichts dasteht) oder Zustände, wie im Aufsatz: Runden, in denen Kontakte ihren Zustand behalten</translation>
+    </message>
+    <message>
+        <source>Static inertia</source>
+        <translation>Statische Trägheit</translation>
+    </message>
+    <message>
+        <source>inertia of static steps: fading with what is out of balance (when absent), or full, the paper&apos;s own</source>
+        <translation>Trägheit statischer Schritte: schwindend mit dem, was unausgeglichen ist (wenn nichts dasteht), oder volle, wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Beyond the equations</source>
+        <translation>Über die Gleichungen hinaus</translation>
+    </message>
+    <message>
+        <source>impacts, sleep, updated normals and whatever else is beyond the equations: as called_for by the scene (when absent), or none, as in the paper</source>
+        <translation>Stöße, Schlaf, nachgeführte Normalen und was sonst über die Gleichungen hinausgeht: was die Szene verlangt (wenn nichts dasteht) oder keine, wie im Aufsatz</translation>
     </message>
 </context>
 <context>

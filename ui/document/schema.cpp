@@ -51,6 +51,15 @@ Json memberRule(const Json& rule, const std::string& key) {
   return {};
 }
 
+void setDefault(Json& member, const std::string& key, const Json& objectRule, const Json& object) {
+  const Json properties = objectRule.value("properties", Json::object());
+  for (const auto& [choice, rule] : properties.items()) {
+    if (!rule.contains("sets") || !object.contains(choice)) continue;
+    const Json set = rule.at("sets").value(object.at(choice).get<std::string>(), Json::object());
+    if (set.contains(key)) member["default"] = set.at(key);
+  }
+}
+
 Json ruleOf(const Place& place) {
   if (place.empty()) return root();
   const Place above = place.parent_pointer();

@@ -13,7 +13,8 @@
 /// "slope.2"; `quantity`: as NAME.displacement.z), `sharesNames` (lists whose things have no name in common),
 /// `named` (words that stand for numbers),
 /// `identifies` (the name of the thing itself), `variant` (what the choice of `oneOf` is about), `presets` (named sets
-/// of values) and `file` (the text is a path to such files). `examples` are what a new thing begins with.
+/// of values), `sets` (what becomes the default of other fields by the choice in this one) and `file` (the text is a
+/// path to such files). `examples` are what a new thing begins with.
 namespace talus::schema {
 
 using Json = nlohmann::ordered_json;
@@ -34,6 +35,9 @@ QString withinSentence(const QString& title);
 
 /// The rule of a member of what `rule` describes, resolved; null where there is none.
 Json memberRule(const Json& rule, const std::string& key);
+
+/// Gives the rule of a member the default that a choice in the object sets for it (`sets`).
+void setDefault(Json& memberRule, const std::string& key, const Json& objectRule, const Json& object);
 
 enum class Kind {
   constant,

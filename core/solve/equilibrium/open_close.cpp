@@ -83,7 +83,46 @@ const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
   return direction_;
 }
 
+void OpenClose::release_states() {
+  if (composition_) states_.release(*composition_);
+}
+
+OpenCloseResult OpenClose::converge_by_states(Increment& d) {
+  OpenCloseResult result;
+  residual_.evaluate(d, Friction::coupled);
+  states_.begin(*composition_, tolerances_.first_closing, d);
+  residual_.evaluate(d, Friction::coupled);
+  while (result.iterations < iteration_limit_) {
+    ++result.iterations;
+    assemble(d, 0);
+    linear_.outdate();  // solved exactly
+    unsymmetric_.set_zero();
+    residual_.add_unsymmetric(d, unsymmetric_);
+    linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), 0, direction_);
+    start_ = d;
+    part_ = -direction_;
+    composition_->bodies->advance(start_, part_, d);
+    residual_.evaluate(d, Friction::coupled);
+    result.residual = residual_.norm();
+    result.force_scale = residual_.force_scale();
+    if (!std::isfinite(result.residual)) return result;
+    const double rounding = std::max(tolerances_.rounding_residual * result.force_scale,
+                                     tolerances_.rounding_factor * residual_.rounding());
+    const bool balances = result.residual <= rounding;  // of blocks that turn a round is one iteration
+    const bool same = states_.judge(*composition_, d);
+    // (36) takes friction from the iteration before: the first one has that of the last step alone.
+    const bool friction_is_of_this_step = result.iterations > 1 || !states_.any_slides();
+    result.converged = same && balances && friction_is_of_this_step;
+    if (result.converged) return result;
+    states_.take_judged();
+    residual_.evaluate(d, Friction::coupled);
+  }
+  result.worst_dof_block = worst_dof_block();
+  return result;
+}
+
 OpenCloseResult OpenClose::converge(Increment& d) {
+  if (method_ == OpenCloseMethod::states) return converge_by_states(d);
   OpenCloseResult result;
   Progress progress(tolerances_);
   int newton_iterations = 0;  // since the start, or since the last fallback

@@ -5,6 +5,7 @@
 
 #include "linear/linear_system.hpp"
 #include "model/solver_settings.hpp"
+#include "solve/equilibrium/contact_states.hpp"
 #include "solve/equilibrium/interior_point.hpp"
 #include "solve/equilibrium/partwise_line_search.hpp"
 #include "solve/equilibrium/step_residual.hpp"
@@ -32,9 +33,11 @@ struct OpenCloseResult {
 /// Where a few iterations do not converge, frozen friction alone is tried for a while, then the interior-point method.
 class OpenClose {
  public:
-  explicit OpenClose(const SolverTolerances& tolerances = {}, int iteration_limit = SolverSettings{}.open_close_limit)
+  explicit OpenClose(const SolverTolerances& tolerances = {}, int iteration_limit = SolverSettings{}.open_close_limit,
+                     OpenCloseMethod method = OpenCloseMethod::newton)
       : tolerances_(tolerances.convergence),
         iteration_limit_(iteration_limit),
+        method_(method),
         residual_(tolerances.convergence),
         linear_({.tolerance = tolerances.convergence.gmres, .limit = tolerances.convergence.gmres_limit}),
         search_(tolerances.convergence),
@@ -52,6 +55,8 @@ class OpenClose {
   /// Iterates from the first guess `d` to the increment, which it leaves there. The bodies and contacts stand at the
   /// start of a step.
   OpenCloseResult converge(Increment& d);
+  /// Contacts are about to be found anew: none is held in a state any more.
+  void release_states();
   /// Norm of the gradient at D [N].
   double residual_at(const Increment& d);
   /// Accelerations a₀ [m/s²] at the start of a stage, 3 numbers a movable node: (M + βΔ²K/(1 − α_m)) a₀ balances all
@@ -80,6 +85,9 @@ class OpenClose {
   /// What may be left in one part without searching further [N].
   double negligible_residual() const;
 
+  /// The paper's iteration, section 3: rounds in each of which contacts keep their states and friction is that of the
+  /// last round (36), so that the step is one linear system; until a round leaves the states as they were.
+  OpenCloseResult converge_by_states(Increment& d);
   /// One iteration of Newton's method. `early`: contacts may close together, at the price of a larger residual.
   void iterate(Increment& d, bool early);
   /// A full increment that closes contacts may leave a far larger residual, and the next one nearly none.
@@ -107,6 +115,8 @@ class OpenClose {
   Composition* composition_ = nullptr;
   ConvergenceTolerances tolerances_;
   int iteration_limit_;
+  OpenCloseMethod method_;
+  ContactStates states_;  ///< of the paper's method
   StepResidual residual_;
   UnsymmetricBlocks unsymmetric_;
   LinearSystem linear_;

@@ -77,6 +77,27 @@ TEST(Schema, ReadySettingsAreSettings) {
   }
 }
 
+TEST(Schema, APresetSetsTheDefaultsThatTheProgramTakes) {
+  Json project = Json::parse(test::small_project);
+  project["solver"] = {{"preset", "paper"}};
+  const Json rule = schema::ruleOf(Place("/solver"));
+  Json whole = project;
+  int set = 0;
+  for (const auto& [key, value] : rule.at("properties").at("preset").at("sets").at("paper").items()) {
+    Json member = schema::memberRule(rule, key);
+    schema::setDefault(member, key, rule, project["solver"]);
+    EXPECT_EQ(member.at("default"), value) << key;
+    whole["solver"][key] = value;
+    ++set;
+  }
+  EXPECT_EQ(set, 7);
+  EXPECT_EQ(parse_project(project.dump()).solver, parse_project(whole.dump()).solver);
+  EXPECT_EQ(parse_project(project.dump()).solver, settings_of(Preset::paper));
+  Json member = schema::memberRule(rule, "extras");
+  schema::setDefault(member, "extras", rule, Json{{"preset", "talus"}});
+  EXPECT_EQ(member.at("default"), "called_for");
+}
+
 TEST(Edits, ANewThingIsOneThatAProjectMayHold) {
   for (const char* list : {"materials", "joints", "solids", "cuts", "blocks", "interfaces", "constraints", "loads",
                            "velocities", "in_situ", "stages", "monitors"}) {
@@ -153,7 +174,8 @@ TEST(Things, ThatAreNamedByOthersAreNotDeleted) {
     things::remove(document, {Item::Kind::material, 0});
     FAIL() << "deleted";
   } catch (const InputError& error) {
-    EXPECT_EQ(error.problem(), "material soft rock is used by solid slope, solid hill, solid bore, solid bench, 1 more");
+    EXPECT_EQ(error.problem(),
+              "material soft rock is used by solid slope, solid hill, solid bore, solid bench, 1 more");
   }
   things::remove(document, {Item::Kind::expectation, 0});
   EXPECT_EQ(document.project().expect.size(), 1u);

@@ -203,6 +203,28 @@ TEST_F(Derivatives, ShearContactSliding) {
   test::expect_derivatives(shear, d_, 1e-6, 1e-6);
 }
 
+TEST_F(Derivatives, ContactHeldInAState) {
+  for (const double gap : {-0.05, 0.02}) {  // whether it is closed or open there
+    Touching touching(set_, contact(gap));
+    touching.shear.update_strength(d_);
+    std::vector<HeldContact> held(1);
+    held[0].closed = true;
+    held[0].friction = touching.contacts.points[0].normal.unitOrthogonal() * 1e6;
+    touching.normal.hold(&held);
+    touching.shear.hold(&held);
+    test::expect_derivatives(touching.normal, d_, 1e-4, 1e-8);
+    for (const ContactMode shear : {ContactMode::stick, ContactMode::slip}) {
+      held[0].shear = shear;
+      test::expect_derivatives(touching.shear, d_, 1e-4, 1e-8);
+    }
+    held[0] = {};
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d_.size());
+    touching.normal.add_gradient(d_, Arms::end, gradient);
+    touching.shear.add_gradient(d_, Arms::end, gradient);
+    EXPECT_EQ(gradient.norm(), 0) << "it is held open";
+  }
+}
+
 TEST_F(Derivatives, NormalContactWithAMultiplier) {
   ContactSet contacts = contact(0.004);
   contacts.points[0].multiplier = 5e7;

@@ -128,9 +128,10 @@ TEST(ProjectRoundTrip, StagesAndTheirChangesAreRead) {
 
 TEST(ProjectRoundTrip, SolverSettingsAreRead) {
   SolverSettings solver;
+  solver.preset = Preset::paper;
   solver.integrator = Integrator::generalized_alpha;
   solver.spectral_radius = 0.6;
-  solver.contact = ContactModel::facet_wise;
+  solver.contact = ContactModel::area;
   solver.contact_stiffness = 12.5;
   solver.sleep_tolerance = 1e-7;
   solver.penetration_tolerance = 1e-6;
@@ -139,6 +140,23 @@ TEST(ProjectRoundTrip, SolverSettingsAreRead) {
   solver.time_step_control = TimeStepControl::adaptive;
   solver.adaptive = {0.01, 1e-5, 6, 0.01};
   EXPECT_EQ(parse_project(full_project).solver, solver);
+}
+
+TEST(ProjectRoundTrip, APresetSetsWhatTheProjectLeavesOut) {
+  const auto with = [](const std::string& solver) {
+    return parse_project(replaced(small_project, "\"materials\"", "\"solver\": " + solver + ", \"materials\""));
+  };
+  const Project paper = with(R"({"preset": "paper"})");
+  EXPECT_EQ(paper.solver, settings_of(Preset::paper));
+  EXPECT_EQ(paper.solver.open_close, OpenCloseMethod::states);
+  EXPECT_EQ(paper.solver.open_close_limit, 6);
+  EXPECT_EQ(paper.solver.extras, Extras::none);
+  const Project own =
+      with(R"({"preset": "paper", "contact": "area", "strain": "corotational", "extras": "called_for"})");
+  EXPECT_EQ(own.solver.contact, ContactModel::area);
+  EXPECT_EQ(own.solver.integrator, Integrator::constant_acceleration);
+  for (const Project& project : {paper, own}) EXPECT_EQ(parse_project(write_project(project)).solver, project.solver);
+  EXPECT_EQ(with(R"({"preset": "talus"})").solver, SolverSettings{});
 }
 
 TEST(ProjectRoundTrip, AToleranceIsANameOrANumber) {

@@ -58,7 +58,9 @@ QString FieldSite::absent() const {
 }
 
 FieldSite FieldSite::member(const std::string& key) const {
-  return {context, place / key, schema::memberRule(rule, key), schema::isOptional(rule, key)};
+  Json own = schema::memberRule(rule, key);
+  if (value() && !own.is_null()) schema::setDefault(own, key, rule, *value());
+  return {context, place / key, std::move(own), schema::isOptional(rule, key)};
 }
 
 FieldSite FieldSite::element(std::size_t index) const {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "contact/contact_point.hpp"
+
+namespace talus {
+
+/// What a contact point does for a round of the paper's open–close iteration, section 3: its springs are there or not,
+/// and where it slides a constant force takes the place of the shear spring.
+struct HeldContact {
+  bool closed = false;                    ///< the normal spring is there, (29)–(31)
+  ContactMode shear = ContactMode::open;  ///< no force; the shear spring (34)(35); friction (36)–(40)
+  Vec3 friction = Vec3::Zero();           ///< N, on the first body where it slides
+
+  bool same_state(const HeldContact& other) const { return closed == other.closed && shear == other.shear; }
+};
+
+}  // namespace talus

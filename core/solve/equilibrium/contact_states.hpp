@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "effects/compose.hpp"
+
+namespace talus {
+
+/// The states in which the paper's open–close iteration holds contacts for a round, section 3: open, stick or slide.
+class ContactStates {
+ public:
+  /// Holds contacts in the states of the end of the last step, with the friction of its forces; new ones stick where
+  /// they are open by less than `touching` of their size. The strengths at D = `start` are known.
+  void begin(const Composition& composition, double touching, const Increment& start);
+  /// Judges the states anew at D, where strengths are known: closed where d_n > 0 (30), sliding where the shear spring
+  /// would bear F_n tan φ or more (33). Friction is taken there (36), against the shear displacement on the common
+  /// plane. Whether all states are those that are held.
+  bool judge(const Composition& composition, const Increment& d);
+  /// Whether some contact was judged to slide.
+  bool any_slides() const;
+  /// Holds what was judged last.
+  void take_judged() { held_.swap(judged_); }
+  /// Holds none.
+  void release(const Composition& composition) const;
+
+ private:
+  std::vector<HeldContact> held_, judged_;
+};
+
+}  // namespace talus
