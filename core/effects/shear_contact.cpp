@@ -26,10 +26,16 @@ ContactMode ShearContact::mode(int i, const Increment& d) const {
   return spring_force(i, d).norm() <= strength_[i] ? ContactMode::stick : ContactMode::slip;
 }
 
+Vec3 ShearContact::turned(int i, const Increment& d) const {
+  const HeldContact& held = (*held_)[i];
+  const Vec3 along = held.friction.normalized(), spring = spring_force(i, d);
+  return held.across * (spring - along * along.dot(spring));
+}
+
 Vec3 ShearContact::force(int i, const Increment& d) const {
   if (is_free(i)) return Vec3::Zero();
   const Vec3 spring = spring_force(i, d);
-  if (held_) return (*held_)[i].shear == ContactMode::stick ? spring : (*held_)[i].friction;
+  if (held_) return (*held_)[i].shear == ContactMode::stick ? spring : (*held_)[i].friction + turned(i, d);
   const double length = spring.norm();
   return length <= strength_[i] ? spring : Vec3(strength_[i] / length * spring);
 }
@@ -38,7 +44,9 @@ double ShearContact::energy(const Increment& d) const {
   double sum = 0;
   for (const int i : points_) {
     if (held_ && (*held_)[i].shear != ContactMode::stick) {
-      sum -= (*held_)[i].friction.dot(links_.moves().increment(i, d));  // (37)
+      const HeldContact& held = (*held_)[i];
+      sum -= held.friction.dot(links_.moves().increment(i, d));  // (37)
+      if (held.across > 0) sum += turned(i, d).squaredNorm() / (2 * held.across * links_.point(i).shear_stiffness);
       continue;
     }
     const double length = spring_force(i, d).norm(), strength = strength_[i], k = links_.point(i).shear_stiffness;
@@ -69,7 +77,10 @@ Mat3 ShearContact::spring_at(int i, const Increment& d) const {
   const Vec3 trial = spring_force(i, d);
   const double length = trial.norm();
   if (!slides(i, length)) return stuck;
-  if (held_) return Mat3::Zero();
+  if (held_) {
+    const Vec3 along = (*held_)[i].friction.normalized();
+    return (*held_)[i].across * (stuck - point.shear_stiffness * along * along.transpose());
+  }
   return strength_[i] / length * (stuck - point.shear_stiffness * trial * trial.transpose() / (length * length));
 }
 

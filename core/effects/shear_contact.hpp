@@ -69,6 +69,8 @@ class ShearContact final : public Effect {
     if (held_) return (*held_)[point].shear == ContactMode::slip;
     return spring_force > strength_[point] || (!slides_on_.empty() && slides_on_[point]);
   }
+  /// Force across the held friction of a point that slides: what friction gains as it turns with the sliding [N].
+  Vec3 turned(int point, const Increment& d) const;
   /// By how much the force falls as the point moves, in stick or in slip, its strength held [N/m].
   Mat3 spring_at(int point, const Increment& d) const;
 

@@ -135,6 +135,7 @@ std::vector<Entry> entries() {
             {"negligible_system", &G::negligible_system},
             {"work_of_residual", &G::work_of_residual},
             {"first_closing", &G::first_closing},
+            {"friction_settled", &G::friction_settled},
             {"hard_step", &G::hard_step},
             {"newton_iterations", &G::newton_iterations},
             {"closing_iterations", &G::closing_iterations},

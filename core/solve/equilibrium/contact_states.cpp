@@ -1,7 +1,5 @@
 #include "solve/equilibrium/contact_states.hpp"
 
-#include <algorithm>
-
 #include "contact/contact_law.hpp"
 
 namespace talus {
@@ -13,9 +11,12 @@ void hold(const Composition& composition, const std::vector<HeldContact>* held) 
   if (composition.shear) composition.shear->hold(held);
 }
 
-/// F_t against the displacement that the spring feels [N].
-Vec3 friction(const ShearContact& shear, int point, const Increment& d) {
-  return shear.strength(point) * shear.spring_force(point, d).normalized();
+/// F_t against the displacement that the spring feels. Where a step slides a block less far than friction could push
+/// it, a direction that is held as well would overshoot and come out reversed, further with each round.
+void take_friction(const ShearContact& shear, int point, const Increment& d, HeldContact& held) {
+  const Vec3 spring = shear.spring_force(point, d);
+  held.friction = shear.strength(point) * spring.normalized();
+  held.across = shear.strength(point) / spring.norm();
 }
 
 }  // namespace
@@ -36,12 +37,12 @@ void ContactStates::begin(const Composition& composition, double touching, const
       const bool slid = point.mode == ContactMode::slip && composition.shear->strength(i) > 0 &&
                         composition.shear->spring_force(i, start).norm() > 0;
       if (held_[i].closed) held_[i].shear = slid ? ContactMode::slip : ContactMode::stick;
-      if (slid) held_[i].friction = friction(*composition.shear, i, start);
+      if (slid) take_friction(*composition.shear, i, start, held_[i]);
     }
   hold(composition, &held_);
 }
 
-bool ContactStates::judge(const Composition& composition, const Increment& d) {
+bool ContactStates::judge(const Composition& composition, const Increment& d, double settled) {
   judged_.assign(held_.size(), {});
   bool same = true;
   for (std::size_t i = 0; i < held_.size(); ++i) {
@@ -51,14 +52,13 @@ bool ContactStates::judge(const Composition& composition, const Increment& d) {
   if (composition.shear)
     for (const int i : composition.links->contacts().sheared) {
       judged_[i].shear = composition.shear->mode(i, d);
-      if (judged_[i].shear == ContactMode::slip) judged_[i].friction = friction(*composition.shear, i, d);
+      if (judged_[i].shear != ContactMode::slip) continue;
+      take_friction(*composition.shear, i, d, judged_[i]);
+      const Vec3 change = judged_[i].friction - composition.shear->force(i, d);
+      same = same && change.norm() <= settled * composition.shear->strength(i);
     }
   for (std::size_t i = 0; i < held_.size(); ++i) same = same && judged_[i].same_state(held_[i]);
   return same;
-}
-
-bool ContactStates::any_slides() const {
-  return std::any_of(judged_.begin(), judged_.end(), [](const HeldContact& c) { return c.shear == ContactMode::slip; });
 }
 
 void ContactStates::release(const Composition& composition) const { hold(composition, nullptr); }

@@ -14,10 +14,9 @@ class ContactStates {
   void begin(const Composition& composition, double touching, const Increment& start);
   /// Judges the states anew at D, where strengths are known: closed where d_n > 0 (30), sliding where the shear spring
   /// would bear F_n tan φ or more (33). Friction is taken there (36), against the shear displacement on the common
-  /// plane. Whether all states are those that are held.
-  bool judge(const Composition& composition, const Increment& d);
-  /// Whether some contact was judged to slide.
-  bool any_slides() const;
+  /// plane. Whether all states are those that are held, and friction is by no more than `settled` of its strength
+  /// another than what the round bore.
+  bool judge(const Composition& composition, const Increment& d, double settled);
   /// Holds what was judged last.
   void take_judged() { held_.swap(judged_); }
   /// Holds none.

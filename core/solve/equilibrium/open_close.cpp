@@ -109,10 +109,7 @@ OpenCloseResult OpenClose::converge_by_states(Increment& d) {
     const double rounding = std::max(tolerances_.rounding_residual * result.force_scale,
                                      tolerances_.rounding_factor * residual_.rounding());
     const bool balances = result.residual <= rounding;  // of blocks that turn a round is one iteration
-    const bool same = states_.judge(*composition_, d);
-    // (36) takes friction from the iteration before: the first one has that of the last step alone.
-    const bool friction_is_of_this_step = result.iterations > 1 || !states_.any_slides();
-    result.converged = same && balances && friction_is_of_this_step;
+    result.converged = states_.judge(*composition_, d, tolerances_.friction_settled) && balances;
     if (result.converged) return result;
     states_.take_judged();
     residual_.evaluate(d, Friction::coupled);

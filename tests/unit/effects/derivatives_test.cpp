@@ -210,6 +210,7 @@ TEST_F(Derivatives, ContactHeldInAState) {
     std::vector<HeldContact> held(1);
     held[0].closed = true;
     held[0].friction = touching.contacts.points[0].normal.unitOrthogonal() * 1e6;
+    held[0].across = 0.4;
     touching.normal.hold(&held);
     touching.shear.hold(&held);
     test::expect_derivatives(touching.normal, d_, 1e-4, 1e-8);
