@@ -44,16 +44,16 @@ class ContactDetector {
   /// A contact that detect() could not give: as its features stand at the start, none could touch there.
   struct MissedContact {
     int bodies[2];
-    Vec3 position;  ///< m, on the first body
+    Vec3 position;    ///< m, on the first body
     double depth;     ///< of the mesh size
     double approach;  ///< of the mesh size: by so much the two came nearer there, against the normal
     double size;      ///< m, the mesh size
   };
   /// Contacts deeper than `tolerance` of their mesh size once the nodes have gone from `start` to `end` [m], other than
-  /// those that detect() gave last; vertex–vertex contacts are not looked for, nor is anything in the facet-wise model. Motion
-  /// must be told of before, with settings for that, and again if the nodes go back.
+  /// those that detect() gave last; vertex–vertex contacts are not looked for, nor is anything in the facet-wise model.
+  /// Motion must be told of before, with settings for that, and again if the nodes go back.
   std::span<const MissedContact> missed_contacts(std::span<const Vec3> start, std::span<const Vec3> end, double reach,
-                                                double tolerance);
+                                                 double tolerance);
 
   /// No node of the body moved by more than `displacement` [m] since this was said last, or since the start: for
   /// settings with `motion_told`, once for every body that moved at all before detect() sees its new positions. Fixed

@@ -53,7 +53,8 @@ std::optional<ContactDetector::MissedContact> MissedContacts::seek(ContactDetect
   place_nodes(d);
   tell(detector);
   std::optional<ContactDetector::MissedContact> deepest;
-  for (const ContactDetector::MissedContact& contact : detector.missed_contacts(set_.nodes.position, end_, reach, tolerance)) {
+  for (const ContactDetector::MissedContact& contact :
+       detector.missed_contacts(set_.nodes.position, end_, reach, tolerance)) {
     if (deepest && contact.depth <= deepest->depth) continue;
     const double known = known_depth(contact, links, d);
     // However deep others lie, one that is twice as deep as they may be was missed. What is deeper than the bodies have

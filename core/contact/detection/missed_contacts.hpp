@@ -18,9 +18,9 @@ class MissedContacts {
   /// The deepest contact at the end of a step that has converged to the increment `d`, if it is deeper, by more than
   /// `tolerance` of its mesh size, than the deepest of those that the step knows between the same two blocks. Of the
   /// latter no more than `tolerance` counts, else the error of one contact would hide the next. None is deeper than
-  /// those by more than the two have come nearer there. Contacts are looked for only if a node of some block goes `least_rotation`
-  /// [m] or more against the mean of its block: without that, no feature comes into contact all of a sudden. `reach`
-  /// [m]: as for detect() of this step. The detector is told of the motion to the end and back.
+  /// those by more than the two have come nearer there. Contacts are looked for only if a node of some block goes
+  /// `least_rotation` [m] or more against the mean of its block: without that, no feature comes into contact all of a
+  /// sudden. `reach` [m]: as for detect() of this step. The detector is told of the motion to the end and back.
   std::optional<ContactDetector::MissedContact> seek(ContactDetector& detector, const ContactLinks& links,
                                                      const Increment& d, double reach, double tolerance,
                                                      double least_rotation);
