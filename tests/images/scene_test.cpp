@@ -180,6 +180,28 @@ TEST(SceneImage, ATroubleIsLookedAtAndItsMarkGoesWithItsBlock) {
   expect_baseline(draw_image(scene, width, height));
 }
 
+/// Edges of the slope run below the blocks on it, which fill this part of the picture.
+TEST(SceneImage, EdgesOfWhatIsSelectedAreNotSeenThroughWhatIsBefore) {
+  const BlockSystem slope = jointed_slope();
+  Scene scene(slope, {});
+  scene.set_frame(slid(slope, 14, 45));
+  scene.set_pose(scene.pose_at(two_troubles(slope)[0]));
+  const Image without = draw_image(scene, width, height);
+  scene.set_selected({0});
+  const Image with = draw_image(scene, width, height);
+  const auto differ = [&](int left, int right, int top, int bottom) {
+    int count = 0;
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x) {
+        const std::size_t i = 3 * (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x));
+        count += std::abs(with.rgb[i] - without.rgb[i]) > 40 ? 1 : 0;
+      }
+    return count;
+  };
+  EXPECT_EQ(differ(300, 380, 250, 310), 0);
+  EXPECT_GT(differ(0, width, 0, height), 50) << "its other edges are seen";
+}
+
 TEST(SceneImage, SmallTopViewWithHiddenBlocks) {
   const BlockSystem boxes = two_boxes();
   Scene scene(boxes);

@@ -77,23 +77,32 @@ double spacing_of_lines(const BlockSurface& surface, bool sharp) {
 /// Opacity of lines that are so many pixels apart. What they cover of the rock is their width over their spacing: near
 /// to each other they fade faster than they grow dense, and small facets show the rock, not the lines around them.
 double strength_of_lines(double spacing) {
-  constexpr double apart = 3;  // pixels; triangles of three times as much a side
+  constexpr double apart = 3.5;  // pixels; triangles of three times as much a side
   const double fraction = std::min(1.0, spacing / apart);
   return fraction * fraction;
 }
 
 constexpr double thinnest_line = 1.05;  // pixels; a thinner one passes between their centres and looks dashed
 
-/// Lines lie on faces: they are drawn as if a little nearer, `lift` depth steps, or half of each would vanish.
-void add_lines(vtkRenderer& renderer, vtkPolyData& lines, vtkActor& actor, int lift) {
+/// Lines lie on faces: half a pixel beside one a face that is seen at a flat angle is nearer to the viewer than the
+/// line, and would hide it. So lines are drawn as if nearer by some `pixels`: that shows none through the rock, however
+/// near or far it is.
+void bring_nearer(vtkActor& lines, double pixels, const Vec3& pixel) {
+  const Vec3 by = pixels * pixel;
+  lines.SetPosition(by.x(), by.y(), by.z());
+}
+
+void add_lines(vtkRenderer& renderer, vtkPolyData& lines, vtkActor& actor) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&lines);
   mapper->ScalarVisibilityOff();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-lift, -lift);
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -1);
   actor.SetMapper(mapper);
   actor.GetProperty()->SetLighting(false);
   renderer.AddActor(&actor);
 }
+
+constexpr double lift_of_edges = 1.5, lift_of_marks = 2.5;  // pixels: faces at up to 70° to the view; marks on edges
 
 }  // namespace
 
@@ -119,8 +128,8 @@ BlockActors::BlockActors(BlockSurface surface, const Vec3& origin)
 
 void BlockActors::add_to(vtkRenderer& renderer) {
   renderer.AddActor(face_actor_);
-  add_lines(renderer, *sharp_edges_, *sharp_edge_actor_, 2);
-  add_lines(renderer, *mesh_lines_, *mesh_actor_, 2);
+  add_lines(renderer, *sharp_edges_, *sharp_edge_actor_);
+  add_lines(renderer, *mesh_lines_, *mesh_actor_);
 }
 
 void BlockActors::move(std::span<const Vec3> displacement, double scale, double explosion) {
@@ -233,11 +242,11 @@ void BlockActors::colour_by_values(std::span<const double> values, bool at_nodes
   mapper_->SetScalarRange(low, high);
 }
 
-void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour, double metres_per_pixel) {
+void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour, const Vec3& pixel) {
   if (mesh_edges > 0) show_mesh_lines();
   const auto draw = [&](vtkActor& actor, bool wanted, double spacing) {
     constexpr double seen = 0.02;
-    const double strength = strength_of_lines(spacing / metres_per_pixel);
+    const double strength = strength_of_lines(spacing / pixel.norm());
     actor.SetVisibility(wanted && strength > seen);
     actor.GetProperty()->SetOpacity(strength);
   };
@@ -245,7 +254,10 @@ void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour, 
   draw(*mesh_actor_, mesh_edges > 0, mesh_spacing_);
   sharp_edge_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, block_edges)));
   mesh_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, mesh_edges)));
-  for (vtkActor* actor : {sharp_edge_actor_.Get(), mesh_actor_.Get()}) set_colour(*actor->GetProperty(), colour);
+  for (vtkActor* actor : {sharp_edge_actor_.Get(), mesh_actor_.Get()}) {
+    set_colour(*actor->GetProperty(), colour);
+    bring_nearer(*actor, lift_of_edges, pixel);
+  }
 }
 
 Highlight::Highlight(const Parts& parts) : parts_(parts) {
@@ -264,7 +276,7 @@ Highlight::Highlight(const Parts& parts) : parts_(parts) {
 void Highlight::add_to(vtkRenderer& renderer) {
   for (Layer& layer : layers_) {
     renderer.AddActor(layer.face_actor);
-    add_lines(renderer, *layer.lines, *layer.line_actor, 20);
+    add_lines(renderer, *layer.lines, *layer.line_actor);
   }
 }
 
@@ -303,7 +315,7 @@ void Highlight::mark(std::span<const int> blocks, const Chosen& chosen) {
   }
 }
 
-void Highlight::style(Rgb colour, double line_width, double tint) {
+void Highlight::style(Rgb colour, double line_width, double tint, const Vec3& pixel) {
   for (Layer& layer : layers_) {
     const bool marks = layer.faces->GetNumberOfPolys() > 0;
     set_colour(*layer.face_actor->GetProperty(), colour);
@@ -312,6 +324,7 @@ void Highlight::style(Rgb colour, double line_width, double tint) {
     layer.face_actor->SetVisibility(marks && tint > 0);
     layer.line_actor->SetVisibility(marks);
     layer.line_actor->GetProperty()->SetLineWidth(static_cast<float>(line_width));
+    bring_nearer(*layer.line_actor, lift_of_marks, pixel);
   }
 }
 

@@ -51,8 +51,8 @@ class BlockActors {
   /// behind them get the table's colour for no value.
   void colour_by_values(std::span<const double> values, bool at_nodes, vtkLookupTable& table, double low, double high);
   /// Line widths in pixels; 0 leaves those edges out. Lines that lie closer than a few pixels are drawn paler, and
-  /// not at all in the end, or they would cover what they lie on.
-  void draw_edges(double block_edges, double mesh_edges, Rgb colour, double metres_per_pixel);
+  /// not at all in the end, or they would cover what they lie on. `pixel`: towards the viewer, as long as a pixel [m].
+  void draw_edges(double block_edges, double mesh_edges, Rgb colour, const Vec3& pixel);
 
  private:
   void fill_thinned();
@@ -87,7 +87,8 @@ class Highlight {
   /// Marks the triangles of a block that are chosen.
   using Chosen = std::function<bool(const BlockSurface& surface, const BlockSurface::Triangle& triangle)>;
   void mark(int block, const Chosen& chosen);
-  void style(Rgb colour, double line_width, double tint);
+  /// `pixel`: as for draw_edges.
+  void style(Rgb colour, double line_width, double tint, const Vec3& pixel);
 
  private:
   void mark(std::span<const int> blocks, const Chosen& chosen);

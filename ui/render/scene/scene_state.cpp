@@ -280,16 +280,18 @@ void Scene::State::apply_lines() {
   const Rgb edge = mix(c.edge, c.rock, 0.25);
   const double thin = std::max(0.9 * unit, 1.2);  // thinner ones break up into dots
   const double wide = settings.edges == Edges::none ? 0 : thin, fine = settings.edges == Edges::mesh ? 0.45 * unit : 0;
+  const CameraPose camera = pose();
+  const Vec3 pixel = metres_per_pixel() * (camera.position - camera.focal_point).normalized();
   for (BlockActors* part : {&fixed, &movable}) {
     // Very many lines of the mesh wait until nothing moves.
     const bool waits = !settings.fine && part->surface().edges.size() > most_lines_in_motion;
-    part->draw_edges(wide, waits ? 0 : fine, edge, metres_per_pixel());
+    part->draw_edges(wide, waits ? 0 : fine, edge, pixel);
   }
-  concern.style(c.warn, 1.6 * unit, field_values.empty() ? 0.12 : 0);
-  selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0);  // a tint would falsify a field's colours
-  hover.style(c.pick, unit, 0);
+  concern.style(c.warn, 1.6 * unit, field_values.empty() ? 0.12 : 0, pixel);
+  selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0, pixel);  // a tint would falsify a field's colours
+  hover.style(c.pick, unit, 0, pixel);
   joints.style(1.4 * unit);
-  face.style(c.pick, 2 * unit, 0.35);
+  face.style(c.pick, 2 * unit, 0.35, pixel);
   const bool with_contacts = !contact_dots.empty();
   contacts.show(with_contacts ? std::span<const ContactSample>(frame->contacts) : std::span<const ContactSample>(),
                 contact_dots, origin, 7 * unit);
