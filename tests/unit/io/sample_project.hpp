@@ -93,8 +93,9 @@ inline const std::string full_project = R"(// A slope above a road.
      "blocks": [{"name": "top", "body": "tetrahedra"}]}
   ],
   "solver": {
+    "strain": "corotational", // said before the preset: the paper's is none for soft rock
     "preset": "paper", "open_close": "newton", "static_inertia": "fading", "extras": "called_for",
-    "strain": "corotational", "integrator": "generalized-alpha", "spectral_radius": 0.6,
+    "integrator": "generalized-alpha", "spectral_radius": 0.6,
     "contact": "area", "contact_stiffness": 12.5, "penetration_tolerance": 1e-6, "tolerance": "standard", "open_close_limit": 8, "sleep_tolerance": 1e-7,
     "time_step_control": "adaptive",
     "adaptive": {"displacement_limit": 0.01, "error_limit": 1e-5, "iterations": 6, "shortest": 0.01} // of time_step
