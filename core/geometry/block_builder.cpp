@@ -47,6 +47,7 @@ MesherCut job_cut(const Project& project, std::size_t index) {
   job.may_miss = cut.network.has_value();
   return job;
 }
+
 MesherJob make_job(const Project& project, const std::filesystem::path& folder) {
   MesherJob job;
   job.solids = mesher_solids(project.solids, project.origin, folder);

@@ -18,11 +18,14 @@ int material_named(const Project& project, const std::string& name) {
   return static_cast<int>(found - project.materials.begin());  // it exists: the project has been validated
 }
 
+bool corners_suffice_for(const Project& project, const MesherCutBlock& cut, BodyKind body) {
+  return corners_suffice(body, project.solids[static_cast<std::size_t>(cut.solid)], override_of(project, cut),
+                         cut.of_cells);
+}
+
 /// False where its faces are curved: it is meshed to the usual size then.
 bool stands_on_corners(const Project& project, const MesherCutBlock& cut, BodyKind body) {
-  return cut.coarsest_size != cut.usual_size &&
-         corners_suffice(body, project.solids[static_cast<std::size_t>(cut.solid)], override_of(project, cut),
-                         cut.of_cells);
+  return cut.coarsest_size != cut.usual_size && corners_suffice_for(project, cut, body);
 }
 
 Block described_block(const Project& project, const MesherCutBlock& cut, const BodyChooser& chooser) {
@@ -73,8 +76,7 @@ std::vector<BlockToMesh> blocks_to_mesh(const Project& project, const MesherCutM
   std::vector<BlockToMesh> wanted;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const MesherCutBlock& shape = cut.blocks[b];
-    const bool coarse = corners_suffice(blocks[b].body, project.solids[static_cast<std::size_t>(shape.solid)],
-                                        override_of(project, shape), shape.of_cells);
+    const bool coarse = corners_suffice_for(project, shape, blocks[b].body);
     wanted.push_back({blocks[b].body, coarse ? shape.coarsest_size : shape.usual_size, !coarse, shape.volume,
                       shape.area, shape.min, shape.max, shape.of_cells, static_cast<double>(shape.corners)});
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "geometry/block_description.hpp"
+#include "model/polyhedron.hpp"
 #include "model/solid_shape.hpp"
 #include "orientation/drawn_planes.hpp"
 #include "orientation/joint_outline.hpp"
@@ -13,20 +14,12 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-/// By Newell's method, which an almost flat face suffices for.
-Vec3 normal_of(const PolyhedronShape& shape, const std::vector<int>& face) {
-  const auto at = [&](std::size_t k) -> const Vec3& { return shape.vertices[static_cast<std::size_t>(face[k])]; };
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 1; k + 1 < face.size(); ++k) sum += (at(k) - at(0)).cross(at(k + 1) - at(0));
-  return sum.normalized();
-}
-
 /// But for coordinates of five digits.
 bool is_convex(const PolyhedronShape& shape, const Box& box) {
   constexpr double rounding = 1e-5;
   const double reach = rounding * box.sizes().maxCoeff();
   return std::ranges::all_of(shape.faces, [&](const std::vector<int>& face) {
-    const Vec3 normal = normal_of(shape, face);
+    const Vec3 normal = doubled_area(shape, face).normalized();
     const double front = normal.dot(shape.vertices[static_cast<std::size_t>(face.front())]) + reach;
     return std::ranges::all_of(shape.vertices, [&](const Vec3& vertex) { return normal.dot(vertex) <= front; });
   });

@@ -27,17 +27,6 @@ double largest_extent(const PolyhedronShape& shape) {
   return (high - low).maxCoeff();
 }
 
-/// Newell's normal: length is twice the area, stable for polygons of any shape. Taken about the first vertex so
-/// that a model far from the origin loses no digits.
-Vec3 doubled_area(const PolyhedronShape& shape, const std::vector<int>& face) {
-  const Vec3 origin = shape.vertices[face[0]];
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-    sum += (shape.vertices[face[i]] - origin).cross(shape.vertices[face[i + 1]] - origin);
-  }
-  return sum;
-}
-
 void check_vertices(const PolyhedronShape& shape, const Place& place) {
   require(shape.vertices.size() >= 4, place / "vertices",
           "a polyhedron needs at least 4 vertices, has " + std::to_string(shape.vertices.size()),
@@ -112,6 +101,15 @@ void check_closed(const PolyhedronShape& shape, const Place& place) {
 }
 
 }  // namespace
+
+Vec3 doubled_area(const PolyhedronShape& shape, const std::vector<int>& face) {
+  const Vec3 origin = shape.vertices[face[0]];
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+    sum += (shape.vertices[face[i]] - origin).cross(shape.vertices[face[i + 1]] - origin);
+  }
+  return sum;
+}
 
 double signed_volume(const PolyhedronShape& shape) {
   const Vec3 origin = shape.vertices.front();

@@ -7,15 +7,10 @@
 #include "geometry/block_builder.hpp"
 #include "io/project_file.hpp"
 #include "run/run.hpp"
+#include "support/silent_observer.hpp"
 
 namespace talus {
 namespace {
-
-struct Nobody final : RunObserver {
-  void on_step(const StepReport&, const HistoryRow&, double) override {}
-  void on_frame(std::shared_ptr<const Frame>) override {}
-  bool go_on() override { return true; }
-};
 
 /// What is foreseen of a sample against what its run then takes, both in the processor's time of one thread.
 class ForecastOfSample : public ::testing::TestWithParam<const char*> {};
@@ -29,9 +24,9 @@ TEST_P(ForecastOfSample, IsWithin30PercentOfTheRun) {
   constexpr double budget = 4;
   const Forecast said = forecast(project, system, budget, progress);
   const TemporaryFolder results;
-  Nobody nobody;
+  SilentObserver observer;
   const double begin = processor_seconds_of_thread();
-  run(project, system, {results.path() / "results", write_project(project), 1}, nobody);
+  run(project, system, {results.path() / "results", write_project(project), 1}, observer);
   const double measured = processor_seconds_of_thread() - begin;
   std::printf("| `%s` | %.3g | %.3g to %.3g | %.3g | %.2f | %.0f %% | %.2g |\n", name.c_str(), said.seconds,
               said.fewest, said.most, measured, said.seconds / measured, 100 * said.share_seen, said.forecast_seconds);

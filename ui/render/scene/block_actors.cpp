@@ -61,17 +61,17 @@ std::vector<Vec3> ways_to_blocks(const BlockSurface& surface, const Vec3& origin
   return ways;
 }
 
-/// m, the area of all faces over the length of the lines on them; infinite where there are none.
-double spacing_of_lines(const BlockSurface& surface, bool sharp) {
+LineSpacings spacings_of_lines(const BlockSurface& surface) {
   const auto at = [&](int vertex) -> const Vec3& { return surface.rest[static_cast<std::size_t>(vertex)]; };
-  double length = 0, area = 0;
+  double at_bends = 0, of_mesh = 0, area = 0;
   for (const BlockSurface::Edge& edge : surface.edges)
-    if (edge.sharp == sharp) length += (at(edge.vertices[0]) - at(edge.vertices[1])).norm();
+    (edge.sharp ? at_bends : of_mesh) += (at(edge.vertices[0]) - at(edge.vertices[1])).norm();
   for (const BlockSurface::Triangle& triangle : surface.triangles) {
     const auto& [a, b, c] = triangle.vertices;
     area += (at(b) - at(a)).cross(at(c) - at(a)).norm() / 2;
   }
-  return length > 0 ? area / length : std::numeric_limits<double>::infinity();
+  const auto over = [&](double length) { return length > 0 ? area / length : std::numeric_limits<double>::infinity(); };
+  return {over(at_bends), over(of_mesh)};
 }
 
 /// Opacity of lines that are so many pixels apart. What they cover of the rock is their width over their spacing: near
@@ -111,8 +111,7 @@ BlockActors::BlockActors(BlockSurface surface, const Vec3& origin)
       origin_(origin),
       from_origin_(ways_to_blocks(surface_, origin)),
       positions_(surface_.rest),
-      edge_spacing_(spacing_of_lines(surface_, true)),
-      mesh_spacing_(spacing_of_lines(surface_, false)) {
+      spacings_(spacings_of_lines(surface_)) {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   points_->SetDataTypeToDouble();
   for (vtkPolyData* data : {faces_.Get(), thinned_faces_.Get(), sharp_edges_.Get(), mesh_lines_.Get()})
@@ -250,8 +249,8 @@ void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour, 
     actor.SetVisibility(wanted && strength > seen);
     actor.GetProperty()->SetOpacity(strength);
   };
-  draw(*sharp_edge_actor_, block_edges > 0, edge_spacing_);
-  draw(*mesh_actor_, mesh_edges > 0, mesh_spacing_);
+  draw(*sharp_edge_actor_, block_edges > 0, spacings_.at_bends);
+  draw(*mesh_actor_, mesh_edges > 0, spacings_.of_mesh);
   sharp_edge_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, block_edges)));
   mesh_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, mesh_edges)));
   for (vtkActor* actor : {sharp_edge_actor_.Get(), mesh_actor_.Get()}) {

@@ -20,6 +20,12 @@ class vtkRenderer;
 
 namespace talus {
 
+/// m, the area of all faces over the length of the lines on them, of those at bends and of the others; infinite where
+/// there are none.
+struct LineSpacings {
+  double at_bends, of_mesh;
+};
+
 /// Faces and edges of some blocks as VTK draws them. A new frame moves the points and nothing else.
 class BlockActors {
  public:
@@ -66,7 +72,7 @@ class BlockActors {
   std::vector<bool> shown_;  ///< a block
   std::vector<int> drawn_;   ///< triangles that are shown, in the order of the cells
   bool has_mesh_lines_ = false;
-  double edge_spacing_, mesh_spacing_;  ///< m, of the lines at bends and of the others
+  LineSpacings spacings_;
   vtkNew<vtkPoints> points_;
   std::vector<Face> thinned_;
   vtkNew<vtkPolyData> faces_, thinned_faces_, sharp_edges_, mesh_lines_;

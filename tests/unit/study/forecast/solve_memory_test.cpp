@@ -9,16 +9,11 @@
 #include "run/run.hpp"
 #include "study/forecast/run_beginning.hpp"
 #include "support/in_a_child.hpp"
+#include "support/silent_observer.hpp"
 
 // What solving holds at most, told before, against what a run then holds.
 namespace talus {
 namespace {
-
-struct Nobody final : RunObserver {
-  void on_step(const StepReport&, const HistoryRow&, double) override {}
-  void on_frame(std::shared_ptr<const Frame>) override {}
-  bool go_on() override { return true; }
-};
 
 /// A cube on a slab, cut `count` times each way.
 Project cut_cube(BodyKind body, int count, double size, int steps) {
@@ -71,7 +66,7 @@ void expect_told_ahead(const char* what, const Project& project) {
   const double held = test::in_a_child([&] {
     const double before = resident_memory().now;
     const TemporaryFolder results;
-    Nobody observer;
+    SilentObserver observer;
     run(project, system, {results.path() / "results", write_project(project), 1}, observer);
     return resident_memory().most - before;
   });
