@@ -8,7 +8,7 @@ namespace talus {
 
 namespace {
 
-constexpr double length = 1, width = 0.6, thick = 0.03, slope = 65;  // m, m, m, degrees
+constexpr double card_length = 1, card_width = 0.6, thick = 0.03, slope = 65;  // m, m, m, degrees
 
 /// Pairs of cards that lean on each other, tip to tip, and flat ones across the tips that carry the next level. The
 /// feet of a pair stand just within the tips below.
@@ -26,21 +26,22 @@ class CardHouse {
   }
 
  private:
-  static inline const double half_span = length * std::cos(radians(slope));
-  static inline const double rise = length * std::sin(radians(slope)) + thick * std::cos(radians(slope));
+  static inline const double half_span = card_length * std::cos(radians(slope));
+  static inline const double rise = card_length * std::sin(radians(slope)) + thick * std::cos(radians(slope));
   static inline const double pitch = 2 * half_span + 2 * thick;
   static constexpr double gap = 0.01;  // m, between flat cards of a level
 
   /// The inner edges of their upper ends touch, their lower faces' edges stand on the floor.
   void add_pair(double middle, double floor) {
-    const TetMesh card = box_mesh({0, -width / 2, 0}, {length, width / 2, thick}, 4, 2, 1);
+    const TetMesh card = box_mesh({0, -card_width / 2, 0}, {card_length, card_width / 2, thick}, 4, 2, 1);
     const Mat3 lean = turn_about(-Vec3::UnitY(), slope), mirror = Vec3(-1, -1, 1).asDiagonal();  // a half turn about z
     add_card(placed(placed(card, lean, {-half_span, 0, 0}), {middle, 0, floor}));
     add_card(placed(placed(card, mirror * lean, {half_span, 0, 0}), {middle, 0, floor}));
   }
   void add_flat(double middle, double floor) {
     const double half = (pitch - gap) / 2;
-    add_card(box_mesh({middle - half, -width / 2, floor}, {middle + half, width / 2, floor + thick}, 4, 2, 1));
+    add_card(
+        box_mesh({middle - half, -card_width / 2, floor}, {middle + half, card_width / 2, floor + thick}, 4, 2, 1));
   }
   void add_card(TetMesh mesh) {
     scene_.add_block("card " + std::to_string(++cards_), std::move(mesh), BodyKind::rigid);

@@ -52,31 +52,32 @@ HardCase stop() {
           }};
 }
 
-constexpr double radius = 1, spin = 2;  // m, rad/s: ω²r = 4 m/s², which μ 0.41 holds
-constexpr double turning = 3;           // s, nearly a turn
+constexpr double disc_radius = 1, spin = 2;  // m, rad/s: ω²r = 4 m/s², which μ 0.41 holds
+constexpr double turning = 3;                // s, nearly a turn
 
 /// How far from the axis the cube is at the end [m]; it starts at (radius, 0).
 double distance_from_axis(const Trajectory& trajectory) {
   const Vec3 displacement = trajectory.last().blocks[trajectory.block("cube")].displacement;
-  return std::hypot(radius + displacement.x(), displacement.y());
+  return std::hypot(disc_radius + displacement.x(), displacement.y());
 }
 
 HardCaseExpectation keeps_its_place() {
   return {"the cube stays at its radius within 1 %", [](const Trajectory& trajectory) -> std::string {
             const double distance = distance_from_axis(trajectory);
-            return std::abs(distance - radius) < 0.01 * radius ? ""
-                                                               : "it is " + decimals(distance, 4) + " m off the axis";
+            return std::abs(distance - disc_radius) < 0.01 * disc_radius
+                       ? ""
+                       : "it is " + decimals(distance, 4) + " m off the axis";
           }};
 }
 
 /// Without friction it leaves along the tangent: √(r² + (ωrt)²). With too little of it, outwards, but less far.
 HardCaseExpectation slides_off(bool frictionless) {
-  const double straight = radius * std::hypot(1, spin * turning);
+  const double straight = disc_radius * std::hypot(1, spin * turning);
   return {frictionless ? "the cube goes straight on" : "the cube leaves, less far than without friction",
           [=](const Trajectory& trajectory) -> std::string {
             const double distance = distance_from_axis(trajectory);
             const bool so = frictionless ? std::abs(distance - straight) < 1e-3 * straight
-                                         : distance > 1.2 * radius && distance < straight;
+                                         : distance > 1.2 * disc_radius && distance < straight;
             return so ? "" : "it is " + decimals(distance, 4) + " m off the axis for " + decimals(straight, 4);
           }};
 }
@@ -91,10 +92,10 @@ CaseScene turntable_scene(double friction) {
   scene.add_joint(joint_of("oiled", 0));
   scene.add_fixed_box("floor", {-12, -12, -2}, {12, 12, -1});
   scene.add_block("table", placed(prism(24, 8, 1), {0, 0, -1}), BodyKind::rigid, heavy);
-  scene.add_block("cube", placed(cube(0.4), {radius, 0, 0.2}), BodyKind::tetrahedra);
+  scene.add_block("cube", placed(cube(0.4), {disc_radius, 0, 0.2}), BodyKind::tetrahedra);
   scene.project.interfaces = {{{"floor", "table"}, "oiled"}};
   scene.project.velocities = {{.block = "table", .angular = {0, 0, spin}},
-                              {.block = "cube", .linear = {0, spin * radius, 0}, .angular = {0, 0, spin}}};
+                              {.block = "cube", .linear = {0, spin * disc_radius, 0}, .angular = {0, 0, spin}}};
   scene.project.stages = {dynamic_stage(0.002, turning)};
   return scene;
 }
@@ -104,7 +105,7 @@ HardCase turntable(double friction) {
           .group = classic_group,
           .title = "Cube on a turntable, ω²r 4 m/s², μ " + decimals(friction, 1),
           .source = "Ferguson et al. 2021 (rigid IPC)",
-          .expected = {friction * 9.81 > spin * spin * radius ? keeps_its_place() : slides_off(friction == 0)},
+          .expected = {friction * 9.81 > spin * spin * disc_radius ? keeps_its_place() : slides_off(friction == 0)},
           .build = [=] { return turntable_scene(friction); }};
 }
 

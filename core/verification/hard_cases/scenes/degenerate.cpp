@@ -14,11 +14,11 @@ enum class Treatment { left_alone, dropped, pushed };
 
 constexpr double drop = 0.05;                  // m
 constexpr double push = 0.2;                   // of the weight: far from what friction, tan 30°, yields to
-constexpr double friction_angle = 30;          // degrees
+constexpr double contact_friction_angle = 30;  // degrees
 constexpr double far_away = 1e6;               // m
-constexpr double step = 1e-3, duration = 2.0;  // s
-constexpr double settled = 1e-6, slow = 1e-3;  // m, m/s
-constexpr double sag = 1e-3;                   // m: a tip of hard rock gives by micrometres
+constexpr double contact_step = 1e-3, contact_duration = 2.0;  // s
+constexpr double contact_settled = 1e-6, contact_slow = 1e-3;  // m, m/s
+constexpr double sag = 1e-3;                                   // m: a tip of hard rock gives by micrometres
 
 PointLoad sideways_push(const CaseScene& scene, const DegenerateContact& contact) {
   const Block& block = scene.system.blocks.back();
@@ -28,10 +28,10 @@ PointLoad sideways_push(const CaseScene& scene, const DegenerateContact& contact
 }
 
 CaseScene contact_scene(const DegenerateContact& contact, Treatment treatment, const Vec3& place) {
-  CaseScene scene = rock_scene(friction_angle);
+  CaseScene scene = rock_scene(contact_friction_angle);
   scene.project.gravity = -scene.project.gravity.norm() * contact.up;
   contact.add_bodies(scene);
-  Stage free = dynamic_stage(step, duration);
+  Stage free = dynamic_stage(contact_step, contact_duration);
   if (treatment == Treatment::pushed) free.loads = {sideways_push(scene, contact)};
   if (treatment == Treatment::dropped) shift_block(scene, contact.block, drop * contact.up);
   // In unstable equilibrium the block is let go as it stands; a stable one is first pressed on by its weight.
@@ -51,9 +51,9 @@ std::vector<HardCaseExpectation> expectations_of(const DegenerateContact& contac
   std::vector<HardCaseExpectation> expectations{stays_before(contact.floor + place, contact.up)};
   if (contact.stable && is_dropped) {
     expectations.push_back(travels(contact.block, down, drop, 0.01));
-    expectations.push_back(stops(contact.block, slow));
+    expectations.push_back(stops(contact.block, contact_slow));
   } else if (contact.stable) {
-    expectations.push_back(rests(contact.block, 0, settled));
+    expectations.push_back(rests(contact.block, 0, contact_settled));
   } else {
     expectations.push_back(comes_down_aside(contact.block, contact.up, is_dropped ? drop + sag : sag));
     if (treatment == Treatment::pushed) expectations.push_back(travels_at_least(contact.block, down, 0.3));

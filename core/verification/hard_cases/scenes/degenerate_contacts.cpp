@@ -11,7 +11,7 @@ namespace talus {
 
 namespace {
 
-constexpr double height = 1.5;  // m, of spikes and wedges
+constexpr double spike_height = 1.5;  // m, of spikes and wedges
 
 Mat3 upside_down() { return turn_about(Vec3::UnitX(), 180); }
 
@@ -28,8 +28,9 @@ std::function<void(CaseScene&)> balance(const TetMesh& below, const TetMesh& abo
 
 /// … where both are one mesh, upright below and upside down above, turned against each other about the vertical.
 std::function<void(CaseScene&)> balance_of_equals(const TetMesh& upright, double turned) {
-  return balance(placed(upright, {0, 0, -height}),
-                 placed(upright, turn_about(Vec3::UnitZ(), turned) * upside_down(), {0, 0, height}), height);
+  return balance(placed(upright, {0, 0, -spike_height}),
+                 placed(upright, turn_about(Vec3::UnitZ(), turned) * upside_down(), {0, 0, spike_height}),
+                 spike_height);
 }
 
 std::function<void(CaseScene&)> lying(const TetMesh& below, const TetMesh& above) {
@@ -63,7 +64,7 @@ std::vector<DegenerateContact> unstable_contacts() {
   const double diagonal = std::sqrt(3.0);
   const Mat3 on_corner = rotation_onto(Vec3::Ones().normalized(), Vec3::UnitZ());
   const auto on_its_corner = [&](double level) { return placed(cube(1), on_corner, {0, 0, level}); };
-  const TetMesh ridge = wedge(1, 1, height);
+  const TetMesh ridge = wedge(1, 1, spike_height);
   return {{"vertex_on_vertex",
            "Cube on its corner on the corner of a cube",
            false,
@@ -72,23 +73,24 @@ std::vector<DegenerateContact> unstable_contacts() {
           {"vertex_on_edge",
            "Spike on the ridge of a wedge",
            false,
-           balance(placed(ridge, {0, 0, -height}), placed(spike(1, height), upside_down(), {0, 0, height}), height),
-           {0, 0, -height}},
+           balance(placed(ridge, {0, 0, -spike_height}),
+                   placed(spike(1, spike_height), upside_down(), {0, 0, spike_height}), spike_height),
+           {0, 0, -spike_height}},
           {"edge_along_edge",
            "Wedge on the ridge of a wedge, edge along edge",
            false,
            balance_of_equals(ridge, 0),
-           {0, 0, -height}},
+           {0, 0, -spike_height}},
           {"edge_across_edge",
            "Wedge on the ridge of a wedge, 1e-9 from parallel",
            false,
            balance_of_equals(ridge, degrees(1e-9)),
-           {0, 0, -height}},
+           {0, 0, -spike_height}},
           {"spike_on_spike",
            "Slender spike on the tip of a slender spike",
            false,
-           balance_of_equals(spike(0.3, height), 0),
-           {0, 0, -height}}};
+           balance_of_equals(spike(0.3, spike_height), 0),
+           {0, 0, -spike_height}}};
 }
 
 std::vector<DegenerateContact> stable_contacts() {

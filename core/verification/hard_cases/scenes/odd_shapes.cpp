@@ -13,15 +13,15 @@ namespace talus {
 
 namespace {
 
-const char* const group = "shapes";
-constexpr double settled = 1e-6, slow = 1e-3;  // m, m/s
+const char* const shape_group = "shapes";
+constexpr double shape_settled = 1e-6, shape_slow = 1e-3;  // m, m/s
 
 /// A floor, the block on it or `drop` [m] above, and two seconds. At rest it yields by some ρg h²/2E = 3e-7 m.
 HardCase on_floor(const std::string& name, const std::string& title, const TetMesh& mesh, BodyKind body, double drop) {
-  std::vector<HardCaseExpectation> expectations{rests("block", -1, settled)};
-  if (drop > 0) expectations = {travels("block", -Vec3::UnitZ(), drop, 0.01), stops("block", slow)};
+  std::vector<HardCaseExpectation> expectations{rests("block", -1, shape_settled)};
+  if (drop > 0) expectations = {travels("block", -Vec3::UnitZ(), drop, 0.01), stops("block", shape_slow)};
   return {.name = name + (drop > 0 ? "_dropped" : "_rests"),
-          .group = group,
+          .group = shape_group,
           .title = title + (drop > 0 ? ", dropped by " + significant(100 * drop) + " cm" : ", at rest"),
           .expected = expectations,
           .build = [=] {
@@ -41,7 +41,7 @@ TetMesh needle(double length, double width, int cells) {
 /// Each is some ten steps of motion thick, and thinner than the mesh size that its long faces give it.
 HardCase needles(int count) {
   return {.name = "needles_fall_" + std::to_string(count),
-          .group = group,
+          .group = shape_group,
           .title = std::to_string(count) + " needles 100 : 1 fall across each other",
           .takes_long = count > 3,
           .expected = {stays_before(Vec3::Zero(), Vec3::UnitZ())},
@@ -64,9 +64,9 @@ TetMesh plate(double side, double thickness) {
 
 HardCase plates(int count) {
   return {.name = "plates_" + std::to_string(count) + "_rest",
-          .group = group,
+          .group = shape_group,
           .title = std::to_string(count) + " rigid plates 1000 : 1 on each other across two rails",
-          .expected = {all_rest(-1, settled)},
+          .expected = {all_rest(-1, shape_settled)},
           .build = [=] {
             constexpr double thickness = 1e-3;
             CaseScene scene = rock_scene(30);
@@ -110,7 +110,7 @@ TetMesh cone(double radius, double height) {
 /// It may stand as it was put or come down to a side.
 HardCase cone_on_tip(double drop) {
   return {.name = std::string("cone_on_tip") + (drop > 0 ? "_dropped" : "_rests"),
-          .group = group,
+          .group = shape_group,
           .title = std::string("Cone of a hundred flanks on its tip") + (drop > 0 ? ", dropped by 5 cm" : ""),
           .expected = {comes_down_aside("cone", Vec3::UnitZ(), drop + 1e-3), stays_before(Vec3::Zero(), Vec3::UnitZ())},
           .build = [=] {
@@ -136,7 +136,7 @@ TetMesh hook() {
 /// than 1.94 bars.
 HardCase hooks() {
   return {.name = "hook_swings",
-          .group = group,
+          .group = shape_group,
           .title = "Hook swings in a hook",
           .expected = {topples("free hook", 5), stays_before({0, 0, -2 * bar}, Vec3::UnitZ())},
           .build = [] {
@@ -152,9 +152,9 @@ HardCase hooks() {
 /// The arms of a T lie on the lips of a rail, face on face. Pulled with ten times its weight it stays, too.
 HardCase tee_in_rail(bool is_pulled) {
   return {.name = std::string("tee_in_rail") + (is_pulled ? "_pulled" : "_hangs"),
-          .group = group,
+          .group = shape_group,
           .title = std::string("T hangs in a rail") + (is_pulled ? ", pulled with ten times its weight" : ""),
-          .expected = {rests("tee", 0, settled)},
+          .expected = {rests("tee", 0, shape_settled)},
           .build = [=] {
             CaseScene scene = rock_scene(30);
             const std::vector<double> lines{-3 * bar, -2 * bar, -bar, bar, 2 * bar, 3 * bar};

@@ -12,7 +12,7 @@ namespace talus {
 
 namespace {
 
-const char* const group = "ratios";
+const char* const ratio_group = "ratios";
 
 Material with_density(Material material, double density) {
   material.name = significant(density) + " kg/m³";
@@ -47,7 +47,7 @@ constexpr double light = 2.6, heavy = 2.6e6;  // kg/m³
 HardCase masses(bool is_heavy_above, bool is_pushed) {
   const std::string where = is_heavy_above ? "above" : "below";
   return {.name = "mass_million_" + where + (is_pushed ? "_pushed" : ""),
-          .group = group,
+          .group = ratio_group,
           .title = "Cubes of masses 1 : 1e6, the heavy one " + where + (is_pushed ? ", the upper one pushed" : ""),
           .expected = {all_rest(0, 1e-6)},
           .build = [=] {
@@ -70,7 +70,7 @@ HardCase stiffnesses(bool is_hard_above) {
   std::vector<HardCaseExpectation> expectations{all_rest(0, 1e-6)};
   if (is_hard_above) expectations.push_back(travels("upper", -Vec3::UnitZ(), sag, 0.1));
   return {.name = std::string("stiffness_million_") + (is_hard_above ? "above" : "below"),
-          .group = group,
+          .group = ratio_group,
           .title = std::string("Cubes of stiffnesses 1 : 1e6, the hard one ") + (is_hard_above ? "above" : "below"),
           .expected = expectations,
           .build = [=] {
@@ -93,7 +93,7 @@ HardCase grain_on_cube(bool is_dropped) {
   else
     expectations.push_back(rests("grain", 0, 1e-3 * grain));
   return {.name = std::string("size_thousand_above") + (is_dropped ? "_dropped" : ""),
-          .group = group,
+          .group = ratio_group,
           .title = std::string("Grain of 1 mm on a cube of 1 m") + (is_dropped ? ", dropped by 1 cm" : ""),
           .expected = expectations,
           .build = [=] {
@@ -113,7 +113,7 @@ HardCase grain_on_cube(bool is_dropped) {
 /// The cube weighs 26 kg: 6.4e7 Pa on each of the four grains. In solid rock they would bear 6.4e9 Pa.
 HardCase cube_on_grains() {
   return {.name = "size_thousand_below",
-          .group = group,
+          .group = ratio_group,
           .title = "Cube of 1 m and 26 kg/m³ on four grains of 1 mm",
           .expected = {all_rest(0, 1e-6)},
           .build = [] {
@@ -134,7 +134,7 @@ HardCase cube_on_grains() {
 HardCase frictionless_slide() {
   const double dip = 30, seconds = 2;
   return {.name = "friction_0_slides",
-          .group = group,
+          .group = ratio_group,
           .title = "Block without friction on 30°",
           .source = "g sin α t²/2",
           .expected = {travels("block", Vec3::UnitX(), 9.81 * std::sin(radians(dip)) * seconds * seconds / 2, 1e-3)},
@@ -151,7 +151,7 @@ HardCase frictionless_slide() {
 /// Nothing but shape holds it: a wedge of 90° in a groove, of two slabs that dip by 45° each.
 HardCase frictionless_wedge() {
   return {.name = "friction_0_rests",
-          .group = group,
+          .group = ratio_group,
           .title = "Cube without friction on its edge between two slabs of 45°",
           .expected = {rests("cube", 0, 1e-6)},
           .build = [] {
@@ -168,7 +168,7 @@ HardCase frictionless_wedge() {
 /// tan 89° = 57. A plate ten times as wide as thick tips over at 84.3°.
 HardCase rough_plate() {
   return {.name = "friction_89_rests",
-          .group = group,
+          .group = ratio_group,
           .title = "Plate 10 : 1 with friction of 89° on 80°",
           .expected = {rests("plate", 0, 1e-6)},
           .build = [] {
@@ -184,7 +184,7 @@ HardCase rough_plate() {
 /// A cube that strikes its edge so that it sticks turns on at 3v/4s and comes over from v² = 1.1 g s on: 3.3 m/s.
 HardCase rough_throw() {
   return {.name = "friction_89_thrown",
-          .group = group,
+          .group = ratio_group,
           .title = "Cube with friction of 89° thrown along a floor at 5 m/s",
           .expected = {topples("cube", 45), stays_before(Vec3::Zero(), Vec3::UnitZ())},
           .build = [] {
@@ -204,7 +204,7 @@ HardCase poisson(const std::string& digits, double ratio, bool is_dropped) {
   std::vector<HardCaseExpectation> expectations{rests("cube", 0, 1e-6), rests("cube", -1, sag)};
   if (is_dropped) expectations = {travels("cube", -Vec3::UnitZ(), drop, 0.01), stops("cube", 1e-3)};
   return {.name = "poisson_" + digits + (is_dropped ? "_dropped" : "_rests"),
-          .group = group,
+          .group = ratio_group,
           .title = "Cube with Poisson's ratio " + significant(ratio, 4) + (is_dropped ? ", dropped by 1 cm" : ""),
           .expected = expectations,
           .build = [=] {

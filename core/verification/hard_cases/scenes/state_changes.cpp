@@ -14,13 +14,13 @@ namespace talus {
 
 namespace {
 
-const char* const group = "state changes";
-constexpr double gravity = 9.81;  // m/s²
+const char* const state_group = "state changes";
+constexpr double state_gravity = 9.81;  // m/s²
 
 /// Distance slid in `seconds` from rest of a block on an incline of 30° [m].
 double slide_on_30(double friction_angle, double seconds) {
   const double pull = std::sin(radians(30)) - std::tan(radians(friction_angle)) * std::cos(radians(30));
-  return gravity * pull * seconds * seconds / 2;
+  return state_gravity * pull * seconds * seconds / 2;
 }
 
 CaseScene block_on_30(double friction_angle) {
@@ -55,7 +55,7 @@ JointChange no_bond() {
 /// Friction of 40° holds the block for a second and is 10° from then on.
 HardCase friction_drops() {
   return {.name = "friction_drops",
-          .group = group,
+          .group = state_group,
           .title = "Friction of a block on 30° drops from 40° to 10°",
           .expected = {travels("block", Vec3::UnitX(), slide_on_30(10, 1), 1e-3)},
           .build = [] {
@@ -68,7 +68,7 @@ HardCase friction_drops() {
 /// 1e5 Pa of cohesion bear eight times the pull of 1.3e4 Pa; then nothing does.
 HardCase cohesion_drops() {
   return {.name = "cohesion_drops",
-          .group = group,
+          .group = state_group,
           .title = "Cohesion that alone holds a block on 30° vanishes",
           .expected = {travels("block", Vec3::UnitX(), slide_on_30(0, 1), 1e-3)},
           .build = [] {
@@ -82,10 +82,10 @@ HardCase cohesion_drops() {
 /// A block of 2.6e4 Pa of weight hangs from a roof by 1e6 Pa of tensile strength, and then by none.
 HardCase tension_drops() {
   return {.name = "tension_drops",
-          .group = group,
+          .group = state_group,
           .title = "Tensile strength by which a block hangs from a roof vanishes",
           .source = "g t²/2",
-          .expected = {travels("block", -Vec3::UnitZ(), gravity / 2, 1e-3)},
+          .expected = {travels("block", -Vec3::UnitZ(), state_gravity / 2, 1e-3)},
           .build = [] {
             CaseScene scene = rock_scene(30);
             scene.project.joints[0].cohesion = scene.project.joints[0].tensile_strength = 1e6;
@@ -106,7 +106,7 @@ HardCase support_falls() {
     expectations.push_back(stops(block, 1e-3));
   }
   return {.name = "support_falls",
-          .group = group,
+          .group = state_group,
           .title = "Prop under two blocks is let go and falls with them by 5 cm",
           .expected = expectations,
           .build = [] {
@@ -127,7 +127,7 @@ HardCase support_falls() {
 HardCase toe_removed() {
   const double distance = slide_on_30(20, 1);
   return {.name = "toe_removed",
-          .group = group,
+          .group = state_group,
           .title = "Toe that holds a block on 30° is let go",
           .expected = {travels("block", Vec3::UnitX(), distance, 1e-3), travels("toe", Vec3::UnitX(), distance, 1e-3)},
           .build = [] {
@@ -157,7 +157,7 @@ HardCase resonance() {
   constexpr double amplitude = 0.25e-3, time_step = 2.5e-3;       // m, s
   constexpr double start = 0.2, length = 10, slow = 1, fast = 5;  // s, s, Hz, Hz
   return {.name = "resonance",
-          .group = group,
+          .group = state_group,
           .title = "Base under an elastic column shaken by 0.25 mm from 1 to 5 Hz, through its own 2.5 Hz",
           .expected = {rests("column", 0, 20 * amplitude, 0.5), sways("column", Vec3::UnitX(), 3 * amplitude)},
           .build = [=] {
@@ -180,7 +180,7 @@ HardCase resonance() {
 /// Equilibrium found without inertia is one with it: nothing moves on.
 HardCase handed_over() {
   return {.name = "static_to_dynamic",
-          .group = group,
+          .group = state_group,
           .title = "Stack of five soft cubes, after a static stage, goes on with inertia",
           .expected = {all_rest(0, 1e-6)},
           .build = [] {
@@ -201,7 +201,7 @@ HardCase handed_over() {
 /// Velocity is gone after a static stage: twice the distance of one second instead of the distance of two.
 HardCase stopped_between() {
   return {.name = "dynamic_to_static_and_on",
-          .group = group,
+          .group = state_group,
           .title = "Block that slides on 30° is stopped by a static stage and slides on",
           .expected = {travels("block", Vec3::UnitX(), 2 * slide_on_30(20, 1), 1e-2)},
           .build = [] {
@@ -215,11 +215,11 @@ HardCase stopped_between() {
 /// At 1.5 the block gains μg/2 for a second, loses 5μg/2 until it stands at 1.2 s, and gains μg/2 the other way.
 HardCase load_reversed(bool slides) {
   const double share = slides ? 1.5 : 0.9, friction = std::tan(radians(30)), mass = 2600;
-  const double there = 0.5 * friction * gravity / 2, on = there / 5, back = 0.8 * 0.8 * there;
+  const double there = 0.5 * friction * state_gravity / 2, on = there / 5, back = 0.8 * 0.8 * there;
   std::vector<HardCaseExpectation> expectations{rests("block", 0, 1e-6)};
   if (slides) expectations = {travels("block", Vec3::UnitX(), there + on - back, 1e-2)};
   return {.name = std::string("load_reversed_") + (slides ? "slides" : "rests"),
-          .group = group,
+          .group = state_group,
           .title = std::string("Push at ") + (slides ? "150" : "90") + " % of friction is reversed at once",
           .expected = expectations,
           .build = [=] {
@@ -229,7 +229,7 @@ HardCase load_reversed(bool slides) {
             scene.project.solver.sleep_tolerance = 0;
             scene.project.stages = {static_stage(0.01, 20), dynamic_stage(1e-3, 1), dynamic_stage(1e-3, 1)};
             for (const int stage : {1, 2}) {
-              const double force = (stage == 1 ? share : -share) * friction * mass * gravity;
+              const double force = (stage == 1 ? share : -share) * friction * mass * state_gravity;
               scene.project.stages[stage].loads = {{{.block = "block", .at = {0, 0, 0.5}, .force = {force, 0, 0}}}};
             }
             return scene;

@@ -14,45 +14,46 @@ namespace talus {
 
 namespace {
 
-const char* const group = "time";
-constexpr double gravity = 9.81;  // m/s²
+const char* const time_group = "time";
+constexpr double time_gravity = 9.81;  // m/s²
 
-constexpr double dip = 30, friction_angle = 20;           // degrees
-constexpr double height = 5e-3, speed = 1, duration = 2;  // m, m/s, s
+constexpr double slope_dip = 30, slope_friction_angle = 20;              // degrees
+constexpr double drop_height = 5e-3, drop_speed = 1, drop_duration = 2;  // m, m/s, s
 
 /// A flat block that comes down on an incline already moving along it. However it lands, friction is μ times what
 /// presses: with the normal impulse, which is known from the fall, the distance is v t + g(sin α − μ cos α) t²/2 + μ h.
 /// The same holds for the sums over steps of any length. What it still bounces at the end is a share of μ h, 3e-4 of
 /// all.
 HardCase fall_and_slide(int power) {
-  const double friction = std::tan(radians(friction_angle));
-  const double along = gravity * (std::sin(radians(dip)) - friction * std::cos(radians(dip)));
-  const double distance = speed * duration + along * duration * duration / 2 + friction * height;
+  const double friction = std::tan(radians(slope_friction_angle));
+  const double along = time_gravity * (std::sin(radians(slope_dip)) - friction * std::cos(radians(slope_dip)));
+  const double distance =
+      drop_speed * drop_duration + along * drop_duration * drop_duration / 2 + friction * drop_height;
   const std::string step = power == 0 ? "1" : "1e-" + std::to_string(power);
-  return {
-      .name = "step_1e_minus_" + std::to_string(power),
-      .group = group,
-      .title = "Block falls on 30° and slides on, steps of " + step + " s",
-      .takes_long = power > 5,
-      .expected = {travels("block", Vec3::UnitX(), distance, 1e-3), stays_before(Vec3::Zero(), Vec3::UnitZ())},
-      .build = [=] {
-        CaseScene scene = rock_scene(friction_angle);
-        tilt(scene, dip);
-        scene.add_fixed_box("slab", {-2, -2, -1}, {10, 2, 0});
-        scene.add_block("block", box_mesh({-0.5, -0.5, height}, {0.5, 0.5, height + 0.25}, 1, 1, 1), BodyKind::rigid);
-        scene.project.velocities = {{.block = "block", .linear = {speed, 0, 0}}};
-        scene.project.stages = {dynamic_stage(std::pow(10.0, -power), duration)};
-        return scene;
-      }};
+  return {.name = "step_1e_minus_" + std::to_string(power),
+          .group = time_group,
+          .title = "Block falls on 30° and slides on, steps of " + step + " s",
+          .takes_long = power > 5,
+          .expected = {travels("block", Vec3::UnitX(), distance, 1e-3), stays_before(Vec3::Zero(), Vec3::UnitZ())},
+          .build = [=] {
+            CaseScene scene = rock_scene(slope_friction_angle);
+            tilt(scene, slope_dip);
+            scene.add_fixed_box("slab", {-2, -2, -1}, {10, 2, 0});
+            scene.add_block("block", box_mesh({-0.5, -0.5, drop_height}, {0.5, 0.5, drop_height + 0.25}, 1, 1, 1),
+                            BodyKind::rigid);
+            scene.project.velocities = {{.block = "block", .linear = {drop_speed, 0, 0}}};
+            scene.project.stages = {dynamic_stage(std::pow(10.0, -power), drop_duration)};
+            return scene;
+          }};
 }
 
-constexpr double step = 1e-3, long_time = 100;  // s: 1e5 steps
+constexpr double short_step = 1e-3, long_time = 100;  // s: 1e5 steps
 
 /// It yields elastically in the first second, and then not any more.
 HardCase long_rest(BodyKind body) {
   const std::string kind(to_string(body));
   return {.name = "hundred_thousand_steps_rest_" + kind,
-          .group = group,
+          .group = time_group,
           .title = "1e5 steps of a block of " + kind + " at rest on 20°, awake",
           .expected = {rests("block", 0, 1e-6), rests("block", 1, 1e-9)},
           .build = [=] {
@@ -61,7 +62,8 @@ HardCase long_rest(BodyKind body) {
             scene.add_fixed_box("slab", {-3, -3, -1}, {3, 3, 0});
             scene.add_block("block", box_mesh({-0.5, -0.5, 0}, {0.5, 0.5, 1}, 1, 1, 1), body);
             scene.project.solver.sleep_tolerance = 0;
-            scene.project.stages = {static_stage(0.01, 20), dynamic_stage(step, 1), dynamic_stage(step, long_time)};
+            scene.project.stages = {static_stage(0.01, 20), dynamic_stage(short_step, 1),
+                                    dynamic_stage(short_step, long_time)};
             return scene;
           }};
 }
@@ -69,20 +71,20 @@ HardCase long_rest(BodyKind body) {
 /// On a floor with inner edges in every metre it keeps its 1 m/s; on an incline a tenth of a degree too steep for its
 /// friction it gains 0.018 m/s².
 HardCase long_slide(bool is_rough) {
-  const double slope = is_rough ? friction_angle + 0.1 : 0;
-  const double gain = gravity * std::sin(radians(0.1)) / std::cos(radians(friction_angle));
-  const double distance = is_rough ? gain * long_time * long_time / 2 : speed * long_time;
+  const double slope = is_rough ? slope_friction_angle + 0.1 : 0;
+  const double gain = time_gravity * std::sin(radians(0.1)) / std::cos(radians(slope_friction_angle));
+  const double distance = is_rough ? gain * long_time * long_time / 2 : drop_speed * long_time;
   return {.name = std::string("hundred_thousand_steps_slide") + (is_rough ? "_rough" : "_smooth"),
-          .group = group,
+          .group = time_group,
           .title = is_rough ? "1e5 steps of sliding, 0.1° steeper than friction" : "1e5 steps of frictionless sliding",
           .expected = {travels("block", Vec3::UnitX(), distance, is_rough ? 1e-3 : 1e-6)},
           .build = [=] {
-            CaseScene scene = rock_scene(is_rough ? friction_angle : 0);
+            CaseScene scene = rock_scene(is_rough ? slope_friction_angle : 0);
             tilt(scene, slope);
             scene.add_block("slab", box_mesh({-2, -2, -1}, {108, 2, 0}, 110, 4, 1), BodyKind::fixed);
             scene.add_block("block", box_mesh({-0.5, -0.47, 0}, {0.5, 0.53, 0.25}, 1, 1, 1), BodyKind::rigid);
-            if (!is_rough) scene.project.velocities = {{.block = "block", .linear = {speed, 0, 0}}};
-            scene.project.stages = {dynamic_stage(step, long_time)};
+            if (!is_rough) scene.project.velocities = {{.block = "block", .linear = {drop_speed, 0, 0}}};
+            scene.project.stages = {dynamic_stage(short_step, long_time)};
             return scene;
           }};
 }
@@ -107,7 +109,7 @@ HardCase plate_at_100(bool is_free) {
   constexpr double thickness = 0.02, side = 0.2, velocity = 100, coarse = 2e-3;  // m, m, m/s, s
   return {
       .name = std::string("plate_at_100_") + (is_free ? "free" : "fixed"),
-      .group = group,
+      .group = time_group,
       .title = std::string("Cube at 100 m/s hits a ") + (is_free ? "free" : "fixed") + " plate of 2 cm, 20 cm a step",
       .expected = {stays_in_front("cube", "plate", -Vec3::UnitZ())},
       .build = [=] {

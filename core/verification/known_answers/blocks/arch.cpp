@@ -16,7 +16,7 @@ namespace {
 constexpr double radius = 10, depth = 2;  // m
 constexpr int voussoirs = 27;
 /// An arch whose farthest voussoir has gone this share of the radius within the run is falling.
-constexpr double moved = 2e-3;
+constexpr double arch_moved = 2e-3;
 
 CaseScene arch_scene(const Arch& arch, double friction) {
   CaseScene scene = rock_scene(degrees(std::atan(friction)));
@@ -38,7 +38,7 @@ CaseScene arch_scene(const Arch& arch, double friction) {
 
 CaseOutcome thickness(const CaseOptions& options, Progress& progress) {
   const auto arch_falls = [&](double thick, double friction) {
-    return sets_off(arch_scene({voussoirs, thick}, friction), moved * radius, options, progress);
+    return sets_off(arch_scene({voussoirs, thick}, friction), arch_moved * radius, options, progress);
   };
   CaseOutcome outcome;
   CaseTable brackets{"Thickness over mean radius", {"μ", "least by limit analysis", "falls at", "stands at"}, {}};

@@ -14,7 +14,7 @@ namespace talus {
 namespace {
 
 /// A row whose farthest column has gone this share of a width within the run has failed.
-constexpr double moved = 1e-3;
+constexpr double column_moved = 1e-3;
 
 /// In the axes of the base's steps: x down their dip, z their normal. The toe column stands on x = −width … 0.
 CaseScene row_scene(const ColumnRow& row, double friction_angle) {
@@ -41,7 +41,7 @@ Bracket limit_by_runs(const ColumnRow& row, double young, CaseTable& table, cons
   return narrowed({expected - 4, expected + 4}, options.thorough ? 10 : 7, [&](double angle) {
     CaseScene scene = row_scene(row, angle);
     scene.project.materials[0].young = young;
-    const bool falls = sets_off(scene, moved * row.width, options, progress);
+    const bool falls = sets_off(scene, column_moved * row.width, options, progress);
     table.rows.push_back({decimals(young / 1e9, 0), decimals(angle, 3), falls ? "falls" : "stands"});
     return falls;
   });

@@ -12,7 +12,7 @@ namespace talus {
 namespace {
 
 /// What stands or falls is told by whether a block goes this far [m] in blocks of 1 m.
-constexpr double moved = 1e-3;
+constexpr double lid_moved = 1e-3;
 
 CaseOutcome slope(const CaseOptions& options, Progress& progress) {
   CaseScene scene = rock_scene(30);
@@ -55,7 +55,7 @@ CaseOutcome overhang(const CaseOptions& options, Progress& progress) {
   double harmonic = 0;
   for (int i = 1; i <= count; ++i) harmonic += 1.0 / i;
   const Bracket share = narrowed({1.02, 0.98}, options.thorough ? 6 : 3, [&](double trial) {
-    return sets_off(overhanging_bricks(count, trial), moved, options, progress);
+    return sets_off(overhanging_bricks(count, trial), lid_moved, options, progress);
   });
   CaseOutcome outcome;
   outcome.findings.push_back({.quantity = "largest overhang of 5 bricks of 1 m",
@@ -121,7 +121,7 @@ CaseOutcome cards(const CaseOptions& options, Progress& progress) {
   const Card card;
   const double expected = card.least_friction();
   const Bracket friction = narrowed({0.97 * expected, 1.03 * expected}, options.thorough ? 7 : 4, [&](double trial) {
-    return sets_off(leaning_cards(card, trial), moved, options, progress);
+    return sets_off(leaning_cards(card, trial), lid_moved, options, progress);
   });
   CaseOutcome outcome;
   outcome.findings.push_back({.quantity = "least friction coefficient at the foot",

@@ -15,7 +15,7 @@ namespace {
 /// A run ends when the column has slipped by this share of its height, or turned by as many radians …
 constexpr double clearly_moved = 0.02;
 /// … and has slipped, or turned, if it did so by more than this: a thousand times its elastic settlement.
-constexpr double moved = 5e-4;
+constexpr double block_moved = 5e-4;
 /// What no elastic toe yields by, of the height.
 constexpr double just_slipped = 2e-5;
 
@@ -32,7 +32,7 @@ ColumnMotion column_motion(const BlockMotion& block, double width, double height
 }
 
 ColumnMode mode_of(const ColumnMotion& motion) {
-  const bool slips = motion.slip > moved, turns = motion.turn > moved;
+  const bool slips = motion.slip > block_moved, turns = motion.turn > block_moved;
   return slips   ? turns ? ColumnMode::slides_and_topples : ColumnMode::slides
          : turns ? ColumnMode::topples
                  : ColumnMode::stable;

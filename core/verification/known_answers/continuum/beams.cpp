@@ -11,21 +11,23 @@ namespace talus {
 namespace {
 
 // A square beam of Poisson's ratio 0: at the clamped end nothing wants to widen, so that beam theory holds up to there.
-constexpr double length = 5, height = 1, young = 10e9;
+constexpr double beam_length = 5, height = 1, young = 10e9;
 /// Deflection of 1e-4 of the length: what is not linear in it stays below 1e-8.
 constexpr double force = 1e4;
 
 /// Timoshenko's beam: PL³/3EI + PL/κGA with κ = 5/6 and G = E/2.
 double beam_theory() {
   constexpr double area = height * height, inertia = height * height * height * height / 12;
-  return force * length * length * length / (3 * young * inertia) + force * length / (5.0 / 6 * young / 2 * area);
+  return force * beam_length * beam_length * beam_length / (3 * young * inertia) +
+         force * beam_length / (5.0 / 6 * young / 2 * area);
 }
 
 CaseScene cantilever(int cells) {
   CaseScene scene;
   scene.project.gravity.setZero();
   scene.add_material({.name = "rock", .density = 2600, .young = young, .poisson = 0});
-  scene.add_block("beam", box_mesh({0, 0, 0}, {length, height, height}, 5 * cells, cells, cells), BodyKind::tetrahedra);
+  scene.add_block("beam", box_mesh({0, 0, 0}, {beam_length, height, height}, 5 * cells, cells, cells),
+                  BodyKind::tetrahedra);
   const Block& block = scene.system.blocks.front();
   for (const Vec3& node : block.mesh.nodes)
     if (node.x() == 0)

@@ -8,11 +8,11 @@ namespace talus {
 
 namespace {
 
-constexpr double gravity = 9.81, fall_time = 1, step = 0.01;
+constexpr double fall_gravity = 9.81, fall_time = 1, step = 0.01;
 
 CaseScene falling_cube(Integrator integrator, Strain strain) {
   CaseScene scene;
-  scene.project.gravity = {0, 0, -gravity};
+  scene.project.gravity = {0, 0, -fall_gravity};
   scene.project.solver.integrator = integrator;
   scene.project.solver.strain = strain;
   scene.add_material({.name = "rock", .density = 2600, .young = 10e9, .poisson = 0.25});
@@ -40,7 +40,7 @@ CaseOutcome free_fall(const CaseOptions& options, Progress& progress) {
       outcome.findings.push_back({.quantity = "depth after 1 s, " + std::string(to_string(integrator)) + ", " +
                                               std::string(to_string(strain)) + " strain",
                                   .unit = "m",
-                                  .expected = gravity * fall_time * fall_time / 2,
+                                  .expected = fall_gravity * fall_time * fall_time / 2,
                                   .computed = fallen(falling_cube(integrator, strain), options, progress),
                                   .tolerance = 1e-10});
   return outcome;

@@ -12,26 +12,26 @@ namespace {
 
 // The setting of solfec's test: a bar of 0.1 × 0.1 × 1 m stands on a pin a quarter of its length above its middle,
 // leans by 30° and swings down until its middle is below the pin.
-constexpr double gravity = 9.8, length = 1, side = 0.1, lever = 0.25, lean = 30;
+constexpr double bar_gravity = 9.8, bar_length = 1, bar_side = 0.1, lever = 0.25, lean = 30;
 
 /// Energy: ½ (m(L² + b²)/12 + m d²) ω² = m g d (1 − cos 30°).
 double angular_velocity(double breadth) {
-  const double radius_squared = (length * length + breadth * breadth) / 12 + lever * lever;
-  return std::sqrt(2 * gravity * lever * (1 - std::cos(radians(lean))) / radius_squared);
+  const double radius_squared = (bar_length * bar_length + breadth * breadth) / 12 + lever * lever;
+  return std::sqrt(2 * bar_gravity * lever * (1 - std::cos(radians(lean))) / radius_squared);
 }
 
 CaseScene pinned_bar() {
   CaseScene scene;
-  scene.project.gravity = {0, 0, -gravity};
+  scene.project.gravity = {0, 0, -bar_gravity};
   scene.project.solver.integrator = Integrator::generalized_alpha;
   scene.project.solver.spectral_radius = 0.9;
   scene.add_material({.name = "rock", .density = 2600, .young = 50e9, .poisson = 0.25});
-  TetMesh mesh =
-      box_mesh({-side / 2, -side / 2, -length / 2 - lever}, {side / 2, side / 2, length / 2 - lever}, 2, 2, 20);
+  TetMesh mesh = box_mesh({-bar_side / 2, -bar_side / 2, -bar_length / 2 - lever},
+                          {bar_side / 2, bar_side / 2, bar_length / 2 - lever}, 2, 2, 20);
   const Mat3 turn = Eigen::AngleAxisd(radians(-lean), Vec3::UnitY()).toRotationMatrix();
   for (Vec3& node : mesh.nodes) node = turn * node;
   scene.add_block("bar", std::move(mesh), BodyKind::tetrahedra);
-  for (const double y : {-side / 2, side / 2})
+  for (const double y : {-bar_side / 2, bar_side / 2})
     scene.project.constraints.push_back({.block = "bar", .at = Vec3(0, y, 0), .displacement = {0, 0, 0}, .table = {}});
   scene.add_monitor("middle", "bar", turn * Vec3(0, 0, -lever));
   scene.project.stages.push_back(dynamic_stage(5e-4, 0.6));
@@ -54,7 +54,7 @@ CaseOutcome swing(const CaseOptions& options, Progress& progress) {
   CaseOutcome outcome;
   outcome.findings.push_back({.quantity = "angular velocity below the pin",
                               .unit = "rad/s",
-                              .expected = angular_velocity(side),
+                              .expected = angular_velocity(bar_side),
                               .computed = lowest / lever,
                               .tolerance = 1e-3});
   outcome.findings.push_back({.quantity = "the same beside that of a thin bar, 2.121",

@@ -9,12 +9,12 @@ namespace talus {
 
 namespace {
 
-constexpr double gravity = 9.81, mass = 1000, stiffness = 1e8;
+constexpr double spring_gravity = 9.81, mass = 1000, stiffness = 1e8;
 
 /// A cube of 1 m³ and 1 t, much stiffer than the joint it stands on: 1 m² of 1e8 Pa/m.
 CaseScene cube_on_spring(double drop, Integrator integrator) {
   CaseScene scene;
-  scene.project.gravity = {0, 0, -gravity};
+  scene.project.gravity = {0, 0, -spring_gravity};
   scene.project.solver.integrator = integrator;
   scene.project.solver.spectral_radius = 1;
   scene.add_material({.name = "stiff", .density = mass, .young = 1e12, .poisson = 0.25});
@@ -67,9 +67,9 @@ Bounce bounce(const CaseScene& scene, const CaseOptions& options, Progress& prog
 /// mẍ = mg − kx from x = 0 with v₀: contact lasts (π + 2 atan(g/(v₀ω)))/ω, and the force comes to mg + √((mg)² +
 /// kmv₀²).
 CaseOutcome elastic_impact(const CaseOptions& options, Progress& progress) {
-  constexpr double drop = 1, step = 5e-6, weight = mass * gravity;
-  const double speed = std::sqrt(2 * gravity * drop), omega = std::sqrt(stiffness / mass);
-  const double duration = (std::numbers::pi + 2 * std::atan(gravity / (speed * omega))) / omega;
+  constexpr double drop = 1, step = 5e-6, weight = mass * spring_gravity;
+  const double speed = std::sqrt(2 * spring_gravity * drop), omega = std::sqrt(stiffness / mass);
+  const double duration = (std::numbers::pi + 2 * std::atan(spring_gravity / (speed * omega))) / omega;
   const double force = weight + std::sqrt(weight * weight + stiffness * mass * speed * speed);
   CaseOutcome outcome;
   for (const Integrator integrator : {Integrator::generalized_alpha, Integrator::constant_acceleration}) {
@@ -112,11 +112,11 @@ CaseOutcome elastic_impact(const CaseOptions& options, Progress& progress) {
 
 /// The cube settles by mg/k; then half its weight is added, and it swings about 1.5 mg/k without leaving the joint.
 CaseOutcome block_on_springs(const CaseOptions& options, Progress& progress) {
-  constexpr double settled = mass * gravity / stiffness, step = 1e-4, duration = 0.21;
+  constexpr double settled = mass * spring_gravity / stiffness, step = 1e-4, duration = 0.21;
   CaseScene scene = cube_on_spring(0, Integrator::generalized_alpha);
   scene.project.stages.push_back(static_stage(1, 4));
   Stage swing = dynamic_stage(step, duration);
-  swing.loads = {{.block = "cube", .at = {0.5, 0.5, 0.5}, .force = {0, 0, -mass * gravity / 2}, .table = {}}};
+  swing.loads = {{.block = "cube", .at = {0.5, 0.5, 0.5}, .force = {0, 0, -mass * spring_gravity / 2}, .table = {}}};
   scene.project.stages.push_back(swing);
 
   const double scale = options.scale, root = std::sqrt(scale);

@@ -12,9 +12,9 @@ namespace talus {
 
 namespace {
 
-constexpr double side = 1;
+constexpr double wave_bar_side = 1;
 constexpr double peak_force = 1e6, ringing_speed = 1;  // strains of 1e-4 and 5e-4, far above round-off
-const ElasticBar bar{.length = 10, .area = side * side, .young = 10e9, .density = 2500};
+const ElasticBar bar{.length = 10, .area = wave_bar_side * wave_bar_side, .young = 10e9, .density = 2500};
 const SmoothPulse pulse{.peak = peak_force, .duration = 2.5e-3};
 
 /// A bar without Poisson's effect along x, free unless held, and no gravity.
@@ -24,7 +24,8 @@ CaseScene bar_scene(int cells, double step, double duration, Integrator integrat
   scene.project.solver.integrator = integrator;
   scene.project.solver.spectral_radius = 1;
   scene.add_material({.name = "rock", .density = bar.density, .young = bar.young, .poisson = 0});
-  scene.add_block("bar", box_mesh({0, 0, 0}, {bar.length, side, side}, cells, 1, 1), BodyKind::tetrahedra);
+  scene.add_block("bar", box_mesh({0, 0, 0}, {bar.length, wave_bar_side, wave_bar_side}, cells, 1, 1),
+                  BodyKind::tetrahedra);
   scene.project.stages.push_back(dynamic_stage(step, duration));
   return scene;
 }
@@ -43,8 +44,8 @@ CaseScene pushed_bar(int cells, double step, Integrator integrator) {
       load.table.push_back({time, Vec3(share * pulse.force(time), 0, 0)});
     }
   }
-  scene.add_monitor("end", "bar", {bar.length, side / 2, side / 2});
-  scene.add_monitor("middle", "bar", {bar.length / 2, side / 2, side / 2});
+  scene.add_monitor("end", "bar", {bar.length, wave_bar_side / 2, wave_bar_side / 2});
+  scene.add_monitor("middle", "bar", {bar.length / 2, wave_bar_side / 2, wave_bar_side / 2});
   return scene;
 }
 
@@ -143,7 +144,7 @@ CaseScene ringing_bar(Integrator integrator, double step, int periods) {
     if (node.x() == 0)
       scene.project.constraints.push_back({.block = "bar", .at = node, .displacement = {0, 0, 0}, .table = {}});
   scene.project.velocities.push_back({.block = "bar", .linear = {ringing_speed, 0, 0}});
-  scene.add_monitor("end", "bar", {bar.length, side / 2, side / 2});
+  scene.add_monitor("end", "bar", {bar.length, wave_bar_side / 2, wave_bar_side / 2});
   return scene;
 }
 

@@ -10,10 +10,10 @@ namespace talus {
 
 namespace {
 
-constexpr double length = 1;                      // m
-constexpr double time_step = 2e-3, duration = 1;  // s
-constexpr int static_steps = 20;
-constexpr double angle_tolerance = 0.05;  // degrees
+constexpr double length = 1;                                        // m
+constexpr double critical_time_step = 2e-3, critical_duration = 1;  // s
+constexpr int critical_static_steps = 20;
+constexpr double critical_angle_tolerance = 0.05;  // degrees
 /// A wedge whose resisting forces fall short of the driving ones by this share slides.
 constexpr double least_shortfall = 1e-4;
 
@@ -39,7 +39,8 @@ struct CriticalWedge {
     planes.name = "planes";
     planes.friction_angle = friction_angle;
     CaseScene scene = wedge_in_mould(shape, turn, rock, planes, 1);
-    scene.project.stages = {static_stage(time_step, static_steps), dynamic_stage(time_step, duration)};
+    scene.project.stages = {static_stage(critical_time_step, critical_static_steps),
+                            dynamic_stage(critical_time_step, critical_duration)};
     return scene;
   }
 
@@ -52,8 +53,9 @@ struct CriticalWedge {
 /// held to.
 double critical_friction_angle(const CriticalWedge& wedge, const CaseOptions& options, Progress& progress) {
   double slides = 28, stays = 38;
-  const double displacement = least_shortfall * 0.5 * 9.81 * wedge.equilibrium.driving * duration * duration;
-  while (stays - slides > 0.05 * angle_tolerance) {
+  const double displacement =
+      least_shortfall * 0.5 * 9.81 * wedge.equilibrium.driving * critical_duration * critical_duration;
+  while (stays - slides > 0.05 * critical_angle_tolerance) {
     const double middle = (slides + stays) / 2;
     (sets_off(wedge.scene(middle), displacement, options, progress) ? slides : stays) = middle;
   }
@@ -79,13 +81,13 @@ CaseOutcome critical_wedge_case(const CaseOptions& options, Progress& progress) 
                        .unit = "°",
                        .expected = degrees(std::asin(wedge.equilibrium.driving)),
                        .computed = plunge_of_motion(wedge, options, progress),
-                       .tolerance = angle_tolerance,
+                       .tolerance = critical_angle_tolerance,
                        .absolute = true},
                       {.quantity = "critical friction angle",
                        .unit = "°",
                        .expected = wedge.equilibrium.critical_friction_angle(),
                        .computed = critical_friction_angle(wedge, options, progress),
-                       .tolerance = angle_tolerance,
+                       .tolerance = critical_angle_tolerance,
                        .absolute = true}};
   return outcome;
 }

@@ -14,13 +14,13 @@ namespace {
 constexpr double height = 1;                                                // m
 const double sine = std::sin(radians(60)), cosine = std::cos(radians(60));  // of the joints' dip
 constexpr std::array<double, 3> dip_directions{30, 150, 270};               // degrees
-constexpr double density = 2700, gravity = 9.81;                            // kg/m³, m/s²
+constexpr double density = 2700, roof_gravity = 9.81;                       // kg/m³, m/s²
 constexpr double normal_stiffness = 1e8;                                    // Pa/m
 constexpr double young = 1e11;  // Pa: stiff beside the joints, as the closed answer is that of a rigid wedge
-constexpr double time_step = 0.01, fall_time = 0.2;  // s
-constexpr int static_steps = 40;
-constexpr double fallen = 0.02;           // m
-constexpr double angle_tolerance = 0.05;  // degrees
+constexpr double roof_time_step = 0.01, fall_time = 0.2;  // s
+constexpr int roof_static_steps = 40;
+constexpr double fallen = 0.02;                // m
+constexpr double roof_angle_tolerance = 0.05;  // degrees
 
 /// A wedge in a roof between three joints, its apex up, its base in the roof. The rock pressed against it with a
 /// horizontal stress, the same all round, before the roof was laid bare.
@@ -32,7 +32,7 @@ struct RoofWedge {
 /// Of the base's inner circle [m]. The base is an equilateral triangle, each face an isosceles one on a side of it.
 double inner_radius() { return height * cosine / sine; }
 double face_area() { return std::sqrt(3.0) * inner_radius() * height / sine; }
-double weight() { return std::sqrt(3.0) * inner_radius() * inner_radius() * height * density * gravity; }
+double weight() { return std::sqrt(3.0) * inner_radius() * inner_radius() * height * density * roof_gravity; }
 
 /// Degrees. On each face the rock bears N and, up the dip δ, T; a horizontal stress p gives N₀ = p sin²δ A and
 /// T₀ = p sin δ cos δ A, which balance without weight. Sinking by u under its weight, the wedge gains shear force
@@ -99,14 +99,14 @@ CaseScene roof(const RoofWedge& wedge, double friction_angle) {
   mesh.nodes.push_back(apex);
   mesh.tetrahedra = {{0, 2, 1, 3}};
   scene.add_block("wedge", refined(mesh), BodyKind::tetrahedra);
-  scene.project.stages = {static_stage(time_step, static_steps), dynamic_stage(time_step, fall_time)};
+  scene.project.stages = {static_stage(roof_time_step, roof_static_steps), dynamic_stage(roof_time_step, fall_time)};
   return scene;
 }
 
 /// The friction angle [degrees] between that of a wedge that falls and of one that stays.
 double computed_friction_angle(const RoofWedge& wedge, const CaseOptions& options, Progress& progress) {
   double falls = 20, stays = 70;
-  while (stays - falls > 0.1 * angle_tolerance) {
+  while (stays - falls > 0.1 * roof_angle_tolerance) {
     const double middle = (falls + stays) / 2;
     (sets_off(roof(wedge, middle), fallen, options, progress) ? falls : stays) = middle;
   }
@@ -126,7 +126,7 @@ CaseOutcome roof_wedge_case(const CaseOptions& options, Progress& progress) {
   CaseOutcome outcome;
   outcome.findings.push_back({.quantity = "acceleration without stress, φ 60°",
                               .unit = "m/s²",
-                              .expected = gravity,
+                              .expected = roof_gravity,
                               .computed = acceleration_of_fall(options, progress),
                               .tolerance = 1e-6});
   for (const RoofWedge& wedge : {RoofWedge{50e3, 1}, RoofWedge{50e3, 0.25}, RoofWedge{20e3, 1}, RoofWedge{500e3, 1}})
@@ -135,7 +135,7 @@ CaseOutcome roof_wedge_case(const CaseOptions& options, Progress& progress) {
                                 .unit = "°",
                                 .expected = critical_friction_angle(wedge),
                                 .computed = computed_friction_angle(wedge, options, progress),
-                                .tolerance = angle_tolerance,
+                                .tolerance = roof_angle_tolerance,
                                 .absolute = true});
   return outcome;
 }

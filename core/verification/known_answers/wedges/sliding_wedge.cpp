@@ -7,9 +7,9 @@ namespace talus {
 
 namespace {
 
-constexpr double first_look = 0.06, duration = 0.1;  // s
+constexpr double first_look = 0.06, sliding_duration = 0.1;  // s
 constexpr double tolerance = 1e-3;
-constexpr double gravity = 9.81;  // m/s²
+constexpr double sliding_gravity = 9.81;  // m/s²
 
 struct Slide {
   double acceleration = 0;  ///< m/s², from the first look on, along limit equilibrium's direction
@@ -17,7 +17,7 @@ struct Slide {
 };
 
 Slide slide(const WedgeTest& test, const CaseOptions& options, Progress& progress) {
-  const CaseScene scene = as_asked(wedge_test_scene(test, plaster_friction_angle, 1, duration), options);
+  const CaseScene scene = as_asked(wedge_test_scene(test, plaster_friction_angle, 1, sliding_duration), options);
   const Vec3 direction = test.equilibrium().direction;
   const double weight = plaster().density * scene.system.blocks[1].volume * scene.project.gravity.norm();
 
@@ -50,7 +50,7 @@ CaseOutcome sliding_wedge_case(const CaseOptions& options, Progress& progress) {
     as_computed.normal = computed.normal;
     outcome.findings.push_back({.quantity = test.name() + " acceleration",
                                 .unit = "m/s²",
-                                .expected = gravity * equilibrium.acceleration(plaster_friction_angle),
+                                .expected = sliding_gravity * equilibrium.acceleration(plaster_friction_angle),
                                 .computed = computed.acceleration,
                                 .tolerance = tolerance});
     outcome.findings.push_back({.quantity = test.name() + " factor of safety from contact forces",

@@ -6,8 +6,8 @@ namespace talus {
 
 namespace {
 
-constexpr double time_step = 1e-3;  // s; a wedge that falls takes 56 of them
-constexpr int static_steps = 10;
+constexpr double test_time_step = 1e-3;  // s; a wedge that falls takes 56 of them
+constexpr int test_static_steps = 10;
 constexpr double longest = 1;  // s; a wedge that has not gone 5 % of its length by then has a factor above 0.99
 
 }  // namespace
@@ -17,7 +17,7 @@ CaseScene wedge_test_scene(const WedgeTest& test, double friction_angle, int ref
   planes.name = "planes";
   planes.friction_angle = friction_angle;
   CaseScene scene = wedge_in_mould(test.shape(), test.turn(), plaster(), planes, refinements);
-  scene.project.stages = {static_stage(time_step, static_steps), dynamic_stage(time_step, duration)};
+  scene.project.stages = {static_stage(test_time_step, test_static_steps), dynamic_stage(test_time_step, duration)};
   return scene;
 }
 
