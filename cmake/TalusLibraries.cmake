@@ -9,7 +9,6 @@ find_package(CLI11 REQUIRED)
 find_package(CGAL REQUIRED)
 find_package(GDAL REQUIRED)
 find_package(GTest REQUIRED)
-include(GoogleTest)
 
 # Debian's SuiteSparse, gmsh and valijson ship no CMake package.
 find_path(SUITESPARSE_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)

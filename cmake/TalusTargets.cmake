@@ -99,13 +99,13 @@ function(talus_library folder)
   talus_compile_by_room(talus_${folder} ${quick} APART ${ARG_APART})
 endfunction()
 
-# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [LONG pattern] [BLAS_KERNELS name])  a GoogleTest
-# program, each of its tests a ctest; those that fit GoogleTest's pattern LONG have the label `long` alone. BLAS_KERNELS:
-# OpenBLAS takes these, where the processor has them, so that figures are those of the tables in docs (its choice differs
-# from processor to processor, and with it the last bits).
+# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [EACH_TEST] [LONG pattern] [BLAS_KERNELS name])  a
+# GoogleTest program, each of its suites a ctest, or each of its tests; those that fit GoogleTest's pattern LONG have the
+# label `long` alone. BLAS_KERNELS: OpenBLAS takes these, where the processor has them, so that figures are those of the
+# tables in docs (its choice differs from processor to processor, and with it the last bits).
 file(STRINGS /proc/cpuinfo processor_has_avx2 REGEX "avx2" LIMIT_COUNT 1)
 function(talus_test name)
-  cmake_parse_arguments(ARG "" "BLAS_KERNELS;LONG" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "EACH_TEST" "BLAS_KERNELS;LONG" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(ARG_BLAS_KERNELS AND processor_has_avx2)
     set(kernels ENVIRONMENT_MODIFICATION OPENBLAS_CORETYPE=set:${ARG_BLAS_KERNELS})
   endif()
@@ -115,15 +115,25 @@ function(talus_test name)
   target_compile_definitions(${name} PRIVATE TALUS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   talus_compile_by_room(${name} QUICK)
   talus_share_test_headers(${name})
+  set(properties ENVIRONMENT OPENBLAS_NUM_THREADS=1 ${kernels})
+  if(ARG_LABELS)
+    set(labels LABELS ${ARG_LABELS})
+  endif()
   if(ARG_LONG)
-    talus_discover_tests(${name} "${ARG_LONG}" long ${kernels})
-    talus_discover_tests(${name} "-${ARG_LONG}" "${ARG_LABELS}" ${kernels})
+    talus_add_suites(${name} "${ARG_LONG}" "${ARG_EACH_TEST}" ${properties} LABELS long)
+    talus_add_suites(${name} "-${ARG_LONG}" "${ARG_EACH_TEST}" ${properties} ${labels})
   else()
-    talus_discover_tests(${name} "*" "${ARG_LABELS}" ${kernels})
+    talus_add_suites(${name} "*" "${ARG_EACH_TEST}" ${properties} ${labels})
   endif()
 endfunction()
 
-function(talus_discover_tests name pattern labels)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_FILTER "${pattern}"
-    PROPERTIES ENVIRONMENT "OPENBLAS_NUM_THREADS=1" LABELS "${labels}" ${ARGN})
+# talus_add_suites(NAME PATTERN EACH_TEST property value...)  What fits GoogleTest's pattern, listed when ctest starts
+# (TalusTestSuites.cmake): suites as a whole, or each test where EACH_TEST is true.
+function(talus_add_suites name pattern each_test)
+  string(MD5 key "${pattern}")
+  set(listing ${CMAKE_CURRENT_BINARY_DIR}/${name}_${key}.cmake)
+  list(JOIN ARGN "]==] [==[" properties)
+  file(GENERATE OUTPUT ${listing} CONTENT "include([==[${PROJECT_SOURCE_DIR}/cmake/TalusTestSuites.cmake]==])
+add_suites([==[$<TARGET_FILE:${name}>]==] [==[${pattern}]==] [==[${each_test}]==] [==[${properties}]==])\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${listing})
 endfunction()
