@@ -7,6 +7,18 @@
 #include "widgets/kit/theme.hpp"
 #include "widgets/view/render_surface.hpp"
 
+namespace {
+
+/// Each test begins as after a first start, whatever was tested before in the same process.
+class FirstStart : public testing::EmptyTestEventListener {
+  void OnTestStart(const testing::TestInfo&) override {
+    QSettings().clear();
+    if (talus::theme::now().dark) talus::theme::install(false);
+  }
+};
+
+}  // namespace
+
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   // Also when ctest only lists the tests, for which no environment is set.
@@ -21,5 +33,6 @@ int main(int argc, char** argv) {
   // … nor is their unsaved work; a test that plays a second start says where both keep it.
   if (!qEnvironmentVariableIsSet("TALUS_TEST_STATE")) qputenv("XDG_STATE_HOME", settings.path().toUtf8());
   talus::theme::install(false);
+  testing::UnitTest::GetInstance()->listeners().Append(new FirstStart);
   return RUN_ALL_TESTS();
 }
