@@ -93,6 +93,14 @@ void add_case_options(CLI::App& command, Request& request, CLI::Option* hard_cas
       ->type_name("rigid|affine|tetrahedra")
       ->default_str("tetrahedra")
       ->excludes(hard_cases);
+  static const std::map<std::string, Preset> presets{{"talus", Preset::talus}, {"paper", Preset::paper}};
+  command
+      .add_option_function<std::string>(
+          "--preset", [&request](const std::string& word) { request.options.run.preset = presets.at(word); },
+          "Run by this scheme, whatever a case asks for: Talus's own or the paper's (solver.preset)")
+      ->check(CLI::IsMember(presets).description(""))
+      ->type_name("talus|paper")
+      ->excludes(hard_cases);
   command.add_flag("--tables", request.tables, "Print the tables of cases that have more than numbers")
       ->excludes(hard_cases);
   command.add_option("--samples", request.samples, "Folder of the samples (default: the shipped ones)")

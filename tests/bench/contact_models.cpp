@@ -186,7 +186,7 @@ void run_wedges(int refinements, ContactModel model) {
     WedgeWatch watch(scene, turned(test.shape().planes(), test.turn()), test.shape().length());
     try {
       run_scene(scene, progress,
-                [&](const Simulation& simulation, const StepReport&) { return watch.look(simulation); });
+                [&](const Simulation& simulation, const StepReport& report) { return watch.look(simulation, report); });
       right += watch.motion().mode == equilibrium.mode(plaster_friction_angle);
       stray += watch.motion().stray;
     } catch (const std::exception&) {

@@ -56,6 +56,16 @@ TEST_F(Verify, RunsToAnotherToleranceByNameOrNumber) {
   }
 }
 
+TEST_F(Verify, RunsByThePapersScheme) {
+  const auto passes = [](const char* preset) {
+    const Ending ending = talus_cli({"verify", "block_stops", "--preset", preset, "--json"});
+    return Json::parse(ending.out)["cases"][0]["passed"].get<bool>();
+  };
+  EXPECT_TRUE(passes("talus"));
+  EXPECT_FALSE(passes("paper")) << "friction that lags behind creeps";
+  EXPECT_EQ(talus_cli({"verify", "block_stops", "--preset", "other"}).exit_code, 2);
+}
+
 TEST_F(Verify, EndsWithOneWhenACaseFails) {
   std::filesystem::create_directories(folder / "samples/wrong");
   Json project = Json::parse(text_of(sample("free_fall")));

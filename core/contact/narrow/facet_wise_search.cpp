@@ -64,7 +64,8 @@ void FacetWiseSearch::touch(const StepGeometry& step, const FacetPair& pair) {
   const Vec3 &na = step.normal(pair.a), &nb = step.normal(pair.b);
   const CommonPlane plane = common_plane(corners(step, pair.a), corners(step, pair.b), nb - na, step.tolerances);
   if (!plane.converged) ++step.work.unfinished_planes;
-  if (!(plane.gap <= step.reach)) return;
+  if (!(plane.gap <= step.reach) || std::min(plane.normal.dot(nb), -plane.normal.dot(na)) < step.cone_tolerance())
+    return;  // apart, or the plane sees one of them on edge or from behind
   const std::size_t first = touches_.size();
   vertices_on(step, pair, true, plane.normal);
   vertices_on(step, pair, false, plane.normal);
@@ -88,7 +89,6 @@ void FacetWiseSearch::keep(const StepGeometry& step, Touch touch) {
 void FacetWiseSearch::vertices_on(const StepGeometry& step, const FacetPair& pair, bool node_is_first, const Vec3& n) {
   const int own = node_is_first ? pair.a : pair.b, other = node_is_first ? pair.b : pair.a;
   const double sense = node_is_first ? 1 : -1;
-  if (sense * n.dot(step.normal(other)) < step.cone_tolerance()) return;  // on edge, or from behind
   const auto& nodes = step.features.facets[other].nodes;
   const Vec3 &origin = step.x[nodes[0]], e1 = step.x[nodes[1]] - origin, e2 = step.x[nodes[2]] - origin;
   const double volume = n.dot(e1.cross(e2));

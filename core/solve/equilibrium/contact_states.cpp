@@ -1,5 +1,7 @@
 #include "solve/equilibrium/contact_states.hpp"
 
+#include <algorithm>
+
 #include "contact/contact_law.hpp"
 
 namespace talus {
@@ -42,9 +44,9 @@ void ContactStates::begin(const Composition& composition, double touching, const
   hold(composition, &held_);
 }
 
-bool ContactStates::judge(const Composition& composition, const Increment& d, double settled) {
+ContactStates::Judgement ContactStates::judge(const Composition& composition, const Increment& d) {
   judged_.assign(held_.size(), {});
-  bool same = true;
+  Judgement judgement;
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const int point = static_cast<int>(i);
     judged_[i].closed = resists_elastically(composition.links->point(point), composition.links->gap(point, d));
@@ -52,13 +54,14 @@ bool ContactStates::judge(const Composition& composition, const Increment& d, do
   if (composition.shear)
     for (const int i : composition.links->contacts().sheared) {
       judged_[i].shear = composition.shear->mode(i, d);
-      if (judged_[i].shear != ContactMode::slip) continue;
+      const bool closes = judged_[i].closed && !held_[i].closed;  // the round bore no normal force there, (36)
+      if (judged_[i].shear != ContactMode::slip || closes) continue;
       take_friction(*composition.shear, i, d, judged_[i]);
       const Vec3 change = judged_[i].friction - composition.shear->force(i, d);
-      same = same && change.norm() <= settled * composition.shear->strength(i);
+      judgement.friction_error = std::max(judgement.friction_error, change.norm() / composition.shear->strength(i));
     }
-  for (std::size_t i = 0; i < held_.size(); ++i) same = same && judged_[i].same_state(held_[i]);
-  return same;
+  for (std::size_t i = 0; i < held_.size(); ++i) judgement.changed += !judged_[i].same_state(held_[i]);
+  return judgement;
 }
 
 void ContactStates::release(const Composition& composition) const { hold(composition, nullptr); }

@@ -109,7 +109,10 @@ OpenCloseResult OpenClose::converge_by_states(Increment& d) {
     const double rounding = std::max(tolerances_.rounding_residual * result.force_scale,
                                      tolerances_.rounding_factor * residual_.rounding());
     const bool balances = result.residual <= rounding;  // of blocks that turn a round is one iteration
-    result.converged = states_.judge(*composition_, d, tolerances_.friction_settled) && balances;
+    const auto judged = states_.judge(*composition_, d);
+    // Friction that is that of the round before will do, (36), if there is no round left to take it anew.
+    const bool settled = judged.friction_error <= tolerances_.friction_settled || result.iterations == iteration_limit_;
+    result.converged = judged.changed == 0 && settled && balances;
     if (result.converged) return result;
     states_.take_judged();
     residual_.evaluate(d, Friction::coupled);

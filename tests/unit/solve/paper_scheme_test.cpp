@@ -96,6 +96,20 @@ TEST(PaperScheme, OneRoundIsTooFewWhereStatesChange) {
   EXPECT_TRUE(!one.converged || one.reports[0].cuts > 0) << "the block is set down: it sticks before it slides";
 }
 
+/// A round in which a contact was open bore no normal force, so the first round in which it is closed bears no friction
+/// (36). With friction of the force that a spring would have had, a block that meets an edge of the plane's mesh is
+/// thrown back and forth until the step is as short as it may be.
+TEST(PaperScheme, ABlockSlidesOnWhereItMeetsAnEdgeOfTheMesh) {
+  BlockSystem system = test::block_system({test::box_block("ground", Vec3(-2, -2, -1), Vec3(5, 2, 0), BodyKind::fixed),
+                                           test::box_block("B", Vec3(0.1, -0.4, 0), Vec3(1.1, 0.6, 1))});
+  system.blocks[0].mesh = box_mesh(Vec3(-2, -2, -1), Vec3(5, 2, 0), 8, 7, 1);
+  system.blocks[1].mesh = box_mesh(Vec3(0.1, -0.4, 0), Vec3(1.1, 0.6, 1), 3, 3, 3, true);
+  for (Block& block : system.blocks) block.surface = boundary(block.mesh);
+  Project project = incline(30, 15);
+  project.stages[1].steps = 100;
+  EXPECT_TRUE(run(project, system).converged);
+}
+
 TEST(PaperScheme, AStaticStepBeginsAtRestWithAllItsInertia) {
   Project project = test::rock_project(30, {{"fall", StageKind::static_, time_step, 7, {}}});
   const Motion fallen = run(project, test::block_system({test::box_block("B", Vec3(0, 0, 0), Vec3(1, 1, 1))}));

@@ -17,6 +17,7 @@ struct CaseOptions {
   bool thorough = false;  ///< every row and angle of a case that is thinned otherwise
   BodyKind body = BodyKind::tetrahedra;  ///< of the blocks that are meshed with tetrahedra otherwise
   std::optional<double> tolerance{};     ///< SolverSettings::tolerance, in place of the project's
+  std::optional<Preset> preset{};        ///< the scheme that all of it is solved by, in place of the project's
 };
 
 /// One computed number held against a known one. All three numbers belong to the scale that was asked for: a case

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
 
 #include "base/error.hpp"
 #include "base/units.hpp"
@@ -149,6 +148,7 @@ CaseScene scaled(CaseScene scene, double s) {
 CaseScene as_asked(CaseScene scene, const CaseOptions& options) {
   for (Block& block : scene.system.blocks)
     if (block.body == BodyKind::tetrahedra) block.body = options.body;
+  if (options.preset) adopt(*options.preset, scene.project.solver);
   double& tolerance = scene.project.solver.tolerance;
   if (tolerance == SolverSettings{}.tolerance) tolerance = options.tolerance.value_or(tolerance);
   return scaled(std::move(scene), options.scale);
@@ -173,7 +173,7 @@ void run_scene(const CaseScene& scene, Progress& progress,
   while (!simulation.finished()) {
     if (progress.cancelled()) throw Cancelled{};
     const StepReport report = simulation.step();
-    if (!simulation.converged()) throw std::runtime_error(simulation.failure());
+    if (!simulation.converged()) throw NoAnswer(simulation.failure());
     ledger.look(report.energy);
     if (after_step && !after_step(simulation, report)) break;
   }

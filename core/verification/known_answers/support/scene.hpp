@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 
 #include "mesh/block.hpp"
 #include "mesh/structured_mesh.hpp"
@@ -39,12 +40,18 @@ void tilt(CaseScene& scene, double dip);
 /// stiffnesses [Pa/m] stay. What the project expects of a run goes along.
 CaseScene scaled(CaseScene scene, double s);
 
-/// At the scale, with the bodies and to the tolerance that a case was asked to run with.
+/// At the scale, with the bodies, by the scheme and to the tolerance that a case was asked to run with.
 CaseScene as_asked(CaseScene scene, const CaseOptions& options);
 
+/// The solver did not converge: where, and at which contact.
+class NoAnswer : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Runs all stages; `after_step` may return false to end the run. Every case holds the energy ledger to close: throws
-/// std::runtime_error where its remainder exceeds 1e-8 of the energy that moved, or where the solver does not converge;
-/// Cancelled when `progress` says so.
+/// std::runtime_error where its remainder exceeds 1e-8 of the energy that moved, NoAnswer where the solver does not
+/// converge, Cancelled when `progress` says so.
 void run_scene(const CaseScene& scene, Progress& progress,
                const std::function<bool(const Simulation&, const StepReport&)>& after_step = {});
 

@@ -20,7 +20,8 @@ constexpr bool at_threshold(double factor_of_safety) { return factor_of_safety >
 /// then let go for `duration` [s].
 CaseScene wedge_test_scene(const WedgeTest& test, double friction_angle, int refinements, double duration);
 
-/// The same, run until the wedge has gone 10 % of its length, lies still, or a second has passed.
+/// The same, run until the wedge has gone 10 % of its length, lies still, or a second has passed. Where the solver does
+/// not converge there is no mode, nor a direction.
 WedgeMotion run_wedge_test(const WedgeTest& test, double friction_angle, int refinements, const CaseOptions& options,
                            Progress& progress);
 

@@ -35,7 +35,7 @@ Matches matches_at(double friction_angle, const CaseOptions& options, Progress& 
   Matches matches;
   matches.friction_angle = friction_angle;
   for (const WedgeTest& test : wedge_tests()) {
-    const WedgeMode mode = run_wedge_test(test, friction_angle, 0, options, progress).mode;
+    const std::optional<WedgeMode> mode = run_wedge_test(test, friction_angle, 0, options, progress).mode;
     const WedgeEquilibrium equilibrium = test.equilibrium();
     const bool as_expected = mode == equilibrium.mode(friction_angle);
     matches.equilibrium += as_expected;
@@ -44,7 +44,7 @@ Matches matches_at(double friction_angle, const CaseOptions& options, Progress& 
     matches.physical += mode == test.physical;
     matches.physical_moves += (mode == WedgeMode::stable) == (test.physical == WedgeMode::stable);
     if (mode != test.physical)
-      matches.unlike_physical.push_back(test.name() + " (" + std::string(to_string(mode)) + ", not " +
+      matches.unlike_physical.push_back(test.name() + " (" + std::string(mode_text(mode)) + ", not " +
                                         std::string(to_string(test.physical)) + ")");
   }
   return matches;

@@ -28,7 +28,9 @@ WedgeWatch::WedgeWatch(const CaseScene& scene, const WedgePlanes& planes, double
   weight_ = scene.project.materials[wedge.material].density * wedge.volume * gravity_;
 }
 
-bool WedgeWatch::look(const Simulation& simulation) {
+bool WedgeWatch::look(const Simulation& simulation, const StepReport& report) {
+  ++steps_;
+  iterations_ += report.iterations;
   const BlockMotion motion = block_motion(simulation.bodies(), 1);
   last_ = {motion.displacement, motion.rotation};
   const double travel = motion.displacement.norm();
@@ -53,6 +55,8 @@ void WedgeWatch::add_forces(const Simulation& simulation) {
 WedgeMotion WedgeWatch::motion() const {
   WedgeMotion motion;
   motion.travel = last_.displacement.norm() / length_;
+  motion.steps = steps_;
+  motion.iterations = iterations_;
   if (!start_ || looks_ == 0) return motion;
   motion.direction = (last_.displacement - start_->displacement).normalized();
   motion.turn = last_.rotation - start_->rotation;

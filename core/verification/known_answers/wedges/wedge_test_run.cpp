@@ -25,7 +25,17 @@ WedgeMotion run_wedge_test(const WedgeTest& test, double friction_angle, int ref
                            Progress& progress) {
   const CaseScene scene = as_asked(wedge_test_scene(test, friction_angle, refinements, longest), options);
   WedgeWatch watch(scene, turned(test.shape().planes(), test.turn()), test.shape().length() * options.scale);
-  run_scene(scene, progress, [&](const Simulation& simulation, const StepReport&) { return watch.look(simulation); });
+  const auto look = [&](const Simulation& simulation, const StepReport& report) {
+    return watch.look(simulation, report);
+  };
+  try {
+    run_scene(scene, progress, look);
+  } catch (const NoAnswer&) {
+    WedgeMotion none = watch.motion();
+    none.mode.reset();
+    none.direction.setZero();
+    return none;
+  }
   return watch.motion();
 }
 

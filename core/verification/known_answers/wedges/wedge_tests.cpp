@@ -53,7 +53,7 @@ CaseTable table_of(const std::vector<TestOutcome>& outcomes) {
     const WedgeTest& test = outcome.test;
     const auto& coupled = test.coupled_direction;
     table.rows.push_back({test.name(), number_text(test.beta), number_text(test.alpha),
-                          std::string(to_string(outcome.motion.mode)), direction_text(outcome.motion.direction),
+                          std::string(mode_text(outcome.motion.mode)), direction_text(outcome.motion.direction),
                           outcome.motion.direction.isZero() ? "–" : decimals(outcome.deviation(), 3),
                           std::string(to_string(test.coupled)), direction_text({coupled[0], coupled[1], coupled[2]}),
                           std::string(to_string(test.physical)), std::string(to_string(outcome.expected())),
@@ -117,9 +117,9 @@ void report(const std::vector<TestOutcome>& outcomes, CaseOutcome& outcome) {
 /// Each row where the columns and the computed mode are not of one mind.
 void remark(const std::vector<TestOutcome>& outcomes, CaseOutcome& outcome) {
   for (const TestOutcome& row : outcomes) {
-    const WedgeMode mode = row.motion.mode;
+    const std::optional<WedgeMode> mode = row.motion.mode;
     if (mode == row.test.physical && mode == row.test.coupled && mode == row.expected()) continue;
-    outcome.remarks.push_back(row.test.name() + ": computed " + std::string(to_string(mode)) + ", physical model " +
+    outcome.remarks.push_back(row.test.name() + ": computed " + std::string(mode_text(mode)) + ", physical model " +
                               std::string(to_string(row.test.physical)) + ", coupled method " +
                               std::string(to_string(row.test.coupled)) + ", limit equilibrium " +
                               std::string(to_string(row.expected())) + " with a factor of " +

@@ -92,6 +92,18 @@ TEST(FacetWiseSearch, CrossingEdgesTouchOnce) {
   EXPECT_LT((contacts.points[0].normal - Vec3(0, 0, -1)).norm(), 1e-9);
 }
 
+TEST(FacetWiseSearch, FlushFacesTouchWhereTheyFaceEachOtherAlone) {
+  // A cube in a gap as wide as itself, its top flush with that of the ground beside it.
+  Scene scene;
+  scene.settings.model = ContactModel::facet_wise;
+  scene.add(box({-2, 0, 0}, {0, 1, 1}, {2, 1, 1}), true);
+  scene.add(box({0, 0, 0}, {1, 1, 1}, {1, 1, 1}));
+  const ContactSet& contacts = scene.detect(reach);
+  EXPECT_NEAR(total_area(contacts), 1, 1e-12);
+  for (const ContactPoint& p : contacts.points)
+    EXPECT_LT((p.normal - Vec3(-1, 0, 0)).norm(), 1e-9) << p.normal.transpose() << " at " << p.position.transpose();
+}
+
 TEST(FacetWiseSearch, NodesAheadOfASlidingBlockGetFalseNormalsThatTheAreaModelDoesNotMakeUp) {
   int false_ones = 0, of_area_model = 0;
   for (int step = 0; step < 100; ++step) {
