@@ -116,6 +116,19 @@ TEST_F(AccuracyPanelTest, SaysOfARunThatDidNotConverge) {
   theme::install(false);
 }
 
+TEST_F(AccuracyPanelTest, GivesTheProjectThePapersScheme) {
+  const auto file = slidingCube(100);
+  study(file, parse_ladder_wish({"scheme"}, {}));
+  window->open(file);
+  AccuracyPanel& panel = opened();
+  ASSERT_EQ(table(panel, "runs").rowCount(), 2);
+  EXPECT_TRUE(table(panel, "runs").item(1, 1)->text().endsWith(QStringLiteral("scheme paper")));
+  table(panel, "runs").setCurrentCell(1, 0);
+  click(button(panel, "Use this setting"));
+  EXPECT_EQ(session->project.document().project().solver, settings_of(Preset::paper));
+  EXPECT_FALSE(button(panel, "Use this setting").isEnabled()) << "the project has it";
+}
+
 TEST_F(AccuracyPanelTest, ShowsAStudyOfAnotherProjectButGivesNoSettingFromIt) {
   const auto file = slidingCube(100);
   study(file);

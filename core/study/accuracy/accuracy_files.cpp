@@ -42,6 +42,7 @@ std::string line_of(std::size_t number, const AccuracyRow& row) {
                                number_text(s.mesh_size),
                                penetration_text(s),
                                tolerance_text(s.tolerance),
+                               std::string(to_string(s.scheme)),
                                std::to_string(run.dofs),
                                std::to_string(run.blocks),
                                std::to_string(run.tetrahedra),
@@ -105,8 +106,9 @@ Json json_of(const AxisOrder& order) {
 
 std::string accuracy_csv(const AccuracyStudy& study) {
   std::string text =
-      "number,label,body,strain,integrator,time_step,static_step,mesh_size,penetration_tolerance,tolerance,dofs,blocks,"
-      "tetrahedra,steps,iterations,cuts,cpu_seconds,wall_seconds,mesh_seconds,error,error_estimate,from_finest,status,"
+      "number,label,body,strain,integrator,time_step,static_step,mesh_size,penetration_tolerance,tolerance,scheme,dofs,"
+      "blocks,tetrahedra,steps,iterations,cuts,cpu_seconds,wall_seconds,mesh_seconds,error,error_estimate,from_finest,"
+      "status,"
       "pareto,note\n";
   for (std::size_t i = 0; i < study.rows.size(); ++i) text += line_of(i, study.rows[i]);
   return text;

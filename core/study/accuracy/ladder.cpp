@@ -23,7 +23,8 @@ constexpr StudyAxis all_axes[] = {StudyAxis::body,
                                   StudyAxis::static_step,
                                   StudyAxis::mesh_size,
                                   StudyAxis::penetration_tolerance,
-                                  StudyAxis::tolerance};
+                                  StudyAxis::tolerance,
+                                  StudyAxis::scheme};
 
 Values usual_values(StudyAxis axis) {
   switch (axis) {
@@ -42,9 +43,11 @@ Values usual_values(StudyAxis axis) {
     case StudyAxis::penetration_tolerance:
       return {"off", "1e-3", "1e-4"};
     case StudyAxis::tolerance:
+      return {"draft", "standard", "reference"};
+    case StudyAxis::scheme:
       break;
   }
-  return {"draft", "standard", "reference"};
+  return {"talus", "paper"};
 }
 
 Values split(const std::string& text) {
@@ -122,6 +125,9 @@ void set(Setting& setting, StudyAxis axis, const std::string& word) {
     case StudyAxis::tolerance:
       setting.tolerance = tolerance_of(axis, word);
       break;
+    case StudyAxis::scheme:
+      setting = by_scheme(kind_named(axis, word, {Preset::talus, Preset::paper}), setting);
+      break;
   }
 }
 
@@ -154,6 +160,7 @@ std::string reason_against(StudyAxis axis, const Project& project) {
       break;
     case StudyAxis::body:
     case StudyAxis::tolerance:
+    case StudyAxis::scheme:
       break;
   }
   return {};
@@ -243,7 +250,7 @@ class LadderBuilder {
     }
   }
 
-  /// Finest on every axis that has fineness; strain and integrator stay the project's own.
+  /// Finest on every axis that has fineness; strain, integrator and scheme stay the project's own.
   Setting finest() const {
     Setting setting = own_;
     if (const auto bodies = taken_.find(StudyAxis::body); bodies != taken_.end())

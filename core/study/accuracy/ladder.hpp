@@ -9,11 +9,22 @@
 namespace talus {
 
 /// What an accuracy study varies.
-enum class StudyAxis { body, strain, integrator, time_step, static_step, mesh_size, penetration_tolerance, tolerance };
+enum class StudyAxis {
+  body,
+  strain,
+  integrator,
+  time_step,
+  static_step,
+  mesh_size,
+  penetration_tolerance,
+  tolerance,
+  scheme
+};
 
 constexpr std::string_view to_string(StudyAxis axis) {
   constexpr std::string_view words[] = {
-      "body", "strain", "integrator", "time_step", "static_step", "mesh_size", "penetration_tolerance", "tolerance"};
+      "body",      "strain", "integrator", "time_step", "static_step", "mesh_size", "penetration_tolerance",
+      "tolerance", "scheme"};
   return words[static_cast<int>(axis)];
 }
 
@@ -25,8 +36,8 @@ double size_on(StudyAxis axis, const Setting& setting);
 /// The project's own size on it.
 void set_own_size(StudyAxis axis, Setting& setting);
 
-/// Which axes, and which values of each, as the user writes them: bodies, strains and integrators by the words of the
-/// project file, factors as numbers, tolerances as numbers or "off".
+/// Which axes, and which values of each, as the user writes them: bodies, strains, integrators and schemes by the words
+/// of the project file, factors as numbers, tolerances as numbers or "off".
 struct LadderWish {
   std::vector<StudyAxis> axes;  ///< all where empty
   std::map<StudyAxis, std::vector<std::string>> values{};

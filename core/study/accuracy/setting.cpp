@@ -80,6 +80,15 @@ std::string multiple(const std::string& what, double factor) {
 
 }  // namespace
 
+Setting by_scheme(Preset scheme, Setting setting) {
+  if (setting.scheme == scheme) return setting;
+  const SolverSettings preset = settings_of(scheme);
+  setting.scheme = scheme;
+  setting.strain = preset.strain;
+  setting.integrator = preset.integrator;
+  return setting;
+}
+
 Setting own_setting(const Project& project) {
   Setting own;
   own.body = common_body(project);
@@ -87,12 +96,14 @@ Setting own_setting(const Project& project) {
   own.integrator = project.solver.integrator;
   own.penetration_tolerance = project.solver.penetration_tolerance;
   own.tolerance = project.solver.tolerance;
+  own.scheme = project.solver.preset;
   return own;
 }
 
 Project under(const Setting& setting, const Project& given) {
   Project project = given;
   if (setting.body && setting.body != common_body(given)) set_bodies(project, *setting.body);
+  if (setting.scheme != project.solver.preset) adopt(setting.scheme, project.solver);
   project.solver.strain = setting.strain;
   if (setting.integrator != project.solver.integrator)
     project.solver.spectral_radius = SolverSettings{}.spectral_radius;
@@ -118,8 +129,10 @@ std::string label_of(const Setting& setting, const Setting& own) {
   const auto add = [&](bool differs, const std::string& words) {
     if (differs) label += " · " + words;
   };
-  add(setting.strain != own.strain, std::string(to_string(setting.strain)));
-  add(setting.integrator != own.integrator, std::string(to_string(setting.integrator)));
+  const Setting usual = by_scheme(setting.scheme, own);
+  add(setting.scheme != own.scheme, "scheme " + std::string(to_string(setting.scheme)));
+  add(setting.strain != usual.strain, std::string(to_string(setting.strain)));
+  add(setting.integrator != usual.integrator, std::string(to_string(setting.integrator)));
   add(setting.time_step != own.time_step, multiple("Δ", setting.time_step));
   add(setting.static_step != own.static_step, "static " + multiple("Δ", setting.static_step));
   add(setting.mesh_size != own.mesh_size, multiple("h", setting.mesh_size));

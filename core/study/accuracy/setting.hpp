@@ -18,8 +18,12 @@ struct Setting {
   double mesh_size = 1;                           ///< of every solid, in units of the project's own
   std::optional<double> penetration_tolerance;    ///< of the mesh size; empty: springs as they are
   double tolerance = SolverSettings{}.tolerance;  ///< that steps are solved to
+  Preset scheme = Preset::talus;                  ///< where it is not the project's, all that a preset sets is its
   bool operator==(const Setting&) const = default;
 };
+
+/// The setting by a scheme: strain and integrator too are those of the scheme.
+Setting by_scheme(Preset scheme, Setting setting);
 
 /// The project's own.
 Setting own_setting(const Project& project);

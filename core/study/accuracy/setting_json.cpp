@@ -23,7 +23,8 @@ Json setting_json(const Setting& setting) {
           {"static_step", setting.static_step},
           {"mesh_size", setting.mesh_size},
           {"penetration_tolerance", setting.penetration_tolerance ? Json(*setting.penetration_tolerance) : Json()},
-          {"tolerance", setting.tolerance}};
+          {"tolerance", setting.tolerance},
+          {"scheme", to_string(setting.scheme)}};
 }
 
 Setting setting_of(const Json& json) {
@@ -40,6 +41,7 @@ Setting setting_of(const Json& json) {
   if (const Json& tolerance = json.at("penetration_tolerance"); !tolerance.is_null())
     setting.penetration_tolerance = tolerance.get<double>();
   setting.tolerance = json.value("tolerance", reference_tolerance.value);  // studies made before there were others
+  if (json.contains("scheme")) setting.scheme = kind_of(json.at("scheme"), {Preset::talus, Preset::paper});
   return setting;
 }
 

@@ -6,8 +6,8 @@
 
 namespace talus {
 
-/// {"body", "strain", "integrator", "time_step", "static_step", "mesh_size", "penetration_tolerance", "tolerance"};
-/// null where there is none.
+/// {"body", "strain", "integrator", "time_step", "static_step", "mesh_size", "penetration_tolerance", "tolerance",
+/// "scheme"}; null where there is none.
 nlohmann::ordered_json setting_json(const Setting& setting);
 
 /// Throws nlohmann::json::exception for what is no setting.

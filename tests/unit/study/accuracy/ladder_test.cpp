@@ -51,6 +51,18 @@ TEST(Ladder, GoesAlongTheToleranceOfTheSolver) {
   EXPECT_THROW(make_ladder(draft, parse_ladder_wish({}, {"tolerance=0.1"})), InputError);
 }
 
+TEST(Ladder, HasThePapersSchemeAsARun) {
+  const Ladder usual = make_ladder(sample("incline_slide"), parse_ladder_wish({"scheme"}, {}));
+  EXPECT_THAT(labels(usual), testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · scheme paper"));
+  EXPECT_EQ(usual.finest, 0) << "no scheme is finer";
+  EXPECT_THAT(labels(make_ladder(sample("incline_slide"), {})), Contains("tetrahedra · scheme paper"));
+  Project paper = sample("incline_slide");
+  paper.solver = settings_of(Preset::paper);
+  EXPECT_THAT(labels(make_ladder(paper, parse_ladder_wish({"scheme"}, {}))),
+              testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · scheme talus"));
+  EXPECT_THROW(make_ladder(paper, parse_ladder_wish({}, {"scheme=shi"})), InputError);
+}
+
 TEST(Ladder, TakesTheAxesWhoseValuesAreGiven) {
   const Ladder alone = make_ladder(sample("incline_slide"), parse_ladder_wish({}, {"time_step=1,0.5"}));
   EXPECT_THAT(labels(alone), testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · Δ/2"));

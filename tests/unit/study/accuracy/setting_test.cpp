@@ -75,12 +75,40 @@ TEST(Setting, IsCalledByWhatIsNotTheProjectsOwn) {
   EXPECT_EQ(label_of(other, own), "tetrahedra · Δ/2 · static Δ/2 · 2h · penetration 0.001 · tolerance draft");
 }
 
+TEST(Setting, ByAnotherSchemeIsAllOfThatScheme) {
+  Project project = sample("incline_slide");
+  project.solver.tolerance = draft_tolerance.value;
+  const Setting own = own_setting(project), paper = by_scheme(Preset::paper, own);
+  EXPECT_EQ(label_of(paper, own), "tetrahedra · scheme paper");
+  SolverSettings expected = settings_of(Preset::paper);
+  expected.tolerance = draft_tolerance.value;
+  EXPECT_EQ(under(paper, project).solver, expected);
+  Setting other = paper;
+  other.strain = Strain::corotational;
+  EXPECT_EQ(label_of(other, own), "tetrahedra · scheme paper · corotational");
+  EXPECT_EQ(under(other, project).solver.strain, Strain::corotational);
+}
+
+TEST(Setting, OfAProjectWithAPresetKeepsWhatItSaysBesides) {
+  Project project = sample("incline_slide");
+  project.solver = settings_of(Preset::paper);
+  project.solver.contact = ContactModel::area;
+  const Setting own = own_setting(project);
+  EXPECT_EQ(by_scheme(Preset::paper, own), own);
+  EXPECT_EQ(under(own, project), project);
+  EXPECT_EQ(under(by_scheme(Preset::talus, own), project).solver, SolverSettings{});
+}
+
 TEST(Setting, SurvivesItsJson) {
   Setting setting{BodyKind::affine, Strain::incremental, Integrator::generalized_alpha, 0.3, 0.7, 1.7, 1e-4};
   EXPECT_EQ(setting_of(setting_json(setting)), setting);
   setting.body.reset();
   setting.penetration_tolerance.reset();
+  setting.scheme = Preset::paper;
   EXPECT_EQ(setting_of(setting_json(setting)), setting);
+  nlohmann::ordered_json old = setting_json(Setting{});
+  old.erase("scheme");
+  EXPECT_EQ(setting_of(old), Setting{}) << "studies made before there were schemes";
 }
 
 }  // namespace
