@@ -151,16 +151,16 @@ void print_events(const KnownSample& sample) {
               cost_text(own.report).c_str());
 }
 
-/// The worst of what a sample is held to, in its tolerances; where it ended, if before its time.
+/// The worst of what a sample is held to: the largest relative error, or where nothing but zero is expected the largest
+/// one; where it ended, if before its time.
 std::string held_text(const SampleOutcome& outcome) {
   if (outcome.report.status != RunStatus::completed) return "ends at " + significant(outcome.report.time) + " s";
-  if (outcome.report.expect.empty()) return "runs to its end";
   const ExpectationOutcome* worst = nullptr;
-  const auto share = [](const ExpectationOutcome& e) { return e.error / e.expectation.tolerance; };
+  const auto is_relative = [](const ExpectationOutcome& e) { return e.expectation.value != 0; };
   for (const ExpectationOutcome& e : outcome.report.expect)
-    if (!worst || share(e) > share(*worst)) worst = &e;
-  const char* sign = worst->expectation.value == 0 ? "±" : "";
-  return worst->expectation.quantity + ": " + sign + significant(worst->error, 2);
+    if (!worst || std::pair(is_relative(e), e.error) > std::pair(is_relative(*worst), worst->error)) worst = &e;
+  if (!worst) return "runs to its end";
+  return worst->expectation.quantity + ": " + (is_relative(*worst) ? "" : "±") + significant(worst->error, 2);
 }
 
 void print_sample(const KnownSample& sample) {
