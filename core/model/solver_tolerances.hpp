@@ -76,9 +76,9 @@ struct ConvergenceTolerances {
   /// set down has no contact force yet, and a tangent without its contacts would send it through the ground. Chosen,
   /// above rounding. Larger: open contacts hold for an iteration. Smaller: more iterations after landing.
   double first_closing = 2e-7;
-  /// Of the strength. Rounds that hold the states of contacts end where friction is by no more another than what the
-  /// round bore. Chosen. Larger: friction is that of other normal forces, and of another direction. Smaller: more
-  /// rounds, and more steps that are cut.
+  /// Of the strength. Rounds that hold the states of contacts, but for the last one, end where friction is by no more
+  /// another than what the round bore. Chosen. Larger: friction is that of other normal forces, and of another
+  /// direction. Smaller: more rounds.
   double friction_settled = 1e-3;
 
   /// Iterations after which a step is hard, and listed as trouble; most take two to six. Reports alone hang on it.
