@@ -10,7 +10,7 @@
 namespace talus {
 
 double Inertia::energy(const Increment& d) const {
-  const auto [beta, gamma, alpha_m, alpha_f] = step_.integration;
+  const double alpha_m = step_.integration.alpha_m;
   double sum = 0;
   for (const Element& element : set_.elements) {
     Corners a1, a0, u = set_.corner_increments(element, d), mixed;
@@ -20,7 +20,8 @@ double Inertia::energy(const Increment& d) const {
       mixed[i] = a0[i] + u[i];
     }
     sum +=
-        (1 - alpha_m) * beta / 2 * step_.length * step_.length * mass_square(element.mass, a1) +
+        (1 - alpha_m) * beta_of(set_.bodies[element.body], step_) / 2 * step_.length * step_.length *
+            mass_square(element.mass, a1) +
         alpha_m / 2 * (mass_square(element.mass, mixed) - mass_square(element.mass, a0) - mass_square(element.mass, u));
   }
   return sum;
@@ -41,8 +42,11 @@ void Inertia::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const
 }
 
 void Inertia::add_hessian(const Increment&, SymmetricBlocks& sum) const {
-  const double scale = (1 - step_.integration.alpha_m) / (20 * step_.integration.beta * step_.length * step_.length);
-  for (const Element& element : set_.elements) add_mass(element, scale * element.mass, sum);
+  for (const Element& element : set_.elements) {
+    const double beta = beta_of(set_.bodies[element.body], step_);
+    const double scale = (1 - step_.integration.alpha_m) / (20 * beta * step_.length * step_.length);
+    add_mass(element, scale * element.mass, sum);
+  }
   add_rigid_mass(set_, step_, sum);
 }
 
@@ -70,11 +74,15 @@ void Inertia::accept(const Increment& d) {
 
 double Inertia::time_error(const Increment& d) const {
   double largest = 0;
-  for (const int n : set_.nodes.free)
+  const auto is_constant = [&](int node) { return set_.bodies[set_.nodes.body[node]].constant_acceleration; };
+  for (const int n : set_.nodes.free) {
+    if (is_constant(n)) continue;
     largest = std::max(largest, (end_acceleration(set_, step_, n, d) - start_acceleration(set_, step_, n)).norm());
+  }
   for (const int r : set_.turning) {
     const RigidBody& body = set_.rigid[r];
-    const Vec3 change = end_moment(body, step_, d) - step_.dynamic_factor * body.moment;
+    if (is_constant(body.centre)) continue;
+    const Vec3 change = end_moment(set_, body, step_, d) - step_.dynamic_factor * body.moment;
     largest = std::max(largest, change.norm() / (body.mass * body.radius));
   }
   return std::abs(step_.integration.beta - 1.0 / 6) * step_.length * step_.length * largest;

@@ -14,7 +14,7 @@ bool NormalContact::has_spring(int i, double gap) const {
 
 double NormalContact::energy(const Increment& d) const {
   double sum = 0;
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const double g = links_.gap(i, d), force = this->force(i, g), k = point.normal_stiffness;
     sum += has_spring(i, g) ? force * force / (2 * k)
@@ -24,7 +24,7 @@ double NormalContact::energy(const Increment& d) const {
 }
 
 void NormalContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const {
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const double force = this->force(i, links_.gap(i, d));
     if (force != 0) links_.moves().add_force(i, d, -force * point.normal, arms, sum);
@@ -32,7 +32,7 @@ void NormalContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd&
 }
 
 void NormalContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const double g = links_.gap(i, d);
     if (has_spring(i, g) || (!held_ && touches(point, g, touching_)))
@@ -42,7 +42,7 @@ void NormalContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const 
 
 void NormalContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
   if (!links_.moves().any_turns()) return;
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const double force = this->force(i, links_.gap(i, d));
     if (force != 0) links_.moves().add_turning(i, d, -force * point.normal, arms, sum);
@@ -53,7 +53,7 @@ void NormalContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBl
 }
 
 void NormalContact::join_touching(const Increment& d, const Eigen::VectorXd& change, DisjointSets& together) const {
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const double least = links_.gap(i, d) + links_.moves().farthest_against(i, d, point.normal, change);
     const bool may_push = point.bonded || least < tolerances_.search_gap * point.size || normal_force(point, least) > 0;
@@ -63,7 +63,7 @@ void NormalContact::join_touching(const Increment& d, const Eigen::VectorXd& cha
 
 void NormalContact::accept(const Increment& d) {
   stored_ = 0;
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const double force = this->force(i, links_.gap(i, d));
     if (force == 0 || point.let_go) continue;
@@ -74,7 +74,7 @@ void NormalContact::accept(const Increment& d) {
 
 double NormalContact::work_on_held(const Increment& d) const {
   double sum = 0;
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     sum -= links_.moves().work_on_held(i, force(i, links_.gap(i, d)) * point.normal);
   }

@@ -20,7 +20,7 @@ class NormalContact final : public Effect {
       : links_(links),
         tolerances_(tolerances),
         bonded_(points == Points::bonded),
-        points_(bonded_ ? links.contacts().bonded : links.contacts().loose) {}
+        all_(bonded_ ? links.contacts().bonded : links.contacts().loose) {}
   EffectKind kind() const override { return bonded_ ? EffectKind::cohesion_and_tension : EffectKind::normal_contact; }
   EnergyAccount account() const override { return EnergyAccount::contact; }
   bool quadratic() const override { return false; }
@@ -32,6 +32,9 @@ class NormalContact final : public Effect {
   void count_as_closed(double fraction) { touching_ = fraction; }
   /// Until it is told null, points are as these say, one a point of the contact set: then Π is quadratic in D.
   void hold(const std::vector<HeldContact>* held) { held_ = held; }
+  /// Until it is told null, its points are these alone.
+  void look_at(const std::vector<int>* points) { points_ = points ? points : &all_; }
+  const std::vector<int>& all_points() const { return all_; }
   /// Joins the degree-of-freedom blocks of points that may push while each of these goes on from D by a fraction of its
   /// own, 0 to 1, of `change`.
   void join_touching(const Increment& d, const Eigen::VectorXd& change, DisjointSets& together) const;
@@ -46,7 +49,8 @@ class NormalContact final : public Effect {
   const ContactLinks& links_;
   EffectTolerances tolerances_;
   bool bonded_;
-  const std::vector<int>& points_;
+  const std::vector<int>& all_;
+  const std::vector<int>* points_ = &all_;
   double touching_ = 0;
   const std::vector<HeldContact>* held_ = nullptr;
   double stored_ = 0;  ///< J, in the springs at the end of the last step

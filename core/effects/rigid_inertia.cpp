@@ -7,15 +7,15 @@ namespace talus {
 namespace {
 
 /// What an angular acceleration of one radius weighs in the derivative [1/(m² s²)].
-double turning_scale(const RigidBody& body, const StepContext& step) {
-  const TimeIntegration& integration = step.integration;
-  return (1 - integration.alpha_m) / (integration.beta * step.length * step.length * body.radius * body.radius);
+double turning_scale(const BodySet& set, const RigidBody& body, const StepContext& step) {
+  const double beta = beta_of(set, step, body.centre);
+  return (1 - step.integration.alpha_m) / (beta * step.length * step.length * body.radius * body.radius);
 }
 
 }  // namespace
 
-Vec3 end_moment(const RigidBody& body, const StepContext& step, const Increment& d) {
-  const double beta = step.integration.beta, length = step.length;
+Vec3 end_moment(const BodySet& set, const RigidBody& body, const StepContext& step, const Increment& d) {
+  const double beta = beta_of(set, step, body.centre), length = step.length;
   const Vec3 free = length * step.dynamic_factor * (body.angular_momentum + (0.5 - beta) * length * body.moment);
   return (body.momentum_of(body.theta(d)) - free) / (beta * length * length);
 }
@@ -27,18 +27,18 @@ void add_rigid_inertia(const BodySet& set, const StepContext& step, const Increm
     const Vec3 a0 = start_acceleration(set, step, body.centre), a1 = end_acceleration(set, step, body.centre, d);
     sum.segment<3>(3 * set.nodes.dof_block[body.centre]) += body.mass * ((1 - alpha_m) * a1 + alpha_m * a0);
     sum.segment<3>(3 * body.rotation_dof_block) +=
-        ((1 - alpha_m) * end_moment(body, step, d) + alpha_m * step.dynamic_factor * body.moment) / body.radius;
+        ((1 - alpha_m) * end_moment(set, body, step, d) + alpha_m * step.dynamic_factor * body.moment) / body.radius;
   }
 }
 
 void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks& sum) {
-  const TimeIntegration& integration = step.integration;
-  const double scale = (1 - integration.alpha_m) / (integration.beta * step.length * step.length);
   for (const int r : set.turning) {
     const RigidBody& body = set.rigid[r];
+    const double beta = beta_of(set, step, body.centre);
+    const double scale = (1 - step.integration.alpha_m) / (beta * step.length * step.length);
     const int centre = set.nodes.dof_block[body.centre];
     sum.add(centre, centre, scale * body.mass * Mat3::Identity());
-    sum.add(body.rotation_dof_block, body.rotation_dof_block, turning_scale(body, step) * body.inertia_now());
+    sum.add(body.rotation_dof_block, body.rotation_dof_block, turning_scale(set, body, step) * body.inertia_now());
   }
 }
 
@@ -48,7 +48,7 @@ void add_rigid_turning(const BodySet& set, const StepContext& step, const Increm
     const Vec3 theta = body.theta(d);
     if (theta.isZero(0)) continue;
     sum.add(body.rotation_dof_block, body.rotation_dof_block,
-            turning_scale(body, step) * (body.momentum_slope(theta) - body.inertia_now()));
+            turning_scale(set, body, step) * (body.momentum_slope(theta) - body.inertia_now()));
   }
 }
 
@@ -60,7 +60,7 @@ void accept_rigid(BodySet& set, const StepContext& step, const Increment& d) {
       continue;
     }
     const double gamma = step.integration.gamma, factor = step.dynamic_factor;
-    const Vec3 moment = end_moment(body, step, d);
+    const Vec3 moment = end_moment(set, body, step, d);
     body.angular_momentum =
         factor * body.angular_momentum + step.length * ((1 - gamma) * factor * body.moment + gamma * moment);
     body.moment = moment;

@@ -17,7 +17,7 @@ void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks
 void add_rigid_turning(const BodySet& set, const StepContext& step, const Increment& d, UnsymmetricBlocks& sum);
 
 /// Ȧ₁, the rate of angular momentum at the end of the step [N m].
-Vec3 end_moment(const RigidBody& body, const StepContext& step, const Increment& d);
+Vec3 end_moment(const BodySet& set, const RigidBody& body, const StepContext& step, const Increment& d);
 /// Moves angular momenta and their rates on by `d`; to zero in a static stage.
 void accept_rigid(BodySet& set, const StepContext& step, const Increment& d);
 

@@ -12,12 +12,12 @@ Vec3 ShearContact::spring_force(int i, const Increment& d) const {
 
 void ShearContact::update_strength(const Increment& d) {
   strength_.assign(links_.contacts().points.size(), 0);
-  for (const int i : points_)
+  for (const int i : *points_)
     strength_[i] = shear_strength(links_.point(i), normal_force(links_.point(i), links_.gap(i, d)));
 }
 
 void ShearContact::join_with_strength(DisjointSets& together) const {
-  for (const int i : points_)
+  for (const int i : *points_)
     if (strength_[i] > 0) links_.moves().join_dof_blocks(i, together);
 }
 
@@ -42,7 +42,7 @@ Vec3 ShearContact::force(int i, const Increment& d) const {
 
 double ShearContact::energy(const Increment& d) const {
   double sum = 0;
-  for (const int i : points_) {
+  for (const int i : *points_) {
     if (held_ && (*held_)[i].shear != ContactMode::stick) {
       const HeldContact& held = (*held_)[i];
       sum -= held.friction.dot(links_.moves().increment(i, d));  // (37)
@@ -57,12 +57,12 @@ double ShearContact::energy(const Increment& d) const {
 }
 
 void ShearContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const {
-  for (const int i : points_)
+  for (const int i : *points_)
     if (!is_free(i)) links_.moves().add_force(i, d, -force(i, d), arms, sum);
 }
 
 void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const bool set_down = !held_ && strength_[i] == 0 && touching_ > 0 && touches(point, links_.gap(i, d), touching_);
     if (is_free(i) && !set_down) continue;
@@ -87,7 +87,7 @@ Mat3 ShearContact::spring_at(int i, const Increment& d) const {
 bool ShearContact::let_slide(const Increment& d) {
   slides_on_.assign(links_.contacts().points.size(), false);
   bool any = false;
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const double strength = strength_[i];
     const bool slid =
@@ -100,7 +100,7 @@ bool ShearContact::let_slide(const Increment& d) {
 }
 
 void ShearContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
-  for (const int i : points_) {
+  for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     if (is_free(i)) continue;
     if (links_.moves().any_turns()) {
@@ -117,7 +117,7 @@ void ShearContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlo
 
 void ShearContact::accept(const Increment& d) {
   stored_ = 0;
-  for (const int i : points_) stored_ += force(i, d).squaredNorm() / (2 * links_.point(i).shear_stiffness);
+  for (const int i : *points_) stored_ += force(i, d).squaredNorm() / (2 * links_.point(i).shear_stiffness);
 }
 
 double ShearContact::slip(int i, const Increment& d) const {
@@ -133,13 +133,13 @@ double ShearContact::slip(int i, const Increment& d) const {
 
 double ShearContact::dissipated(const Increment& d) const {
   double sum = 0;
-  for (const int i : points_) sum += force(i, d).norm() * slip(i, d);
+  for (const int i : *points_) sum += force(i, d).norm() * slip(i, d);
   return sum;
 }
 
 double ShearContact::work_on_held(const Increment& d) const {
   double sum = 0;
-  for (const int i : points_) sum -= links_.moves().work_on_held(i, force(i, d));
+  for (const int i : *points_) sum -= links_.moves().work_on_held(i, force(i, d));
   return sum;
 }
 

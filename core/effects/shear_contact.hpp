@@ -21,7 +21,7 @@ class ShearContact final : public Effect {
  public:
   /// Looks at the points that resist shear alone.
   explicit ShearContact(const ContactLinks& links, const EffectTolerances& tolerances = {})
-      : links_(links), tolerances_(tolerances), points_(links.contacts().sheared) {}
+      : links_(links), tolerances_(tolerances), all_(links.contacts().sheared) {}
   EffectKind kind() const override { return EffectKind::shear_contact; }
   EnergyAccount account() const override { return EnergyAccount::contact; }
   bool quadratic() const override { return false; }
@@ -36,6 +36,9 @@ class ShearContact final : public Effect {
   void stick() { slides_on_.clear(); }
   /// Until it is told null, points are as these say, one a point of the contact set: then Π is quadratic in D.
   void hold(const std::vector<HeldContact>* held) { held_ = held; }
+  /// Until it is told null, its points are these alone.
+  void look_at(const std::vector<int>* points) { points_ = points ? points : &all_; }
+  const std::vector<int>& all_points() const { return all_; }
   /// What the law makes of a point at D, whose strength is known.
   ContactMode mode(int point, const Increment& d) const;
   void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
@@ -79,7 +82,8 @@ class ShearContact final : public Effect {
 
   const ContactLinks& links_;
   EffectTolerances tolerances_;
-  const std::vector<int>& points_;
+  const std::vector<int>& all_;
+  const std::vector<int>* points_ = &all_;
   std::vector<double> strength_;  ///< N, a point of the contact set; zero where it does not resist shear
   std::vector<bool> slides_on_;   ///< a point of the contact set; empty: none
   double touching_ = 0;

@@ -36,7 +36,7 @@ void DenseSolver::factor(const SymmetricBlocks& matrix, std::span<const Unsymmet
   if (cholesky_.info() != Eigen::Success) throw NotPositiveDefinite(nodes[first_indefinite_node(full_)]);
   is_symmetric_ = true;
   for (const UnsymmetricBlocks::Pair& pair : unsymmetric) {
-    if (!is_among(pair.row)) continue;
+    if (!is_among(pair.row) || !is_among(pair.column)) continue;
     const int i = 3 * number_[pair.row], j = 3 * number_[pair.column];
     full_.block<3, 3>(i, j) += pair.below;
     full_.block<3, 3>(j, i) += pair.above;

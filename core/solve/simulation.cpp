@@ -134,6 +134,7 @@ void set_times(SimulationState& s, double start, double length) {
 }
 
 void set_up(SimulationState& s) {
+  if (s.resets_accelerations() && s.acceleration_reset.begin_step(s.bodies)) s.open_close.outdate_inertia();
   for (const auto& effect : s.composition.effects) effect->begin_step(s.context);
   s.open_close.begin_step(s.context);
   if (!s.accelerations_wanted) return;
@@ -144,19 +145,22 @@ void set_up(SimulationState& s) {
 /// Converges, corrects what that shows to be wrong, and converges again, until nothing is.
 OpenCloseResult converge(SimulationState& s) {
   OpenCloseResult result = s.open_close.converge(s.increment);
+
   for (int round = 0; result.converged; ++round) {
     if (round == s.tolerances.step.correction_limit) {
       ++s.correction_limits;
       break;
     }
-    if (!correct_contacts(s) && !correct_accelerations(s)) break;
+    if (!correct(s)) break;
     const OpenCloseResult last = s.open_close.converge(s.increment);
+
     result = {.converged = last.converged,
               .iterations = result.iterations + last.iterations,
               .residual = last.residual,
               .force_scale = last.force_scale,
               .worst_dof_block = std::max(result.worst_dof_block, last.worst_dof_block)};
   }
+
   return result;
 }
 
@@ -218,11 +222,11 @@ void remember_step(SimulationState& s, StepReport& report) {
   report.time_error = std::max(report.time_error, measured.time_error);
   if (!s.dynamic() && s.project.solver.static_inertia == StaticInertia::fading)
     s.pseudo_transient.accept(measured.displacement, s.open_close.residual().static_residual());
-  for (const auto& effect : s.composition.effects) effect->accept(s.increment);
-  s.detector.accept(s.contacts, s.outcomes.outcomes());
   s.acceleration_reset.note_contact_forces(s.bodies, s.contacts, s.outcomes.outcomes());
-  if (s.extras() && s.dynamic() && s.context.integration.carries_acceleration())
-    s.acceleration_reset.drop_after_blows(s.bodies);
+  if (s.resets_accelerations()) s.acceleration_reset.find_blows(s.bodies, s.context, s.increment);
+  for (const auto& effect : s.composition.effects) effect->accept(s.increment);
+  if (s.resets_accelerations()) s.acceleration_reset.drop_after_blows(s.bodies);
+  s.detector.accept(s.contacts, s.outcomes.outcomes());
 }
 
 void move_bodies(SimulationState& s, StepReport& report) {

@@ -33,6 +33,7 @@ struct SimulationState {
   bool augmented() const { return project.solver.penetration_tolerance.has_value(); }
   bool extras() const { return project.solver.extras == Extras::called_for; }  ///< beyond the equations
   bool dynamic() const { return context.dynamic_factor > 0; }                  ///< is the stage?
+  bool resets_accelerations() const { return extras() && dynamic() && context.integration.carries_acceleration(); }
   double dynamic_penetration() const;  ///< of h, that contacts of a dynamic stage may have
   bool anything_moves() const { return bodies.nodes.movable > 0; }
 

@@ -74,6 +74,7 @@ void forget_steps(SimulationState& s, double longest_step) {
   s.first_guess.forget(s.bodies.unknowns());
   s.stage_steps = 0;
   s.pseudo_transient.begin_stage();
+  s.acceleration_reset.begin_stage(s.bodies);
 }
 
 void set_time_integration(SimulationState& s, StageKind kind) {

@@ -14,8 +14,8 @@ bool update_normals(SimulationState& s, double tolerance) {
   return update_normals(s.contacts, s.links, updated, s.increment, tolerance, s.detector.tolerances());
 }
 
-}  // namespace
-
+/// Contacts that go deeper than the tolerance get the normal that their features have at the end of the step, a stiffer
+/// spring or, in static stages, a larger multiplier. Whether any did.
 bool correct_contacts(SimulationState& s) {
   const std::optional<double>& asked = s.project.solver.penetration_tolerance;
   // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
@@ -31,9 +31,20 @@ bool correct_contacts(SimulationState& s) {
   return true;
 }
 
+/// Bodies after a blow begin the step with the acceleration that they end it with. Whether any do.
 bool correct_accelerations(SimulationState& s) {
-  return s.extras() && s.dynamic() && s.context.integration.carries_acceleration() &&
-         s.acceleration_reset.reset_to_end(s.bodies, s.context, s.increment);
+  if (!s.resets_accelerations() || !s.acceleration_reset.correct(s.bodies, s.context, s.increment)) return false;
+  s.open_close.outdate_inertia();
+  s.open_close.begin_step(s.context);
+  return true;
+}
+
+}  // namespace
+
+bool correct(SimulationState& s) {
+  const bool contacts = correct_contacts(s), accelerations = correct_accelerations(s);
+
+  return contacts || accelerations;
 }
 
 }  // namespace talus

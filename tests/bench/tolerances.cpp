@@ -173,6 +173,11 @@ std::vector<Entry> entries() {
             {"least_gap", &G::least_gap}});
   }
   {
+    using G = EliminationTolerances;
+    add<G>(all, "solver.elimination.", [](Tolerances& t) -> G& { return t.solver.elimination; },
+           {{"unbalanced", &G::unbalanced}, {"most_bodies", &G::most_bodies}, {"iterations", &G::iterations}});
+  }
+  {
     using G = ContactOutcomeTolerances;
     add<G>(all, "solver.contact_outcome.", [](Tolerances& t) -> G& { return t.solver.contact_outcome; },
            {{"bond_opening", &G::bond_opening},
@@ -186,7 +191,6 @@ std::vector<Entry> entries() {
            {{"sudden_change", &G::sudden_change},
             {"acceleration_left", &G::acceleration_left},
             {"returned_energy", &G::returned_energy},
-            {"returned_energy_after_reset", &G::returned_energy_after_reset},
             {"visible_displacement", &G::visible_displacement},
             {"least_displacement", &G::least_displacement}});
   }

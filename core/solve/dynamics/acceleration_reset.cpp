@@ -8,26 +8,18 @@
 
 namespace talus {
 
+void AccelerationReset::AccelerationChange::add(const Vec3& v0, const Vec3& a0, const Vec3& a1, const Mat3& weight) {
+  before += a0.dot(weight * a0);
+  after += a1.dot(weight * a1);
+  returned += a1.dot(weight * (a0 - a1));
+  change += (a0 - a1).dot(weight * (a0 - a1));
+  motion += v0.dot(weight * v0);
+  along += v0.dot(weight * a1);
+}
+
 namespace {
 
-/// How the acceleration of a body changes over a step: sums over its parts, weighed by mass but for a common factor.
-struct AccelerationChange {
-  double before = 0;    ///< a₀·a₀
-  double after = 0;     ///< a₁·a₁
-  double returned = 0;  ///< a₁·(a₀ − a₁), what the step returns to the body
-  double change = 0;    ///< (a₀ − a₁)·(a₀ − a₁)
-  double motion = 0;    ///< v₀·v₀
-  double along = 0;     ///< v₀·a₁
-
-  void add(const Vec3& v0, const Vec3& a0, const Vec3& a1, const Mat3& weight = Mat3::Identity()) {
-    before += a0.dot(weight * a0);
-    after += a1.dot(weight * a1);
-    returned += a1.dot(weight * (a0 - a1));
-    change += (a0 - a1).dot(weight * (a0 - a1));
-    motion += v0.dot(weight * v0);
-    along += v0.dot(weight * a1);
-  }
-};
+using AccelerationChange = AccelerationReset::AccelerationChange;
 
 AccelerationChange change_over_step(const BodySet& set, const Body& body, const StepContext& step, const Increment& d) {
   AccelerationChange sum;
@@ -37,7 +29,7 @@ AccelerationChange change_over_step(const BodySet& set, const Body& body, const 
   if (body.rigid >= 0) {
     const RigidBody& rigid = set.rigid[body.rigid];
     add_node(rigid.centre);
-    sum.add(rigid.angular_momentum, rigid.moment, end_moment(rigid, step, d),
+    sum.add(rigid.angular_momentum, rigid.moment, end_moment(set, rigid, step, d),
             rigid.inertia_now().inverse() / rigid.mass);
   } else {
     for (int n = 0; n < body.free_count(); ++n) add_node(body.first_free() + n);
@@ -45,38 +37,45 @@ AccelerationChange change_over_step(const BodySet& set, const Body& body, const 
   return sum;
 }
 
-/// Sets the accelerations that a body goes on with: `of_node`(node) [m/s²], and `moment` [N m] of a rigid one.
-void set_accelerations(BodySet& set, const Body& body, const auto& of_node, const auto& moment) {
+void set_to_zero(BodySet& set, const Body& body) {
   if (body.rigid >= 0) {
     RigidBody& rigid = set.rigid[body.rigid];
-    set.nodes.acceleration[rigid.centre] = of_node(rigid.centre);
-    rigid.moment = moment(rigid);
+    set.nodes.acceleration[rigid.centre] = rigid.moment = Vec3::Zero();
     return;
   }
-  for (int i = 0; i < body.free_count(); ++i) {
-    const int n = body.first_free() + i;
-    set.nodes.acceleration[n] = of_node(n);
-  }
-}
-
-void set_to_end(BodySet& set, const Body& body, const StepContext& step, const Increment& d) {
-  set_accelerations(
-      set, body, [&](int n) { return end_acceleration(set, step, n, d); },
-      [&](const RigidBody& rigid) { return end_moment(rigid, step, d); });
-}
-
-void set_to_zero(BodySet& set, const Body& body) {
-  const auto none = [](const auto&) { return Vec3(Vec3::Zero()); };
-  set_accelerations(set, body, none, none);
+  std::fill_n(set.nodes.acceleration.begin() + body.first_free(), body.free_count(), Vec3(Vec3::Zero()));
 }
 
 }  // namespace
+
+void AccelerationReset::begin_stage(BodySet& set) {
+  for (Body& body : set.bodies) body.constant_acceleration = false;
+  was_hit_.assign(was_hit_.size(), false);
+  goes_on_ = was_hit_;
+}
+
+bool AccelerationReset::begin_step(BodySet& set) {
+  bool any = false;
+  for (const int b : set.moving) {
+    any = any || set.bodies[b].constant_acceleration != goes_on_[b];
+    set.bodies[b].constant_acceleration = goes_on_[b];
+    was_changed_[b] = false;
+  }
+  return any;
+}
+
+void AccelerationReset::find_blows(const BodySet& set, const StepContext& step, const Increment& d) {
+  for (const int b : set.moving) {
+    const double change = (forces_[b] - before_[b]).norm();
+    was_hit_[b] = change > tolerances_.sudden_change * std::max(forces_[b].norm(), before_[b].norm());
+    goes_on_[b] = was_hit_[b] && is_visible(change_over_step(set, set.bodies[b], step, d).after, step);
+  }
+}
 
 void AccelerationReset::note_contact_forces(const BodySet& set, const ContactSet& contacts,
                                             const std::vector<ContactOutcome>& outcomes) {
   for (const int b : set.moving) {
     before_[b] = forces_[b];
-    was_reset_[b] = false;
     forces_[b].setZero();
   }
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -87,38 +86,40 @@ void AccelerationReset::note_contact_forces(const BodySet& set, const ContactSet
   }
 }
 
-void AccelerationReset::drop_after_blows(BodySet& set) {
-  for (const int b : set.moving) {
-    const double change = (forces_[b] - before_[b]).norm();
-    was_hit_[b] = change > tolerances_.sudden_change * std::max(forces_[b].norm(), before_[b].norm());
+void AccelerationReset::drop_after_blows(BodySet& set) const {
+  for (const int b : set.moving)
     if (was_hit_[b]) set_to_zero(set, set.bodies[b]);
-  }
 }
 
-bool AccelerationReset::needs_reset(int body, const BodySet& set, const StepContext& step, const Increment& d) const {
-  const AccelerationChange a = change_over_step(set, set.bodies[body], step, d);
-  const double square = step.length * step.length, unit = step.mesh_size / square;
+bool AccelerationReset::is_visible(double square, const StepContext& step) const {
+  const double least = tolerances_.visible_displacement * step.mesh_size / (step.length * step.length);
+  return square > least * least;
+}
+
+bool AccelerationReset::is_constant(const Body& body, bool was_hit, const AccelerationChange& a,
+                                    const StepContext& step) const {
   const AccelerationResetTolerances& t = tolerances_;
-  if (was_hit_[body]) {
+  if (was_hit) {
     const bool turns_back = a.motion + step.length * a.along < 0;  // the rest of the blow would throw it back
-    return !turns_back && a.after > t.visible_displacement * t.visible_displacement * unit * unit;
+    return !turns_back && (body.constant_acceleration || is_visible(a.after, step));
   }
-  const double rounding = t.least_displacement * t.least_displacement * unit * unit;
+  const double square = step.length * step.length, least = t.least_displacement * step.mesh_size / square,
+               rounding = least * least;
   const bool has_ended = a.before > rounding && a.after < t.acceleration_left * t.acceleration_left * a.before;
   const bool ends_at_once = a.change > t.sudden_change * t.sudden_change * a.before;
-  const double lasting = was_reset_[body] ? t.returned_energy_after_reset : t.returned_energy;
-  const bool dies_away = square / 8 * a.returned > lasting * a.motion;
-  return has_ended || (a.returned > rounding && (ends_at_once || dies_away));
+  const bool dies_away = square / 8 * a.returned > t.returned_energy * a.motion;
+  return body.constant_acceleration || has_ended || (a.change > rounding && a.returned > 0 && (ends_at_once || dies_away));
 }
 
-bool AccelerationReset::reset_to_end(BodySet& set, const StepContext& step, const Increment& d) {
+bool AccelerationReset::correct(BodySet& set, const StepContext& step, const Increment& d) {
   bool any = false;
   for (const int b : set.moving) {
-    if (!needs_reset(b, set, step, d)) continue;
-    set_to_end(set, set.bodies[b], step, d);
-    was_hit_[b] = false;
-    was_reset_[b] = true;
-    any = true;
+    Body& body = set.bodies[b];
+    if (was_changed_[b]) continue;
+    const bool constant = is_constant(body, was_hit_[b], change_over_step(set, body, step, d), step);
+    if (constant == body.constant_acceleration) continue;
+    body.constant_acceleration = constant;
+    was_changed_[b] = any = true;
   }
   return any;
 }

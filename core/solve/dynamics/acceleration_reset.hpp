@@ -15,9 +15,12 @@ namespace talus {
 /// acted for a moment is taken to last, and (½ − β)Δ²a₀ of it enters the next increment, which throws a block that has
 /// just landed up again. A blow that dies away over a step, from a₀ to a₁, returns the energy (β − ½)Δ²·m a₁(a₀ − a₁)
 /// to the body. (What cannot grow is not the kinetic energy, but the sum of it and ½(β − ½)Δ²·m a².) So
-///   - a body that has taken a blow starts its next step without an acceleration (`drop_after_blows`);
-///   - a step that has converged is converged again with a₀ = a₁ for bodies that came without an acceleration, and for
-///     bodies whose acceleration has ended or dies away in it (`reset_to_end`).
+///   - a body that has taken a blow goes on without an acceleration (`drop_after_blows`), and begins its next step with
+///     the one that it ends it with, a₀ = a₁, if that moves it;
+///   - so do bodies of which a step, once it has converged, shows that their acceleration ends or dies away in it: it
+///   is
+///     converged again (`correct`).
+/// a₀ = a₁ gives nothing back and is exact for a constant force: there the integrator is Newmark's with β = ½.
 class AccelerationReset {
  public:
   explicit AccelerationReset(const BodySet& set, const AccelerationResetTolerances& tolerances = {})
@@ -25,23 +28,46 @@ class AccelerationReset {
         forces_(set.bodies.size(), Vec3::Zero()),
         before_(forces_),
         was_hit_(set.bodies.size(), false),
-        was_reset_(was_hit_) {}
+        goes_on_(was_hit_),
+        was_changed_(was_hit_) {}
 
+  /// Nothing is known of blows any more.
+  void begin_stage(BodySet& set);
+  /// A step is about to be tried: says of each body whether it begins with the acceleration that it ends with.
+  /// Whether that is another answer than before of any.
+  bool begin_step(BodySet& set);
+  /// It has converged at `d`: says so of the bodies for which `d` calls for it, and not of those that it would throw
+  /// back. Whether that changes any; then the step is to be converged again. Of each body it changes once a step.
+  bool correct(BodySet& set, const StepContext& step, const Increment& d);
   /// A step is accepted: takes the contact forces at its end.
   void note_contact_forces(const BodySet& set, const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes);
+  /// After that, with velocities as at the start of the step: finds the bodies that have taken a blow in it.
+  void find_blows(const BodySet& set, const StepContext& step, const Increment& d);
   /// After that, with accelerations as at the end of the step: bodies that have taken a blow lose theirs.
-  void drop_after_blows(BodySet& set);
-  /// A step has converged at `d`: where it is called for, accelerations at its start become those at its end. Whether
-  /// any did; then the step is to be converged again.
-  bool reset_to_end(BodySet& set, const StepContext& step, const Increment& d);
+  void drop_after_blows(BodySet& set) const;
+
+  /// How the acceleration of a body changes over a step: sums over its parts, weighed by mass but for a common factor.
+  struct AccelerationChange {
+    double before = 0;    ///< a₀·a₀
+    double after = 0;     ///< a₁·a₁
+    double returned = 0;  ///< a₁·(a₀ − a₁), what the step returns to the body
+    double change = 0;    ///< (a₀ − a₁)·(a₀ − a₁)
+    double motion = 0;    ///< v₀·v₀
+    double along = 0;     ///< v₀·a₁
+
+    void add(const Vec3& v0, const Vec3& a0, const Vec3& a1, const Mat3& weight = Mat3::Identity());
+  };
 
  private:
-  bool needs_reset(int body, const BodySet& set, const StepContext& step, const Increment& d) const;
+  /// Whether an acceleration of this square [m²/s⁴] moves a body in a step.
+  bool is_visible(double square, const StepContext& step) const;
+  bool is_constant(const Body& body, bool was_hit, const AccelerationChange& a, const StepContext& step) const;
 
   AccelerationResetTolerances tolerances_;
   std::vector<Vec3> forces_, before_;  // N, all normal forces on a body; of one asleep as it fell asleep
   std::vector<bool> was_hit_;          // a body: in the step before, and goes on without an acceleration
-  std::vector<bool> was_reset_;        // a body: in this step
+  std::vector<bool> goes_on_;          // a body: was hit, and moves by what it ended that step with
+  std::vector<bool> was_changed_;      // a body: in this trial
 };
 
 }  // namespace talus

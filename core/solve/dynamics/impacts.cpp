@@ -1,6 +1,8 @@
 #include "solve/dynamics/impacts.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "base/stopwatch.hpp"
@@ -25,6 +27,13 @@ Stencil stencil(const ContactSet& contacts, const ContactPoint& point) {
 double speed_of(const BodySet& set, const ContactSet& contacts, const ContactPoint& point, double step) {
   const auto [nodes, weights] = stencil(contacts, point);
   return point.normal.dot(velocity_of(set, nodes, weights, step));
+}
+
+/// The largest mobility in a direction across the normal [1/kg].
+double mobility_across(const Mat3& mobility, const Vec3& normal) {
+  const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
+  const double a = e1.dot(mobility * e1), b = e1.dot(mobility * e2), c = e2.dot(mobility * e2);
+  return 0.5 * (a + c) + std::hypot(0.5 * (a - c), b);
 }
 
 double mass_of(const Body& body) { return body.fixed ? 1e300 : body.mass(); }
@@ -107,8 +116,7 @@ double Impacts::update(Hit& hit) {
   const double pushed = std::max(-hit.push, (wanted - without) / mobility);
 
   const Vec3 sideways = v - speed * hit.normal;
-  const double sluggish = hit.where.mobility().trace();  // no less than the mobility in any direction
-  Vec3 shear = hit.shear + hit.sheared - sideways / sluggish;
+  Vec3 shear = hit.shear + hit.sheared - sideways / hit.sideways;
   shear -= hit.normal * hit.normal.dot(shear);
   const double strength = hit.friction * (hit.push + pushed), length = shear.norm();
   if (length > strength) shear *= strength / length;
@@ -146,8 +154,10 @@ double Impacts::apply(const ContactSet& contacts, const StepContext& step,
                      .normal = point.normal,
                      .range = range,
                      .friction = point.friction,
+                     .sideways = 0,
                      .push = outcomes[i].normal_force * step.length,
                      .shear = outcomes[i].shear_force * step.length});
+    hits_.back().sideways = mobility_across(hits_.back().where.mobility(), point.normal);
     largest = std::max(largest, hits_.back().push);
   }
   const double before = Inertia::kinetic_energy(set_);

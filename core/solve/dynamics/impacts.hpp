@@ -49,6 +49,7 @@ class Impacts {
     Vec3 normal;
     Range range;
     double friction;
+    double sideways;    // 1/kg, no less than the mobility in any direction across the normal
     double push;        // N s, of the springs over the step
     Vec3 shear;         // N s
     double pushed = 0;  // N s, by the impact

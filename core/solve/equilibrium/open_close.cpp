@@ -33,14 +33,14 @@ class Progress {
 void OpenClose::begin_stage(Composition& composition, double body_residual) {
   composition_ = &composition;
   body_residual_ = body_residual;
-  residual_.begin_stage(composition, body_residual > 0);
+  residual_.begin_stage(composition);
 }
 
 SolveTimes OpenClose::times() const {
   SolveTimes times = residual_.times();
   times.assemble += interior_.times().assemble;
   times.factor += pattern_seconds_ + linear_.work().factor_seconds + interior_.times().factor;
-  times.solve += linear_.work().solve_seconds + interior_.times().solve;
+  times.solve += linear_.work().solve_seconds + elimination_seconds_ + interior_.times().solve;
   return times;
 }
 
@@ -123,35 +123,50 @@ OpenCloseResult OpenClose::converge_by_states(Increment& d) {
 
 OpenCloseResult OpenClose::converge(Increment& d) {
   if (method_ == OpenCloseMethod::states) return converge_by_states(d);
+  first_guess_ = d;
+  residual_.evaluate(d, Friction::coupled);
+  return converge_within(iteration_limit_, interior_point_applies(), d);
+}
+
+OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, Increment& d) {
   OpenCloseResult result;
   Progress progress(tolerances_);
   int newton_iterations = 0;  // since the start, or since the last fallback
-  bool interior_point_left = interior_point_applies();
-  first_guess_ = d;
-  residual_.evaluate(d, Friction::coupled);
   for (;; ++result.iterations) {
     result.residual = residual_.norm();
     result.force_scale = residual_.force_scale();
     if (!std::isfinite(result.residual)) return result;
     result.converged = has_converged(result, progress.has_stalled(result.residual), d);
     if (result.converged) return result;
-    if (result.iterations >= iteration_limit_) break;
+    if (result.iterations >= limit) break;
     if (result.iterations >= tolerances_.hard_step && result.worst_dof_block < 0)
       result.worst_dof_block = worst_dof_block();
     if (newton_iterations == tolerances_.newton_iterations) {
       newton_iterations = 0;
-      if (!converge_with_fallbacks(d, result.iterations, interior_point_left)) break;
+      if (!converge_with_fallbacks(d, limit, result.iterations, interior_point_left)) break;
     } else {
       assemble(d, result.iterations == 0 ? tolerances_.first_closing : 0);
       search_.set_all_pending();
       find_direction(d, Friction::coupled);
       iterate(d, newton_iterations < tolerances_.closing_iterations);
       ++newton_iterations;
+      if (newton_iterations >= tolerances_.closing_iterations && !elimination_.is_active()) balance_alone(d);
     }
   }
   result.residual = residual_.norm();
   result.worst_dof_block = worst_dof_block();
   return result;
+}
+
+void OpenClose::balance_alone(Increment& d) {
+  if (!elimination_.begin(*composition_, residual_)) return;
+  const Increment before = d;
+  residual_.evaluate(d, Friction::coupled);
+  const double unbalanced = residual_.norm();
+  const OpenCloseResult alone = converge_within(elimination_limit_, false, d);
+  if (!(alone.residual < unbalanced)) d = before;
+  elimination_.end(*composition_, residual_);
+  residual_.evaluate(d, Friction::coupled);
 }
 
 bool OpenClose::has_converged(const OpenCloseResult& now, bool stalled, const Increment& d) const {
@@ -172,8 +187,13 @@ void OpenClose::find_direction(const Increment& d, Friction friction) {
   unsymmetric_.set_zero();
   if (friction == Friction::coupled) residual_.add_unsymmetric(d, unsymmetric_);
   search_.pick_pending(residual_.gradient(), part_);
-  linear_.solve(residual_.matrix(), unsymmetric_, part_,
-                tolerances_.negligible_system * tolerance_ * residual_.force_scale(), direction_);
+  if (elimination_.is_active()) {
+    const Stopwatch watch(elimination_seconds_);
+    elimination_.solve(residual_.matrix(), unsymmetric_, part_, direction_);
+  } else {
+    linear_.solve(residual_.matrix(), unsymmetric_, part_,
+                  tolerances_.negligible_system * tolerance_ * residual_.force_scale(), direction_);
+  }
   part_ = -direction_;
   direction_ *= residual_.longest_step_fraction(d, part_);
 }
@@ -244,8 +264,8 @@ double OpenClose::negligible_residual() const {
   return std::max(tolerances_.negligible_part * residual_.norm(), tolerance_ * residual_.force_scale());
 }
 
-bool OpenClose::converge_with_fallbacks(Increment& d, int& iterations, bool& interior_point_left) {
-  const int left = iteration_limit_ - iterations - 1;
+bool OpenClose::converge_with_fallbacks(Increment& d, int limit, int& iterations, bool& interior_point_left) {
+  const int left = limit - iterations - 1;
   const int frozen_limit = interior_point_left ? std::min(left, tolerances_.interior_point_after - iterations) : left;
   const int count = frozen_limit > 0 ? converge_with_frozen_friction(d, frozen_limit) : 0;
   iterations += count;
@@ -253,7 +273,7 @@ bool OpenClose::converge_with_fallbacks(Increment& d, int& iterations, bool& int
   interior_point_left = false;
   d = first_guess_;
   iterations += approach_by_interior_point(d, left - count);
-  return !is_hopeless(iteration_limit_ - iterations);
+  return !is_hopeless(limit - iterations);
 }
 
 int OpenClose::converge_with_frozen_friction(Increment& d, int limit) {

@@ -7,6 +7,7 @@
 #include "model/solver_settings.hpp"
 #include "solve/equilibrium/contact_states.hpp"
 #include "solve/equilibrium/interior_point.hpp"
+#include "solve/equilibrium/nonlinear_elimination.hpp"
 #include "solve/equilibrium/partwise_line_search.hpp"
 #include "solve/equilibrium/step_residual.hpp"
 
@@ -30,6 +31,7 @@ struct OpenCloseResult {
 ///   1. assemble the tangent at D, solve for Newton's direction;
 ///   2. try the full increment, and keep it where it reduces the residual;
 ///   3. elsewhere freeze friction, so that there is a potential, and search for its minimum along the direction.
+/// Bodies that are left far out of balance by an iteration that balances nearly all others are balanced by themselves.
 /// Where a few iterations do not converge, frozen friction alone is tried for a while, then the interior-point method.
 class OpenClose {
  public:
@@ -41,6 +43,8 @@ class OpenClose {
         residual_(tolerances.convergence),
         linear_({.tolerance = tolerances.convergence.gmres, .limit = tolerances.convergence.gmres_limit}),
         search_(tolerances.convergence),
+        elimination_(tolerances.elimination),
+        elimination_limit_(tolerances.elimination.iterations),
         interior_(tolerances.interior_point) {}
 
   /// The effects of a stage; they must live until end_stage. A step has converged, too, once no body is out of balance
@@ -49,8 +53,10 @@ class OpenClose {
   void end_stage() { residual_.end_stage(); }
   /// The couplings of contacts have changed: finds the independent systems anew.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
-  /// Once after Effect::begin_step.
+  /// Once after Effect::begin_step, and again where inertia has changed.
   void begin_step(const StepContext& step);
+  /// What bodies' inertia adds to the tangent is to be found anew when the next step begins.
+  void outdate_inertia() { residual_.outdate_inertia(); }
 
   /// Iterates from the first guess `d` to the increment, which it leaves there. The bodies and contacts stand at the
   /// start of a step.
@@ -88,6 +94,10 @@ class OpenClose {
   /// The paper's iteration, section 3: rounds in each of which contacts keep their states and friction is that of the
   /// last round (36), so that the step is one linear system; until a round leaves the states as they were.
   OpenCloseResult converge_by_states(Increment& d);
+  /// Newton's method with its fallbacks, in so many iterations at most.
+  OpenCloseResult converge_within(int limit, bool interior_point_left, Increment& d);
+  /// Balances bodies by themselves that are far out of balance while nearly all others are not (NonlinearElimination).
+  void balance_alone(Increment& d);
   /// One iteration of Newton's method. `early`: contacts may close together, at the price of a larger residual.
   void iterate(Increment& d, bool early);
   /// A full increment that closes contacts may leave a far larger residual, and the next one nearly none.
@@ -95,7 +105,7 @@ class OpenClose {
 
   /// What is tried where Newton's method goes round in circles: frozen friction; then once the interior-point method;
   /// then frozen friction again. Adds its iterations. False: a shorter step is the better way.
-  bool converge_with_fallbacks(Increment& d, int& iterations, bool& interior_point_left);
+  bool converge_with_fallbacks(Increment& d, int limit, int& iterations, bool& interior_point_left);
   /// Friction stays frozen while the potential that there is then falls to its minimum, which it does from anywhere;
   /// then it is taken anew, until a coupled iteration leads on. Returns the number of iterations.
   int converge_with_frozen_friction(Increment& d, int limit);
@@ -121,13 +131,15 @@ class OpenClose {
   UnsymmetricBlocks unsymmetric_;
   LinearSystem linear_;
   PartwiseLineSearch search_;
+  NonlinearElimination elimination_;
+  int elimination_limit_;
   InteriorPoint interior_;
   DisjointSets together_;
   Eigen::VectorXd part_, direction_, zero_;
   Increment scaled_, start_, second_start_, first_guess_;
   double tolerance_ = 0;      ///< relative residual of all bodies together at which this step has converged …
   double body_residual_ = 0;  ///< … and of each alone
-  double pattern_seconds_ = 0;
+  double pattern_seconds_ = 0, elimination_seconds_ = 0;
 };
 
 }  // namespace talus

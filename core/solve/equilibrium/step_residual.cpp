@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/stopwatch.hpp"
 
@@ -25,9 +26,8 @@ void StepResidual::end_stage() {
   effect_work_.clear();
 }
 
-void StepResidual::begin_stage(Composition& composition, bool bodies_apart) {
+void StepResidual::begin_stage(Composition& composition) {
   composition_ = &composition;
-  bodies_apart_ = bodies_apart;
   effect_work_.assign(composition.effects.size(), {.built = 1});
   works_.assign(composition.effects.size(), 0);
   norms_.assign(composition.effects.size(), 0);
@@ -43,7 +43,6 @@ void StepResidual::set_pattern(int nodes, std::vector<std::pair<int, int>> coupl
   zero_.setZero(3 * nodes);
   pattern_changed_ = true;
   rounding_ = rounding_of_positions_ = 0;
-  if (!bodies_apart_) return;
   const BodySet& bodies = *composition_->bodies;
   body_begins_ = {0};
   for (const int b : bodies.moving) {
@@ -70,6 +69,22 @@ bool StepResidual::each_body_balances(double tolerance) const {
   return (left.array() <= tolerance * body_forces_.array()).all();
 }
 
+void StepResidual::list_unbalanced(double fraction, std::vector<int>& bodies) const {
+  bodies.clear();
+  for (int b = 0; b < this->bodies(); ++b) {
+    const auto [begin, end] = dof_blocks_of(b);
+    if (gradient_.segment(3 * begin, 3 * (end - begin)).norm() > fraction * body_forces_[b]) bodies.push_back(b);
+  }
+}
+
+void StepResidual::leave_out_others(Eigen::VectorXd& forces) {
+  if (looked_at_.empty()) return;
+  kept_.resize(forces.size());
+  for (const int block : looked_at_) kept_.segment<3>(3 * block) = forces.segment<3>(3 * block);
+  forces.setZero();
+  for (const int block : looked_at_) forces.segment<3>(3 * block) = kept_.segment<3>(3 * block);
+}
+
 void StepResidual::assemble_constant() {
   pattern_changed_ = false;
   constant_.set_zero();
@@ -88,11 +103,12 @@ bool StepResidual::begin_step(const StepContext& step) {
   const bool same_kind = step.length == step_.length && step.integration == step_.integration;
   step_ = step;
   smooth_fraction_ = step.integration.smooth_fraction();
-  if (!same_kind || pattern_changed_) assemble_constant();
+  const bool other_inertia = std::exchange(inertia_outdated_, false);
+  if (!same_kind || other_inertia || pattern_changed_) assemble_constant();
   of_step_.assign(constant_);
   part_.resize(zero_.size());
   momentum_scale_ = 0;
-  if (bodies_apart_) body_momenta_.setZero(static_cast<Eigen::Index>(body_begins_.size()) - 1);
+  body_momenta_.setZero(static_cast<Eigen::Index>(body_begins_.size()) - 1);
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
     const Stopwatch of_effect(effect_work_[i].seconds);
@@ -105,11 +121,10 @@ bool StepResidual::begin_step(const StepContext& step) {
     part_.setZero();
     effect.add_gradient(zero_, step_.arms, part_);
     momentum_scale_ = tolerances_.momentum_force_weight * part_.norm();
-    if (!bodies_apart_) continue;
     norms_by_body(part_, body_momenta_);
     body_momenta_ *= tolerances_.momentum_force_weight;
   }
-  return !same_kind;
+  return !same_kind || other_inertia;
 }
 
 void StepResidual::evaluate(const Increment& d, Friction friction) {
@@ -122,20 +137,20 @@ void StepResidual::evaluate(const Increment& d, Friction friction) {
     gradient_.setZero(d.size());
   part_.resize(d.size());
   scaled_ = smooth_fraction_ * d;
-  force_scale_ = momentum_scale_;
-  if (bodies_apart_) body_forces_ = body_momenta_;
+  force_scale_ = looked_at_.empty() ? momentum_scale_ : 0;
+  body_forces_ = body_momenta_;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
     const Stopwatch of_effect(effect_work_[i].seconds);
     part_.setZero();
     effect.add_gradient(effect.smooth() ? scaled_ : d, arms, part_);
+    leave_out_others(part_);
     ++effect_work_[i].evaluations;
     gradient_ += part_;
     works_[i] = part_.dot(d);
     norms_[i] = part_.norm();
     const double counts = effect.account() == EnergyAccount::elastic ? tolerances_.elastic_force_weight : 1;
     force_scale_ = std::max(force_scale_, counts * norms_[i]);
-    if (!bodies_apart_) continue;
     norms_by_body(part_, body_norms_);
     body_forces_ = body_forces_.cwiseMax(counts * body_norms_);
   }

@@ -20,14 +20,16 @@ class StepResidual {
 
   explicit StepResidual(const ConvergenceTolerances& tolerances = {}) : tolerances_(tolerances) {}
 
-  /// The effects of a stage; they must live until end_stage. `bodies_apart`: each_body_balances will be asked.
-  void begin_stage(Composition& composition, bool bodies_apart = false);
+  /// The effects of a stage; they must live until end_stage.
+  void begin_stage(Composition& composition);
   void end_stage();
   /// The couplings of contacts have changed.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
   /// Assembles what is constant through a step, where it has changed; called once after Effect::begin_step. Whether
-  /// length or integration differ from those of the step before: then an old factor is no good preconditioner.
+  /// length, integration or inertia differ from those of the step before: then an old factor is no good preconditioner.
   bool begin_step(const StepContext& step);
+  /// Inertia is another one from the next begin_step on.
+  void outdate_inertia() { inertia_outdated_ = true; }
 
   /// Finds the gradient at D, and the scale of the forces in it.
   void evaluate(const Increment& d, Friction friction);
@@ -43,6 +45,14 @@ class StepResidual {
   /// Whether on each body alone so much of the forces on it is out of balance at most, a grain beside a mountain being
   /// no rounding, and what is left does next to no work, which the ledger would add up.
   bool each_body_balances(double tolerance) const;
+  /// Bodies with more than `fraction` of the forces on them out of balance, by their places in BodySet::moving.
+  void list_unbalanced(double fraction, std::vector<int>& bodies) const;
+  /// From the next D on all forces but those on these degree-of-freedom blocks, ascending, are left out; none: all
+  /// count again.
+  void look_at(std::span<const int> dof_blocks) { looked_at_ = dof_blocks; }
+  /// The degree-of-freedom blocks of a place in BodySet::moving: the first, and the one behind the last.
+  std::pair<int, int> dof_blocks_of(int body) const { return {body_begins_[body], body_begins_[body + 1]}; }
+  int bodies() const { return static_cast<int>(body_begins_.size()) - 1; }
   /// ∇Π_e·D of each effect at the last D that was evaluated [J].
   const std::vector<double>& works() const { return works_; }
   /// Norm of inertia's force over that of the largest other force, at the last D: the relative residual of static
@@ -81,6 +91,7 @@ class StepResidual {
  private:
   enum class Contacts { included, left_out };
   void assemble_constant();
+  void leave_out_others(Eigen::VectorXd& forces);
   /// Norm of the part of a vector that belongs to each moving body.
   void norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const;
   /// What effects that are not quadratic add at D.
@@ -89,17 +100,19 @@ class StepResidual {
 
   ConvergenceTolerances tolerances_;
   Composition* composition_ = nullptr;
-  StepContext step_;              ///< of length 0: the stage has had none yet
-  double smooth_fraction_ = 1;    ///< of D at which smooth forces are taken
-  SymmetricBlocks constant_;      ///< what is constant through steps of this length of a stage …
-  SymmetricBlocks of_step_;       ///< … with what is constant through this step …
-  SymmetricBlocks matrix_;        ///< … with the rest
-  bool pattern_changed_ = false;  ///< since constant_ was assembled
+  StepContext step_;               ///< of length 0: the stage has had none yet
+  double smooth_fraction_ = 1;     ///< of D at which smooth forces are taken
+  SymmetricBlocks constant_;       ///< what is constant through steps of this length of a stage …
+  SymmetricBlocks of_step_;        ///< … with what is constant through this step …
+  SymmetricBlocks matrix_;         ///< … with the rest
+  bool pattern_changed_ = false;   ///< since constant_ was assembled
+  bool inertia_outdated_ = false;  ///< the same
   Eigen::VectorXd gradient_, part_, zero_;
   Eigen::VectorXd frozen_;  ///< N, moments that frozen forces keep beside those that have a potential
   Increment scaled_;
   std::vector<double> works_, norms_;
-  bool bodies_apart_ = false;
+  std::span<const int> looked_at_;
+  Eigen::VectorXd kept_;
   std::vector<int> body_begins_;  ///< first degree-of-freedom block of each moving body, and the end of the last
   Eigen::VectorXd body_norms_, body_forces_, body_momenta_;  ///< N, of each: of an effect, the largest, of momentum
   double rounding_ = 0, rounding_of_positions_ = 0;

@@ -247,7 +247,7 @@ TEST(Simulation, TellsOfStepsThatUseAllRoundsOfCorrection) {
 }
 
 TEST(Simulation, TellsOfStepsThatUseAllSweepsOfImpulses) {
-  Project project = scene(30, {{"drop", StageKind::dynamic, 0.005, 100, {}}});
+  Project project = scene(30, {{"drop", StageKind::dynamic, 0.005, 60, {}}});
   project.joints[0].restitution = 0.5;
   BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
                                test::box_block("B", Vec3(1, 1, 0.1), Vec3(2, 2, 1.1), BodyKind::rigid)});

@@ -44,6 +44,7 @@ class PulledSprings : public testing::Test {
 TEST(StepResidual, AssemblesConstantPartsWhenLengthIntegrationOrPatternChange) {
   int constant = 0, of_step = 0;
   Composition composition;
+  composition.bodies = &test::no_bodies();
   composition.effects.push_back(std::make_unique<SpringChain>(Stays::through_the_stage, constant));
   composition.effects.push_back(std::make_unique<SpringChain>(Stays::through_the_step, of_step));
   StepResidual residual;

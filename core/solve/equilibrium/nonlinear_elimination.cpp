@@ -1,0 +1,85 @@
+#include "solve/equilibrium/nonlinear_elimination.hpp"
+
+namespace talus {
+
+bool NonlinearElimination::begin(const Composition& composition, StepResidual& residual) {
+  if (!composition.links || !pick_bodies(composition, residual)) return false;
+  split(residual.matrix().pattern());
+  pick_points(composition);
+  residual.look_at(dof_blocks_);
+  return true;
+}
+
+void NonlinearElimination::end(const Composition& composition, StepResidual& residual) {
+  dof_blocks_.clear();
+  for (NormalContact* normal : composition.normal) normal->look_at(nullptr);
+  if (composition.shear) composition.shear->look_at(nullptr);
+  residual.look_at({});
+}
+
+bool NonlinearElimination::pick_bodies(const Composition& composition, const StepResidual& residual) {
+  const BodySet& set = *composition.bodies;
+  residual.list_unbalanced(tolerances_.unbalanced, bodies_);
+  if (bodies_.empty() || static_cast<double>(bodies_.size()) > tolerances_.most_bodies * residual.bodies())
+    return false;
+  is_picked_.assign(set.bodies.size(), 0);
+  for (const int b : bodies_) {
+    const int body = set.moving[b];
+    if (!set.bodies[body].single_body()) return false;
+    is_picked_[body] = 1;
+  }
+  for (const int b : bodies_) {
+    const auto [first, end] = residual.dof_blocks_of(b);
+    for (int block = first; block < end; ++block) dof_blocks_.push_back(block);
+  }
+  return true;
+}
+
+/// Bodies that touch none of the others have equations of their own.
+void NonlinearElimination::split(const BlockPattern& pattern) {
+  number_.resize(pattern.nodes(), -1);
+  for (std::size_t k = 0; k < dof_blocks_.size(); ++k) number_[dof_blocks_[k]] = static_cast<int>(k);
+  together_.reset(static_cast<int>(dof_blocks_.size()));
+  for (const int column : dof_blocks_)
+    for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot)
+      if (const int row = number_[pattern.rows()[slot]]; row >= 0) together_.join(number_[column], row);
+  for (const int block : dof_blocks_) number_[block] = -1;
+  std::vector<int> system_of(dof_blocks_.size());
+  systems_.clear();
+  for (int k = 0; k < static_cast<int>(dof_blocks_.size()); ++k) {
+    const int first = together_.first_of(k);
+    if (first == k) {
+      system_of[k] = static_cast<int>(systems_.size());
+      systems_.emplace_back();
+    }
+    systems_[system_of[first]].push_back(dof_blocks_[k]);
+  }
+}
+
+void NonlinearElimination::pick_points(const Composition& composition) {
+  points_.resize(composition.normal.size() + 1);
+  const auto pick = [&](auto& effect, std::vector<int>& picked) {
+    picked.clear();
+    for (const int i : effect.all_points()) {
+      const ContactPoint& point = composition.links->point(i);
+      if (is_picked_[point.bodies[0]] || is_picked_[point.bodies[1]]) picked.push_back(i);
+    }
+    effect.look_at(&picked);
+  };
+  for (std::size_t i = 0; i < composition.normal.size(); ++i) pick(*composition.normal[i], points_[i]);
+  if (composition.shear) pick(*composition.shear, points_.back());
+}
+
+void NonlinearElimination::solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks& unsymmetric,
+                                 const Eigen::VectorXd& b, Eigen::VectorXd& x) {
+  x.setZero(b.size());
+  for (const std::vector<int>& system : systems_) {
+    right_.resize(static_cast<Eigen::Index>(3 * system.size()));
+    for (std::size_t k = 0; k < system.size(); ++k) right_.segment<3>(3 * k) = b.segment<3>(3 * system[k]);
+    dense_.factor(matrix, unsymmetric.pairs(), system);
+    dense_.solve(right_, solution_);
+    for (std::size_t k = 0; k < system.size(); ++k) x.segment<3>(3 * system[k]) = solution_.segment<3>(3 * k);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "base/disjoint_sets.hpp"
+#include "linear/dense_solver.hpp"
+#include "solve/equilibrium/step_residual.hpp"
+
+namespace talus {
+
+/// Balances a few bodies by themselves, all others held where they are. A chip between boulders has contacts that open
+/// and close as these move by a fraction of what is as good as nothing to them: it would set the pace of all. So, after
+/// an iteration, bodies that are far out of balance while nearly all others are not are taken out and balanced first
+/// (nonlinear elimination: Cai & Li 2011, "Inexact Newton methods with restricted additive Schwarz based nonlinear
+/// elimination"). An iteration on them looks at their contacts alone and solves small dense systems.
+class NonlinearElimination {
+ public:
+  explicit NonlinearElimination(const EliminationTolerances& tolerances) : tolerances_(tolerances) {}
+
+  /// Picks the bodies that are to be balanced alone at the gradient of the residual. If there are any, contact effects
+  /// and the residual look at them alone from now on.
+  bool begin(const Composition& composition, StepResidual& residual);
+  /// They look at all bodies again.
+  void end(const Composition& composition, StepResidual& residual);
+  bool is_active() const { return !dof_blocks_.empty(); }
+
+  /// x = T⁻¹ b of the bodies that were picked, zero elsewhere. Throws NotPositiveDefinite.
+  void solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks& unsymmetric, const Eigen::VectorXd& b,
+             Eigen::VectorXd& x);
+
+ private:
+  bool pick_bodies(const Composition& composition, const StepResidual& residual);
+  void pick_points(const Composition& composition);
+  void split(const BlockPattern& pattern);
+
+  EliminationTolerances tolerances_;
+  std::vector<int> bodies_, dof_blocks_;
+  std::vector<char> is_picked_;            // a body
+  std::vector<std::vector<int>> points_;   // of each normal contact, and of shear contact
+  std::vector<int> number_;                // of a degree-of-freedom block: its place in dof_blocks_, or −1
+  std::vector<std::vector<int>> systems_;  // degree-of-freedom blocks that touch each other
+  DisjointSets together_;
+  DenseSolver dense_;
+  Eigen::VectorXd right_, solution_;
+};
+
+}  // namespace talus
