@@ -1,6 +1,7 @@
 #include "model/solver_tolerances.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/solver_settings.hpp"
 
@@ -12,6 +13,7 @@ SolverTolerances SolverTolerances::at(double tolerance) const {
   for (double* residual : {&other.convergence.dynamic_residual, &other.convergence.static_residual})
     *residual *= std::min(1.0, factor);
   for (double* of_impulses : {&other.impact.negligible_speed, &other.impact.impulse_accuracy}) *of_impulses *= factor;
+  other.impact.sweep_limit = static_cast<int>(std::lround(impact.sweep_limit / std::pow(factor, 1.0 / 6)));
   return other;
 }
 

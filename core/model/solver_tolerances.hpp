@@ -225,8 +225,9 @@ struct ImpactTolerances {
   /// Of the largest push. Impulses that change by less have been found. Rounding. Larger: rebounds depend on the order
   /// of contacts.
   double impulse_accuracy = 1e-9;
-  /// Sweeps over all contacts in which impulses are to be found. Larger: time in crowds. Smaller: less exact rebounds.
-  /// Reaching it is counted in the report.
+  /// Sweeps over all contacts in which impulses are to be found; at standard 108, at draft 34. Larger: time in crowds.
+  /// Smaller: less exact rebounds: the kinetic energy of a slope of 317 blocks after 20 steps is 1.3e-4 larger with
+  /// 100, 3.8e-4 with 30. Reaching it is counted in the report.
   int sweep_limit = 500;
 };
 
@@ -317,8 +318,9 @@ struct SolverTolerances {
   EffectTolerances effects;
 
   /// What becomes of them at another SolverSettings::tolerance than that of reference, for which the values above are.
-  /// Impulses are found as exactly as steps are solved. A larger residual is left to each body alone, not to all
-  /// together (OpenClose::begin_stage): those of ConvergenceTolerances get smaller only.
+  /// Impulses are found as exactly as steps are solved, in sweeps that grow with the sixth root of the exactness. A
+  /// larger residual is left to each body alone, not to all together (OpenClose::begin_stage): those of
+  /// ConvergenceTolerances get smaller only.
   SolverTolerances at(double tolerance) const;
 };
 

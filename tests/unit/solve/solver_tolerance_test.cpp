@@ -18,12 +18,15 @@ TEST(SolverTolerance, OfReferenceLeavesEveryValueAsItIs) {
   EXPECT_EQ(same.convergence.static_residual, usual.convergence.static_residual);
   EXPECT_EQ(same.impact.impulse_accuracy, usual.impact.impulse_accuracy);
   EXPECT_EQ(same.impact.negligible_speed, usual.impact.negligible_speed);
+  EXPECT_EQ(same.impact.sweep_limit, usual.impact.sweep_limit);
   const SolverTolerances finer = usual.at(1e-11);
   EXPECT_DOUBLE_EQ(finer.convergence.dynamic_residual, usual.convergence.dynamic_residual / 10);
   EXPECT_DOUBLE_EQ(finer.impact.impulse_accuracy, usual.impact.impulse_accuracy / 10);
   const SolverTolerances draft = usual.at(draft_tolerance.value);
   EXPECT_EQ(draft.convergence.dynamic_residual, usual.convergence.dynamic_residual) << "of all bodies together";
   EXPECT_GT(draft.impact.impulse_accuracy, usual.impact.impulse_accuracy);
+  EXPECT_EQ(usual.at(standard_tolerance.value).impact.sweep_limit, 108);
+  EXPECT_EQ(draft.impact.sweep_limit, 34);
 }
 
 /// A block of 1 m slides down a plane, in steps that need iterations; tolerance and what came of it.
