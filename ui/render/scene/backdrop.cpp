@@ -1,19 +1,21 @@
 #include "render/scene/backdrop.hpp"
 
 #include <vtkCellArray.h>
-#include <vtkCoordinate.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
 
 namespace talus {
 
 Backdrop::Backdrop() {
+  constexpr double far = 1;
   vtkNew<vtkPoints> corners;
-  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) corners->InsertNextPoint(x, y, 0);
+  for (const auto& [x, y] : {std::pair{-far, -far}, {far, -far}, {far, far}, {-far, far}})
+    corners->InsertNextPoint(x, y, 0);
   colours_->SetNumberOfComponents(3);
   colours_->SetNumberOfTuples(4);
   vtkNew<vtkCellArray> square;
@@ -22,16 +24,22 @@ Backdrop::Backdrop() {
   plane->SetPoints(corners);
   plane->SetPolys(square);
   plane->GetPointData()->SetScalars(colours_);
-  vtkNew<vtkCoordinate> picture;
-  picture->SetCoordinateSystemToNormalizedViewport();
-  vtkNew<vtkPolyDataMapper2D> mapper;
+  vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(plane);
-  mapper->SetTransformCoordinate(picture);
   actor_->SetMapper(mapper);
-  actor_->GetProperty()->SetDisplayLocationToBackground();
+  actor_->GetProperty()->LightingOff();
+  actor_->UseBoundsOff();
+  vtkShaderProperty& shaders = *actor_->GetShaderProperty();
+  shaders.AddVertexShaderReplacement(
+      "//VTK::PositionVC::Impl", true,
+      "//VTK::PositionVC::Impl\n  gl_Position = vec4(sign(vertexMC.xy), 0.999999, 1.0);  // as far as can be\n", false);
+  // Its place for ambient occlusion, m: too far for anything to be darkened there or by it.
+  shaders.AddFragmentShaderReplacement("//VTK::Coincident::Impl", true,
+                                       "//VTK::Coincident::Impl\n  gl_FragData[1] = vec4(0.0, 0.0, -1e9, 1.0);\n",
+                                       false);
 }
 
-void Backdrop::add_to(vtkRenderer& renderer) { renderer.AddActor2D(actor_); }
+void Backdrop::add_to(vtkRenderer& renderer) { renderer.AddActor(actor_); }
 
 void Backdrop::style(Rgb top, Rgb bottom) {
   for (int corner = 0; corner < 4; ++corner) {

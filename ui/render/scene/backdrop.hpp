@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vtkActor2D.h>
+#include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -10,7 +10,8 @@ class vtkRenderer;
 
 namespace talus {
 
-/// The background's gradient, drawn where nothing else is. VTK's own gradient is lost under ambient occlusion.
+/// The background's gradient under ambient occlusion, where VTK's own is lost. It is to be added first: smooth lines
+/// are blended with what is there when they are drawn.
 class Backdrop {
  public:
   Backdrop();
@@ -20,7 +21,7 @@ class Backdrop {
 
  private:
   vtkNew<vtkUnsignedCharArray> colours_;
-  vtkNew<vtkActor2D> actor_;
+  vtkNew<vtkActor> actor_;
 };
 
 }  // namespace talus

@@ -18,6 +18,8 @@
 #include <limits>
 #include <utility>
 
+#include "render/gl/line_mapper.hpp"
+
 namespace talus {
 namespace {
 
@@ -82,27 +84,25 @@ double strength_of_lines(double spacing) {
   return fraction * fraction;
 }
 
-constexpr double thinnest_line = 1.05;  // pixels; a thinner one passes between their centres and looks dashed
-
-/// Lines lie on faces: half a pixel beside one a face that is seen at a flat angle is nearer to the viewer than the
-/// line, and would hide it. So lines are drawn as if nearer by some `pixels`: that shows none through the rock, however
-/// near or far it is.
+/// Lines are drawn as if nearer by some `pixels` than the faces that they lie on, or than other lines: that shows none
+/// through the rock, however near or far it is. What faces at a flat angle need beside it is in FaceMapper.
 void bring_nearer(vtkActor& lines, double pixels, const Vec3& pixel) {
   const Vec3 by = pixels * pixel;
   lines.SetPosition(by.x(), by.y(), by.z());
 }
 
 void add_lines(vtkRenderer& renderer, vtkPolyData& lines, vtkActor& actor) {
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<LineMapper> mapper;
   mapper->SetInputData(&lines);
   mapper->ScalarVisibilityOff();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -1);
+  constexpr double not_in_steps_of_depth = 4;  // which can be metres: takes back what VTK gives all lines
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, not_in_steps_of_depth);
   actor.SetMapper(mapper);
   actor.GetProperty()->SetLighting(false);
   renderer.AddActor(&actor);
 }
 
-constexpr double lift_of_edges = 1.5, lift_of_marks = 2.5;  // pixels: faces at up to 70° to the view; marks on edges
+constexpr double lift_of_mesh = 0.4, lift_of_edges = 0.7, lift_of_marks = 1;  // pixels
 
 }  // namespace
 
@@ -125,10 +125,11 @@ BlockActors::BlockActors(BlockSurface surface, const Vec3& origin)
   show_mesh_lines();
 }
 
-void BlockActors::add_to(vtkRenderer& renderer) {
-  renderer.AddActor(face_actor_);
-  add_lines(renderer, *sharp_edges_, *sharp_edge_actor_);
+void BlockActors::add_faces_to(vtkRenderer& renderer) { renderer.AddActor(face_actor_); }
+
+void BlockActors::add_lines_to(vtkRenderer& renderer) {
   add_lines(renderer, *mesh_lines_, *mesh_actor_);
+  add_lines(renderer, *sharp_edges_, *sharp_edge_actor_);
 }
 
 void BlockActors::move(std::span<const Vec3> displacement, double scale, double explosion) {
@@ -243,20 +244,16 @@ void BlockActors::colour_by_values(std::span<const double> values, bool at_nodes
 
 void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour, const Vec3& pixel) {
   if (mesh_edges > 0) show_mesh_lines();
-  const auto draw = [&](vtkActor& actor, bool wanted, double spacing) {
+  const auto draw = [&](vtkActor& actor, double width, double spacing, double lift) {
     constexpr double seen = 0.02;
     const double strength = strength_of_lines(spacing / pixel.norm());
-    actor.SetVisibility(wanted && strength > seen);
-    actor.GetProperty()->SetOpacity(strength);
+    actor.SetVisibility(width > 0 && strength > seen);
+    LineMapper::style(actor, width, strength);
+    set_colour(*actor.GetProperty(), colour);
+    bring_nearer(actor, lift, pixel);
   };
-  draw(*sharp_edge_actor_, block_edges > 0, spacings_.at_bends);
-  draw(*mesh_actor_, mesh_edges > 0, spacings_.of_mesh);
-  sharp_edge_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, block_edges)));
-  mesh_actor_->GetProperty()->SetLineWidth(static_cast<float>(std::max(thinnest_line, mesh_edges)));
-  for (vtkActor* actor : {sharp_edge_actor_.Get(), mesh_actor_.Get()}) {
-    set_colour(*actor->GetProperty(), colour);
-    bring_nearer(*actor, lift_of_edges, pixel);
-  }
+  draw(*sharp_edge_actor_, block_edges, spacings_.at_bends, lift_of_edges);
+  draw(*mesh_actor_, mesh_edges, spacings_.of_mesh, lift_of_mesh);
 }
 
 Highlight::Highlight(const Parts& parts) : parts_(parts) {
@@ -322,7 +319,7 @@ void Highlight::style(Rgb colour, double line_width, double tint, const Vec3& pi
     layer.face_actor->GetProperty()->SetOpacity(tint);
     layer.face_actor->SetVisibility(marks && tint > 0);
     layer.line_actor->SetVisibility(marks);
-    layer.line_actor->GetProperty()->SetLineWidth(static_cast<float>(line_width));
+    LineMapper::style(*layer.line_actor, line_width);
     bring_nearer(*layer.line_actor, lift_of_marks, pixel);
   }
 }

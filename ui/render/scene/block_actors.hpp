@@ -4,7 +4,6 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -12,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "render/gl/face_mapper.hpp"
 #include "render/paint/colour.hpp"
 #include "render/scene/block_surface.hpp"
 
@@ -38,7 +38,9 @@ class BlockActors {
   bool shows(int block) const { return shown_[static_cast<std::size_t>(block)]; }
   vtkPoints& points() { return *points_; }  ///< the vertices as they are drawn
 
-  void add_to(vtkRenderer& renderer);
+  /// The lines of all blocks are drawn after all faces.
+  void add_faces_to(vtkRenderer& renderer);
+  void add_lines_to(vtkRenderer& renderer);
   /// `displacement` of all blocks' nodes; empty: none. `explosion`: how far blocks are drawn from where they are, over
   /// the way from the origin to their middle.
   void move(std::span<const Vec3> displacement, double scale, double explosion = 0);
@@ -76,7 +78,7 @@ class BlockActors {
   vtkNew<vtkPoints> points_;
   std::vector<Face> thinned_;
   vtkNew<vtkPolyData> faces_, thinned_faces_, sharp_edges_, mesh_lines_;
-  vtkNew<vtkPolyDataMapper> mapper_;
+  vtkNew<FaceMapper> mapper_;
   vtkNew<vtkActor> face_actor_, sharp_edge_actor_, mesh_actor_;
 };
 

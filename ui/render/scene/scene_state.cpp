@@ -127,8 +127,9 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
       hover({&fixed, &movable}),
       face({&fixed, &movable}),
       joints(origin) {
-  fixed.add_to(*renderer);
-  movable.add_to(*renderer);
+  backdrop.add_to(*renderer);
+  for (BlockActors* part : {&fixed, &movable}) part->add_faces_to(*renderer);
+  for (BlockActors* part : {&fixed, &movable}) part->add_lines_to(*renderer);
   concern.add_to(*renderer);
   selection.add_to(*renderer);
   hover.add_to(*renderer);
@@ -136,7 +137,6 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
   joints.add_to(*renderer);
   contacts.add_to(*renderer);
   action_shapes.add_to(*renderer);
-  backdrop.add_to(*renderer);
   add_lights(*renderer);
 
   renderer->SetSSAORadius(0.05 * rock_size);
@@ -191,9 +191,7 @@ void Scene::State::style() {
   const auto set = [](Rgb colour, auto setter) {
     setter(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
   };
-  // Under ambient occlusion the backdrop is drawn; smoothed outlines are then blended with one colour from its middle.
-  const Rgb ground = occludes() ? mix(c.view_top, c.view_bottom, 0.5) : c.view_bottom;
-  set(ground, [this](double r, double g, double b) { renderer->SetBackground(r, g, b); });
+  set(c.view_bottom, [this](double r, double g, double b) { renderer->SetBackground(r, g, b); });
   set(c.view_top, [this](double r, double g, double b) { renderer->SetBackground2(r, g, b); });
   renderer->SetGradientBackground(!occludes());
   backdrop.show(occludes());
@@ -278,8 +276,8 @@ void Scene::State::apply_lines() {
   const ThemeColours& c = colours(settings.theme);
   const double unit = text_height() / 14;
   const Rgb edge = mix(c.edge, c.rock, 0.25);
-  const double thin = std::max(0.9 * unit, 1.2);  // thinner ones break up into dots
-  const double wide = settings.edges == Edges::none ? 0 : thin, fine = settings.edges == Edges::mesh ? 0.45 * unit : 0;
+  const double thin = std::max(0.9 * unit, 1.2);
+  const double wide = settings.edges == Edges::none ? 0 : thin, fine = settings.edges == Edges::mesh ? 0.75 * unit : 0;
   const CameraPose camera = pose();
   const Vec3 pixel = metres_per_pixel() * (camera.position - camera.focal_point).normalized();
   for (BlockActors* part : {&fixed, &movable}) {
