@@ -1063,6 +1063,14 @@
         <source>drop them, merge them with their neighbours, or move a joint: see Splinters</source>
         <translation>weglassen, mit den Nachbarn vereinigen oder eine Kluft verschieben: siehe Splitter</translation>
     </message>
+    <message>
+        <source>blocks of different solids cannot be one</source>
+        <translation>Blöcke verschiedener Körper können nicht einer werden</translation>
+    </message>
+    <message>
+        <source>unite the two solids on the Geometry page, and cut what comes of it</source>
+        <translation>die beiden Körper auf der Seite Geometrie vereinigen und das Ergebnis schneiden</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -5109,6 +5117,10 @@ Z %3</translation>
     <message>
         <source>Nothing to plot yet</source>
         <translation>Noch nichts zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
 </context>
 <context>

@@ -280,6 +280,22 @@ TEST_F(BlocksPage, BlocksThatTouchAreMergedByPointsInThem) {
   EXPECT_FALSE(session->messages.problems().empty());
 }
 
+/// Cutting would refuse the project for it: better before it is written there.
+TEST_F(BlocksPage, BlocksOfTwoSolidsAreNotMergedAndItSaysWhatToDo) {
+  cut(2);
+  const auto& blocks = session->project.system()->blocks;
+  const auto other = std::ranges::find_if(blocks, [&](const Block& block) { return block.solid != blocks[0].solid; });
+  ASSERT_NE(other, blocks.end());
+  for (int block = 0; block < 8; ++block) {
+    session->project.selection().selectBlocks({block, static_cast<int>(other - blocks.begin())});
+    QTest::keyClick(window.get(), Qt::Key_M);
+  }
+  EXPECT_TRUE(project().merges.empty());
+  EXPECT_TRUE(std::ranges::any_of(session->messages.problems(), [](const Problem& told) {
+    return told.remedy.contains(QStringLiteral("unite the two solids"));
+  }));
+}
+
 TEST_F(BlocksPage, LassoSelectsWhatItGoesAround) {
   cut(2);
   QWidget* area = nullptr;

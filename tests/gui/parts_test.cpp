@@ -130,6 +130,19 @@ TEST(Plot, DrawsNothingWithoutPoints) {
   EXPECT_EQ(highestOfTheCurve(picture), picture.height());
 }
 
+/// Beside its first number: there is no room for a line of its own below the axis.
+TEST(Plot, SaysThatTheAxisBelowIsTime) {
+  Plot plot(QStringLiteral("Speed"));
+  plot.resize(300, 160);
+  plot.setCurves({{QStringLiteral("P1"), 0, {0, 1}, {0, 1}}}, QStringLiteral("m/s"));
+  const QImage picture = plot.grab().toImage();
+  const QColor paper = picture.pixelColor(2, 158);
+  int ink = 0;
+  for (int row = 138; row < 156; ++row)
+    for (int column = 0; column < 36; ++column) ink += picture.pixelColor(column, row) != paper;
+  EXPECT_GT(ink, 30);
+}
+
 TEST(Plot, KeepsOneSpikeAmongManyPoints) {
   Plot plot(QStringLiteral("Speed"));
   plot.resize(300, 160);

@@ -22,28 +22,31 @@ TEST_F(EveryPlace, CutsNoWordOffOnASmallScreen) {
   EXPECT_GT(seen, 80);
 }
 
-/// Small pictures side by side, each with its name, as many sheets as they need.
+/// Small pictures side by side, each with its name, as many sheets as they need; large enough for their writing to be
+/// read.
 class ContactSheets {
  public:
   explicit ContactSheets(QString folder) : folder_(std::move(folder)) {}
   ~ContactSheets() { finish(); }
   void add(const QPixmap& picture, const QString& name) {
-    const QPixmap small = picture.scaledToWidth(width, Qt::SmoothTransformation);
-    const int height = qRound(small.height() / small.devicePixelRatio()) + line;
+    QImage small = picture.toImage();
+    small.setDevicePixelRatio(1);
+    small = small.scaledToWidth(width - 4, Qt::SmoothTransformation);
+    const int height = small.height() + line;
     if (sheet_.isNull()) {
       sheet_ = QImage(columns * width, rows * height, QImage::Format_RGB32);
       sheet_.fill(Qt::white);
     }
     QPainter painter(&sheet_);
     const QPoint at(count_ % columns * width, count_ / columns * height);
-    painter.drawPixmap(QRect(at, QSize(width - 4, height - line)), small);
+    painter.drawImage(at, small);
     painter.drawText(at + QPoint(4, height - 4), name);
     painter.end();
     if (++count_ == columns * rows) finish();
   }
 
  private:
-  static constexpr int columns = 4, rows = 4, width = 480, line = 16;  // pixels
+  static constexpr int columns = 3, rows = 3, width = 860, line = 16;  // pixels
   void finish() {
     if (count_ > 0) sheet_.save(QStringLiteral("%1/sheet_%2.png").arg(folder_).arg(++sheets_));
     sheet_ = {};

@@ -79,6 +79,23 @@ TEST_F(Typing, EscapeAndDigitsInAFieldAreTheFields) {
   EXPECT_GT((window->viewport().pose()->position - before.position).norm(), 0) << "in the view they are the view's";
 }
 
+/// A field's number is selected when one comes to it, which is a moment later: one may have gone on by then.
+TEST_F(Typing, OnlyTheFieldThatIsTypedIntoIsSelected) {
+  window->open(slidingCube(40));
+  session->project.selection().select({Item::Kind::joint, 0});
+  rest(50);
+  auto* first = field("Friction angle φ");
+  auto* second = field("Cohesion c");
+  ASSERT_TRUE(first && second);
+  first->setFocus();
+  second->setFocus();
+  rest(20);
+  EXPECT_FALSE(first->hasSelectedText());
+  first->setFocus();
+  rest(20);
+  EXPECT_TRUE(first->hasSelectedText());
+}
+
 TEST_F(Typing, CuttingIsCancelledAndBegunAgain) {
   window->open(fineSlab());
   session->run.mesh();

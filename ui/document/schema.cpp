@@ -28,7 +28,10 @@ QString words(const Json& rule, const char* key) {
   return own.empty() ? QString() : QCoreApplication::translate("schema", own.c_str());
 }
 
-QString choiceWords(const std::string& word) { return QCoreApplication::translate("choices", word.c_str()); }
+QString choiceWords(const std::string& word) {
+  const QString words = QCoreApplication::translate("choices", word.c_str());
+  return words.toStdString() == word ? QString(words).replace(u'_', u' ') : words;
+}
 
 QString withinSentence(const QString& title) {
   // Translators of languages that keep capital letters, as German does, give another word for this one.

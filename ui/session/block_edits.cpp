@@ -194,6 +194,12 @@ void merge(CurrentProject& project, const Blocks& blocks, const std::vector<Bloc
                      QObject::tr("select blocks that lie against each other").toStdString());
   Edit edit(project);
   for (const auto& [one, other] : pairs)
+    if (edit.block(one).solid != edit.block(other).solid)
+      throw InputError(
+          edit.block(one).name + " and " + edit.block(other).name,
+          QObject::tr("blocks of different solids cannot be one").toStdString(),
+          QObject::tr("unite the two solids on the Geometry page, and cut what comes of it").toStdString());
+  for (const auto& [one, other] : pairs)
     edit.json()["merges"].push_back(
         {{"at", edits::placeJson(edit.placeOf(one))}, {"with", edits::placeJson(inner_point(edit.block(other).mesh))}});
   edit.finish(QObject::tr("merge %1").arg(counted(blocks.size())));

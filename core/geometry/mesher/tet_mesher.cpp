@@ -186,20 +186,26 @@ void check_volume(const MeshedShape& shape, const SurfaceMesh& surface, double v
 
 }  // namespace
 
-void require_two_triangles_an_edge(std::span<const std::array<int, 3>> triangles, const std::string& place) {
+TouchesItself::TouchesItself(const std::string& place, const Vec3& at)
+    : InputError(place, "touches itself along an edge",
+                 "merge it with the block that fills the gap there, or move a cut that runs through the edge"),
+      at_(at) {}
+
+void require_two_triangles_an_edge(std::span<const Vec3> nodes, std::span<const std::array<int, 3>> triangles,
+                                   const std::string& place) {
   std::map<std::pair<int, int>, int> uses;
   for (const auto& triangle : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (++uses[std::minmax(triangle[k], triangle[(k + 1) % 3])] <= 2) continue;
-      throw InputError(place, "touches itself along an edge",
-                       "merge it with the block that fills the gap there, or move a cut that runs through the edge");
+      const int one = triangle[k], other = triangle[(k + 1) % 3];
+      if (++uses[std::minmax(one, other)] <= 2) continue;
+      throw TouchesItself(place, (nodes[static_cast<std::size_t>(one)] + nodes[static_cast<std::size_t>(other)]) / 2);
     }
   }
 }
 
 MeshedShape fill_with_tetrahedra(const SurfaceMesh& surface, double size, std::span<const MeshRefinement> refinements,
                                  double volume, const std::string& place) {
-  require_two_triangles_an_edge(surface.triangles, place);
+  require_two_triangles_an_edge(surface.nodes, surface.triangles, place);
   MeshedShape shape;
   try {
     add_surface(surface);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/error.hpp"
 #include "geometry/mesher/surface_mesher.hpp"
 
 namespace talus {
@@ -21,8 +22,18 @@ struct MeshedShape {
 MeshedShape fill_with_tetrahedra(const SurfaceMesh& surface, double size, std::span<const MeshRefinement> refinements,
                                  double volume, const std::string& place);
 
-/// Throws InputError at `place` for a block that touches itself along an edge: contact knows surfaces alone of which
-/// every edge has two triangles.
-void require_two_triangles_an_edge(std::span<const std::array<int, 3>> triangles, const std::string& place);
+/// A block that touches itself along an edge: contact knows surfaces alone of which every edge has two triangles.
+class TouchesItself : public InputError {
+ public:
+  TouchesItself(const std::string& place, const Vec3& at);
+  const Vec3& at() const { return at_; }  ///< m, the middle of the edge, relative to the model's origin
+
+ private:
+  Vec3 at_;
+};
+
+/// Throws TouchesItself at `place`.
+void require_two_triangles_an_edge(std::span<const Vec3> nodes, std::span<const std::array<int, 3>> triangles,
+                                   const std::string& place);
 
 }  // namespace talus

@@ -61,6 +61,7 @@ TEST(SchemaWords, AreEnglishWithoutATranslator) {
   EXPECT_EQ(words(ruleOf(Place("/loads/0/at")), "shown"), QString());
   EXPECT_EQ(withinSentence(QStringLiteral("Point load")), QStringLiteral("point load"));
   EXPECT_EQ(choiceWords("tetrahedra"), QStringLiteral("tetrahedra"));
+  EXPECT_EQ(choiceWords("called_for"), QStringLiteral("called for"));
 }
 
 }  // namespace

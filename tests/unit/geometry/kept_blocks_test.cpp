@@ -128,7 +128,26 @@ TEST(KeptBlocks, MergesThatCannotBeAreNamedWithBothPoints) {
   EXPECT_THAT(error_of(p), StartsWith("merge 1: its point \"at\" lies on the border of column.1 and column.2"));
   p.solids.push_back(box("beside", {1, 0, 0}, {2, 1, 10}, 1));
   p.merges = {{{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}}};
-  EXPECT_THAT(error_of(p), AllOf(StartsWith("merge 1: its blocks"), HasSubstr("different solids")));
+  EXPECT_THAT(error_of(p), AllOf(StartsWith("merge 1: its blocks column.1, at (0.5, 0.5, 0.5), and beside.1, at (1.5"),
+                                 HasSubstr("belong to different solids; unite the solids with \"combine\"")));
+}
+
+/// Eight cubes, far from the origin: the four below and two across a corner above are to be one, whose surface has four
+/// triangles at the upright edge in the middle.
+TEST(KeptBlocks, ABlockThatTouchesItselfAlongAnEdgeIsNamedWithTheEdge) {
+  Project p = project();
+  const Vec3 corner(1000, 2000, 0);
+  p.solids = {box("cube", corner, corner + Vec3(2, 2, 2), 1)};
+  p.cuts = {cut("J1", 90, 90, corner + Vec3(1, 1, 1)), cut("J2", 90, 0, corner + Vec3(1, 1, 1)),
+            cut("J3", 0, 0, corner + Vec3(1, 1, 1))};
+  const auto joined = [&](const Vec3& at, const Vec3& with) { p.merges.push_back({corner + at, corner + with}); };
+  joined({0.5, 0.5, 0.5}, {1.5, 0.5, 0.5});
+  joined({0.5, 0.5, 0.5}, {0.5, 1.5, 0.5});
+  joined({0.5, 0.5, 0.5}, {1.5, 1.5, 0.5});
+  joined({0.5, 0.5, 0.5}, {0.5, 0.5, 1.5});
+  EXPECT_EQ(build(p).blocks.size(), 4U);
+  joined({0.5, 0.5, 0.5}, {1.5, 1.5, 1.5});
+  EXPECT_THAT(error_of(p), AllOf(HasSubstr("touches itself along an edge at (1001, 2001, 1.5); merge it with")));
 }
 
 /// The cut takes 10⁻⁴ m off an edge of a cube of 10 m: a prism of 10 · 10⁻⁸ / 2 m³.

@@ -23,6 +23,7 @@ struct PixelRect {
   double left = 0, bottom = 0, right = 0, top = 0;
   double width() const { return right - left; }
   double height() const { return top - bottom; }
+  bool operator==(const PixelRect&) const = default;
 };
 
 enum class AlignX { left, centre, right };

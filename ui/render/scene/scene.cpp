@@ -107,6 +107,8 @@ void Scene::fit() {
   state_->fit_to(width, height);
 }
 
+bool Scene::fits_itself() const { return state_->fits_itself; }
+
 CameraPose Scene::pose() const { return state_->pose(); }
 
 void Scene::set_pose(const CameraPose& pose) {
@@ -154,7 +156,11 @@ bool Scene::set_joints(std::shared_ptr<const std::vector<JointFace>> faces, std:
   return state_->joints.show(std::move(faces), std::move(chosen));
 }
 
-void Scene::set_covered(std::vector<PixelRect> places) { state_->covered = std::move(places); }
+void Scene::set_covered(std::vector<PixelRect> places) {
+  if (places == state_->covered) return;
+  state_->covered = std::move(places);
+  state_->fit_is_stale = true;
+}
 
 std::optional<int> Scene::joint_at(double x, double y) const {
   const auto sight = sight_at(x, y);

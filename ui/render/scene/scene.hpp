@@ -113,8 +113,9 @@ class Scene {
   /// Stands at `azimuth` degrees clockwise from north as seen from the blocks, `elevation` degrees up, and fits.
   void look(double azimuth, double elevation);
   /// Keeps the direction and frames everything visible in the part of the picture that legend and texts leave free.
-  /// Off-screen pictures are fitted to their size unless `set_pose` was called after the last look or fit.
+  /// Pictures are fitted anew to their size, and to what acts on the rock, until `set_pose` is called.
   void fit();
+  bool fits_itself() const;
   CameraPose pose() const;
   void set_pose(const CameraPose& pose);
 
@@ -145,7 +146,8 @@ class Scene {
   /// The one of them under a pixel counted from the picture's upper left corner. Needs what `pick` needs.
   std::optional<ActionGlyph> action_at(double x, double y) const;
 
-  /// Where something lies over the picture, pixels from its lower left corner: labels keep out of it.
+  /// Where something lies over the picture, pixels from its lower left corner: labels keep out of it, and
+  /// so does rock that is fitted, where that is along the right edge.
   void set_covered(std::vector<PixelRect> places);
 
   /// The visible surface under a pixel counted from the picture's upper left corner; empty over the background.

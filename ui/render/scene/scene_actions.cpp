@@ -25,6 +25,11 @@ Rgb shown_colour(const ActionGlyph& glyph, Theme theme) {
   return glyph.selected ? colours(theme).pick : action_colour(glyph.kind, theme);
 }
 
+bool same_but_selected(ActionGlyph one, const ActionGlyph& other) {
+  one.selected = other.selected;
+  return one == other;
+}
+
 double distance_to_segment(const PixelPoint& p, const PixelPoint& a, const PixelPoint& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy;
   const double share = length > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length, 0.0, 1.0) : 0;
@@ -67,6 +72,7 @@ std::string action_meaning(Kind kind, double largest) {
 }
 
 void Scene::State::set_actions(std::vector<ActionGlyph> glyphs) {
+  fit_is_stale = fit_is_stale || !std::ranges::equal(glyphs, actions, same_but_selected);
   actions = std::move(glyphs);
   action_anchors.assign(actions.size(), {});
   std::vector<std::vector<std::size_t>> on_block(system.blocks.size());

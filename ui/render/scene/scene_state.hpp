@@ -78,6 +78,8 @@ struct Scene::State {
 
   void look_from(double azimuth, double elevation);
   void fit_to(double width, double height);
+  /// Of the window, pixels: kept free for the rock.
+  PixelRect area_for_rock(double width, double height) const;
   /// Pixels of the window the renderer is in; 1280×720 before it is in one.
   std::array<double, 2> size() const;
   double text_height() const;
@@ -109,7 +111,7 @@ struct Scene::State {
   };
   std::vector<Anchor> action_anchors;
   SolidShapes action_shapes;
-  std::vector<PixelRect> covered;  ///< pixels of the window that labels keep out of
+  std::vector<PixelRect> covered;  ///< pixels of the window that labels keep out of, and rock that is fitted
 
   std::shared_ptr<const Frame> frame;
   std::vector<Vec3> contact_dots;    ///< where the frame's contact points are drawn, m; none where they are not
@@ -117,7 +119,9 @@ struct Scene::State {
   std::vector<std::string> stage_names;
   ViewExtent extent;
   bool fits_itself = true;  ///< no pose was set since the last look or fit
-  double pixel_scale = 1;   ///< supersampling: pixels drawn for each pixel of the picture
+  bool fit_is_stale = false;
+  std::array<double, 2> fitted_size{};  ///< pixels, of the window when it was fitted
+  double pixel_scale = 1;               ///< supersampling: pixels drawn for each pixel of the picture
 
   Overlay overlay;
   vtkNew<vtkRenderer> renderer;

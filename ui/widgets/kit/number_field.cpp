@@ -85,7 +85,9 @@ bool NumberField::event(QEvent* event) {
 
 void NumberField::focusInEvent(QFocusEvent* event) {
   QLineEdit::focusInEvent(event);
-  QTimer::singleShot(0, this, &QLineEdit::selectAll);  // after the click has placed the cursor
+  QTimer::singleShot(0, this, [this] {  // after the click has placed the cursor
+    if (hasFocus()) selectAll();
+  });
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {

@@ -137,6 +137,7 @@ void Plot::drawAxes(QPainter& painter) const {
     painter.drawText(QRectF(0, y - 8, left_margin - 6, 16), Qt::AlignRight | Qt::AlignVCenter, text(yLabels[i]));
   }
   painter.setPen(c.textMuted);
+  painter.drawText(QRectF(0, area_.bottom() + 4, left_margin - 12, 14), Qt::AlignRight | Qt::AlignVCenter, tr("Time"));
   const auto xLabels = tick_labels(xTicks_);
   const size_t skip = area_.width() < 42.0 * static_cast<double>(xTicks_.size()) ? 2 : 1;
   for (size_t i = 0; i < xTicks_.size(); i += skip) {

@@ -185,7 +185,7 @@ bool Viewport::mayStand(const Drawn& next) const {
 }
 
 void Viewport::showScene(const Drawn& next) {
-  if (scene_) standing_ = scene_->pose();
+  if (scene_) standing_ = Standing{scene_->pose(), scene_->fits_itself()};
   if (next.scene && !mayStand(next)) standing_.reset();
   flight_.stop();
   card_->hide();
@@ -196,7 +196,6 @@ void Viewport::showScene(const Drawn& next) {
   system_ = next.system;
   hidden_ = next.hidden;
   showsSolids_ = system_ != session_.project.system();
-  fitted_ = standing_.has_value();
   const bool isNew = scene_ && std::ranges::find(made_, system_, &Drawn::system) == made_.end();
   if (isNew) {
     made_.push_back(next);
@@ -215,7 +214,7 @@ void Viewport::showScene(const Drawn& next) {
   scene_->set_stage_names(session_.run.stageNames());
   keepLabelsBesideTools();
   if (standing_)
-    scene_->set_pose(*standing_);
+    takeStanding(*standing_);
   else if (isNew)
     scene_->fit();
   drawRoughlyFirst();
@@ -249,13 +248,15 @@ void Viewport::takeDisplay() {
   const auto told = [](const SceneSettings& s) { return std::tie(s.field, s.range, s.explosion); };
   if (!scene_ || told(wanted) != told(scene_->settings())) card_->hide();  // it tells a value, at a place
   const double before = scene_ ? scene_->settings().explosion : wanted.explosion;
-  if (before == 0 && wanted.explosion > 0) togetherPose_ = scene_->pose();
+  if (before == 0 && wanted.explosion > 0) together_ = Standing{scene_->pose(), scene_->fits_itself()};
   applySettings();
   if (wanted.explosion == before) return;
-  if (wanted.explosion > 0)
+  if (wanted.explosion == 0 && together_) {
+    takeStanding(*together_);
+    render();
+  } else {
     fit();
-  else if (togetherPose_)
-    moveCamera(*togetherPose_);
+  }
 }
 
 bool Viewport::showsField() const {
@@ -362,18 +363,14 @@ void Viewport::moveCamera(const CameraPose& pose) {
   drawNow();
 }
 
+void Viewport::takeStanding(const Standing& standing) {
+  scene_->set_pose(standing.pose);
+  if (standing.fits) scene_->fit();
+}
+
 void Viewport::look(View view) {
   if (!scene_) return;
   scene_->look(view);
-  leaveRoomForTools();
-}
-
-/// The scene fits the rock between its own legend and texts; the tools stand over its right edge.
-void Viewport::leaveRoomForTools() {
-  const double taken = width() - tools_->x();
-  const QPointF centre(width() / 2.0, height() / 2.0);
-  scene_->set_pose(panned(zoomed(scene_->pose(), 1 / (1 - taken / width()), centre, size()), {-taken / 2, 0}, size()));
-  fitted_ = true;
   render();
 }
 
@@ -381,7 +378,7 @@ void Viewport::fit() {
   if (!scene_) return;
   scene_->fit();
   card_->hide();
-  leaveRoomForTools();
+  render();
 }
 
 void Viewport::toggleProjection() {
@@ -464,7 +461,6 @@ void Viewport::resizeEvent(QResizeEvent*) {
   surface_->widget()->setGeometry(rect());
   overlay_->setGeometry(rect());
   placeOverlays();
-  if (scene_ && !fitted_) leaveRoomForTools();
 }
 
 void Viewport::placeOverlays() {

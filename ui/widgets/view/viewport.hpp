@@ -146,7 +146,6 @@ class Viewport : public QWidget {
   Selection& selection() const;
   bool isRunning() const;
   const SceneSettings& displayed() const;
-  void leaveRoomForTools();
   void moveCamera(const CameraPose& pose);
   void render();
   void drawNow();
@@ -179,8 +178,13 @@ class Viewport : public QWidget {
   bool showsSolids_ = false;                   ///< that is solids which are not cut yet
   std::shared_ptr<Scene> scene_;
   std::shared_ptr<const BlockSystem> wanted_;  ///< what is to be drawn
-  std::optional<CameraPose> standing_;         ///< where the camera stood last, of this project
-  bool fitted_ = false;                        ///< the camera has been placed since the blocks came
+  /// Of the camera: where it is, and whether that is where all is fitted into the view.
+  struct Standing {
+    CameraPose pose;
+    bool fits;
+  };
+  void takeStanding(const Standing& standing);
+  std::optional<Standing> standing_;  ///< where the camera stood last, of this project
   std::vector<int> hidden_;
   std::vector<ActionGlyph> actions_;  ///< that the scene was told of
 
@@ -198,7 +202,7 @@ class Viewport : public QWidget {
   bool still_ = true;
   QVariantAnimation flight_;
   CameraPose flightStart_, flightEnd_;
-  std::optional<CameraPose> togetherPose_;  ///< to go back to when blocks are no longer drawn apart
+  std::optional<Standing> together_;  ///< to go back to when blocks are no longer drawn apart
   QElapsedTimer sinceDrawing_;
 
   ViewTool* taken_ = nullptr;  ///< whose drag it is

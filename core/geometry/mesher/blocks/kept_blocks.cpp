@@ -66,14 +66,14 @@ void Pieces::merge(std::size_t index) {
   const std::string title = "merge " + std::to_string(index + 1);
   const std::size_t first = owner_[piece(title, "at", merge.at)], second = owner_[piece(title, "with", merge.with)];
   if (first == second) return;
+  const std::string at_both = names_[first] + ", at " + coordinates(merge.at) + ", and " + names_[second] + ", at " +
+                              coordinates(merge.with) + ",";
   if (blocks_[first]->solid != blocks_[second]->solid) {
-    throw InputError(title, "its blocks " + names_[first] + " and " + names_[second] + " belong to different solids",
+    throw InputError(title, "its blocks " + at_both + " belong to different solids",
                      "unite the solids with \"combine\", and cut that");
   }
   if (!(shared_area(*blocks_[first], *blocks_[second]) > 0)) {
-    throw InputError(title,
-                     "its blocks " + names_[first] + ", at " + coordinates(merge.at) + ", and " + names_[second] +
-                         ", at " + coordinates(merge.with) + ", share no face",
+    throw InputError(title, "its blocks " + at_both + " share no face",
                      "merge blocks that lie against each other, one after the other");
   }
   join(*blocks_[first], *blocks_[second]);

@@ -14,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "geometry/mesher/blocks/kept_blocks.hpp"
+#include "geometry/mesher/blocks/splinters.hpp"
 #include "geometry/mesher/cells/cell_mesher.hpp"
 #include "geometry/mesher/cells/facet_outlines.hpp"
 #include "geometry/mesher/occ_volumes.hpp"
@@ -152,6 +153,16 @@ class BlockMesher {
   }
 
   MesherBlock mesh(std::size_t index) const {
+    try {
+      return meshed(index);
+    } catch (const TouchesItself& error) {
+      throw InputError(error.place(), error.problem() + " at " + coordinates(error.at() + model_.origin),
+                       error.remedy());
+    }
+  }
+
+ private:
+  MesherBlock meshed(std::size_t index) const {
     const std::string place = "block " + blocks_[index].name;
     const CutBlock& shape = blocks_[index].shape;
     const auto [size, refined] = sizes_[index];
@@ -165,7 +176,6 @@ class BlockMesher {
     return finished_block(model_, shape, fill_with_tetrahedra(surface, size, nearby, shape.volume, place), key);
   }
 
- private:
   const ImportedModel& model_;
   const CutModel& cut_;
   const std::vector<NamedBlock>& blocks_;

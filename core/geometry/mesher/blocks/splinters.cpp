@@ -75,6 +75,7 @@ Position largest_neighbour(std::vector<NamedBlock>& blocks, Position splinter) {
 
 std::string coordinates(const Vec3& point) {
   std::ostringstream text;
+  text.precision(9);  // centimetres in the coordinates of a survey
   text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
   return text.str();
 }

@@ -109,7 +109,7 @@ MeshedShape coarse_mesh(const CellSolid& solid, std::span<const int> cells, cons
     shape.triangles.push_back(triangle);
     shape.triangle_joints.push_back(solid.joints[static_cast<std::size_t>(skin.marks[t])]);
   }
-  require_two_triangles_an_edge(shape.triangles, place);
+  require_two_triangles_an_edge(shape.nodes, shape.triangles, place);
   if (!fill_from_centroid(shape)) fill_with_those_of_cells(shape, complex, cells, number);
   return shape;
 }
