@@ -9,7 +9,11 @@ set -e
 folder=$(realpath -m "$1")
 cd "$(dirname "$0")/.."
 test_gui=$(realpath "${2:-build/release/tests/gui/test_gui}")
-export QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1
+mkdir -p "$folder"
+# Menus and dialogs keep to the screen, which is 800 x 800 pixels where nothing is said.
+echo '{"screens": [{"name": "screen", "x": 0, "y": 0, "width": 2560, "height": 1440, "logicalDpi": 96,
+  "logicalBaseDpi": 96, "dpr": 1}]}' > "$folder/screen.json"
+export QT_QPA_PLATFORM="offscreen:configfile=$folder/screen.json" OPENBLAS_NUM_THREADS=1
 
 draw() {  # NAME SIZE SCALE THEME
   mkdir -p "$folder/$1"

@@ -7616,6 +7616,10 @@ Nr. %3</translation>
         <source>Change solids</source>
         <translation>Körper ändern</translation>
     </message>
+    <message>
+        <source>Cut open across the view</source>
+        <translation>Quer zur Ansicht aufschneiden</translation>
+    </message>
 </context>
 <context>
     <name>talus::WorkflowBar</name>

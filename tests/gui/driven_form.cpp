@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "document/item_place.hpp"
+#include "document/schema.hpp"
 #include "document/things.hpp"
 #include "model/number_text.hpp"
 #include "widgets/kit/number_field.hpp"
@@ -83,7 +84,7 @@ void DrivenForm::type(const std::string& name, const QString& text) {
 void DrivenForm::choose(const std::string& name, const QString& entry) {
   auto* box = widget<QComboBox>(name);
   if (!box) return;
-  const int row = box->findText(entry);
+  const int row = box->findText(schema::choiceWords(entry.toStdString()));
   ASSERT_GE(row, 0) << name << " has no entry " << entry.toStdString();
   box->showPopup();
   box->view()->setCurrentIndex(box->model()->index(row, 0));

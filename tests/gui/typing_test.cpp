@@ -192,6 +192,24 @@ TEST_F(Typing, ABoxDrawnWithShiftSelectsAndEDrawsTheBlocksApart) {
   EXPECT_EQ(lowest(1), together);
 }
 
+TEST_F(Typing, XCutsWhatIsSelectedOpenAcrossTheViewAndClosesIt) {
+  openAndMesh(slidingCube(40));
+  session->display.goTo(WorkflowPage::blocks);
+  session->project.selection().selectBlocks({1});
+  rest(50);
+  QWidget* area = const_cast<RenderSurface&>(window->viewport().surface()).widget();
+  const QPixmap whole = window->viewport().picture();
+  QTest::keyClick(area, Qt::Key_X);
+  rest(300);
+  const auto section = session->display.settings().section;
+  ASSERT_TRUE(section);
+  EXPECT_LT((section->point - Vec3(2, 2, 2)).norm(), 1e-9) << "the middle of the cube";
+  EXPECT_EQ(section->towards.z(), 0) << "upright";
+  EXPECT_NE(window->viewport().picture().toImage(), whole.toImage());
+  QTest::keyClick(area, Qt::Key_X);
+  EXPECT_FALSE(session->display.settings().section);
+}
+
 TEST_F(Typing, AWindowOpensInTheSizeThatIsAskedFor) {
   window->resize(1280, 800);
   window->close();  // keeps its size

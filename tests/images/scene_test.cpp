@@ -13,6 +13,7 @@
 #include "render/charts/charts.hpp"
 #include "render/gl/offscreen_window.hpp"
 #include "render/paint/colour_map.hpp"
+#include "render/scene/block_surface.hpp"
 #include "render/scene/offscreen.hpp"
 #include "render/scene/scene.hpp"
 
@@ -200,6 +201,29 @@ TEST(SceneImage, EdgesOfWhatIsSelectedAreNotSeenThroughWhatIsBefore) {
   };
   EXPECT_EQ(differ(300, 380, 250, 310), 0);
   EXPECT_GT(differ(0, width, 0, height), 50) << "its other edges are seen";
+}
+
+/// Cut open along its length, the slope shows the blocks' and its own inside, and what is before the plane is gone.
+TEST(SceneImage, ASectionShowsTheFieldInsideTheBlocks) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings;
+  settings.field = field_named("displacement");
+  Scene scene(slope, settings);
+  scene.set_frame(slid(slope, 3, 2.5));
+  OffscreenView view(scene, width, height);
+  const Image whole = view.draw();
+  const Eigen::AlignedBox3d box = bounds(slope);
+  settings.section = SectionPlane{box.center(), -Vec3::UnitY()};
+  scene.set_settings(settings);
+  const Image cut = view.draw();
+  EXPECT_GT(difference(whole, cut), 0.1);
+  EXPECT_GT(count_of(cut, colours(Theme::light).rock), 5000) << "the inside of fixed rock, without shade";
+  for (int x = 0; x < 2 * width; x += 40)
+    for (int y = 0; y < 2 * height; y += 40)
+      if (const auto pick = scene.pick(x, y)) {
+        EXPECT_GT(pick->position.y(), box.center().y() - 1e-6);
+      }
+  expect_baseline(cut);
 }
 
 TEST(SceneImage, SmallTopViewWithHiddenBlocks) {

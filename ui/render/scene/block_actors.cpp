@@ -5,6 +5,7 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkLookupTable.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -102,6 +103,11 @@ void add_lines(vtkRenderer& renderer, vtkPolyData& lines, vtkActor& actor) {
   renderer.AddActor(&actor);
 }
 
+void clip(vtkActor& actor, vtkPlane* plane) {
+  actor.GetMapper()->RemoveAllClippingPlanes();
+  if (plane) actor.GetMapper()->AddClippingPlane(plane);
+}
+
 constexpr double lift_of_mesh = 0.4, lift_of_edges = 0.7, lift_of_marks = 1;  // pixels
 
 }  // namespace
@@ -197,6 +203,10 @@ void BlockActors::let_through(double opacity) {
   mapper_->SetInputData(opacity < 1 && !thinned_.empty() ? thinned_faces_ : faces_);
   face_actor_->GetProperty()->SetOpacity(opacity);
   face_actor_->GetProperty()->SetBackfaceCulling(opacity < 1);
+}
+
+void BlockActors::cut_by(vtkPlane* plane) {
+  for (vtkActor* actor : {face_actor_.Get(), sharp_edge_actor_.Get(), mesh_actor_.Get()}) clip(*actor, plane);
 }
 
 void BlockActors::colour_by_block(const std::function<Rgb(int)>& colour) {
@@ -309,6 +319,11 @@ void Highlight::mark(std::span<const int> blocks, const Chosen& chosen) {
     layers_[i].faces->SetPolys(polygons);
     layers_[i].lines->SetLines(lines);
   }
+}
+
+void Highlight::cut_by(vtkPlane* plane) {
+  for (Layer& layer : layers_)
+    for (vtkActor* actor : {layer.face_actor.Get(), layer.line_actor.Get()}) clip(*actor, plane);
 }
 
 void Highlight::style(Rgb colour, double line_width, double tint, const Vec3& pixel) {

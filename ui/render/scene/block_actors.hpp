@@ -16,6 +16,7 @@
 #include "render/scene/block_surface.hpp"
 
 class vtkLookupTable;
+class vtkPlane;
 class vtkRenderer;
 
 namespace talus {
@@ -54,6 +55,8 @@ class BlockActors {
   void thin(std::vector<Face> faces);
   /// Faces are drawn with this opacity, those that look away not at all where it is below 1.
   void let_through(double opacity);
+  /// Only what lies on the side of the plane's normal is drawn; null: all of it.
+  void cut_by(vtkPlane* plane);
   void colour_by_block(const std::function<Rgb(int block)>& colour);
   /// `values` of all blocks' nodes, or tetrahedra, in the unit of `low` and `high`. Faces without a tetrahedron
   /// behind them get the table's colour for no value.
@@ -95,6 +98,7 @@ class Highlight {
   /// Marks the triangles of a block that are chosen.
   using Chosen = std::function<bool(const BlockSurface& surface, const BlockSurface::Triangle& triangle)>;
   void mark(int block, const Chosen& chosen);
+  void cut_by(vtkPlane* plane);
   /// `pixel`: as for draw_edges.
   void style(Rgb colour, double line_width, double tint, const Vec3& pixel);
 

@@ -2,11 +2,13 @@
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
+#include <vtkPlane.h>
 #include <vtkRenderer.h>
 
 #include <Eigen/Geometry>
 #include <stdexcept>
 
+#include "render/paint/colour_map.hpp"
 #include "render/scene/picking.hpp"
 #include "render/scene/scene_state.hpp"
 
@@ -65,6 +67,42 @@ bool encloses(std::span<const std::array<double, 2>> outline, const std::array<d
 
 }  // namespace
 
+void Scene::State::cut_open() {
+  if (is_cut()) {
+    const Vec3 point = settings.section->point - origin, inwards = -settings.section->towards;
+    section_plane->SetOrigin(point.data());
+    section_plane->SetNormal(inwards.data());
+  }
+  vtkPlane* const plane = is_cut() ? section_plane.Get() : nullptr;
+  for (BlockActors* part : {&fixed, &movable}) part->cut_by(plane);
+  for (Highlight* marked : {&concern, &selection, &hover, &face}) marked->cut_by(plane);
+  section_is_stale = true;
+}
+
+/// The inside of a block has its colour, or that of the field at each place.
+void Scene::State::fill_section() {
+  section_is_stale = false;
+  if (!is_cut()) return section.hide();
+  std::vector<Vec3> places;
+  for (const Block& block : system.blocks)
+    places.insert(places.end(), block.mesh.nodes.begin(), block.mesh.nodes.end());
+  if (frame)
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] += settings.deformation_scale * frame->displacement[i];
+  std::vector<bool> shown = flags(hidden);
+  shown.flip();
+  const ValueRange range = field_values.empty() ? ValueRange{} : colour_range();
+  const auto colour = [&](const BlockSection::Triangle& triangle, const BlockSection::Corner& corner) {
+    const bool fixed_rock = system.blocks[static_cast<std::size_t>(triangle.block)].body == BodyKind::fixed;
+    if (field_values.empty() || fixed_rock || triangle.tetrahedron < 0) return colour_of(triangle.block);
+    const bool at_nodes = settings.field->place() == FieldPlace::node;
+    const auto value = [&](int i) { return field_values[static_cast<std::size_t>(i)]; };
+    const double seen = at_nodes ? value(corner.one) + corner.share * (value(corner.other) - value(corner.one))
+                                 : value(triangle.tetrahedron);
+    return (is_signed(*settings.field) ? vik() : batlow()).at((seen - range.low) / (range.high - range.low));
+  };
+  section.show(section_of(system, places, shown, *settings.section), origin, colour);
+}
+
 Scene::Scene(const BlockSystem& system, SceneSettings settings)
     : state_(std::make_unique<State>(system, std::move(settings))) {}
 
@@ -108,6 +146,13 @@ void Scene::fit() {
 }
 
 bool Scene::fits_itself() const { return state_->fits_itself; }
+
+void Scene::take_fit(const CameraPose& pose) {
+  set_pose(pose);
+  state_->fits_itself = true;
+  state_->fit_is_stale = false;
+  state_->fitted_size = state_->size();
+}
 
 CameraPose Scene::pose() const { return state_->pose(); }
 
@@ -201,8 +246,14 @@ Vec3 Scene::drawn_place(int block, const Vec3& rest) const {
 }
 
 std::optional<Pick> Scene::pick(double x, double y) const {
-  const auto sight = sight_at(x, y);
+  auto sight = sight_at(x, y);
   if (!sight) return {};
+  if (state_->is_cut()) {  // begins where it comes to what is left
+    const SectionPlane& plane = *state_->settings.section;
+    const double height = plane.towards.dot(sight->from - plane.point), falls = -plane.towards.dot(sight->along);
+    if (height > 0 && falls <= 0) return {};
+    if (height > 0) sight->from += height / falls * sight->along;
+  }
   const auto hit = first_hit(state_->parts(), sight->from, sight->along);
   if (!hit) return {};
   const BlockSurface& surface = hit->part->surface();

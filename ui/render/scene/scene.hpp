@@ -30,6 +30,13 @@ enum class Edges { none, blocks, mesh };
 /// "iso", "front", "back", "left", "right", "top"; throws InputError that lists them.
 View view_named(std::string_view name);
 
+/// What lies on the side that `towards` points to is not drawn.
+struct SectionPlane {
+  Vec3 point = Vec3::Zero();     ///< m
+  Vec3 towards = Vec3::UnitZ();  ///< unit
+  bool operator==(const SectionPlane&) const = default;
+};
+
 /// What a scene shows and how. Plain values; hand a changed copy to Scene::set_settings.
 struct SceneSettings {
   Theme theme = Theme::light;
@@ -39,13 +46,14 @@ struct SceneSettings {
   std::vector<MarkedPlace> places{};
   std::optional<ValueRange> range;  ///< of the legend, SI; empty: of the frame that is shown
   Edges edges = Edges::blocks;
-  double deformation_scale = 1;  ///< displacements are drawn this many times too large
-  double explosion = 0;          ///< blocks are drawn apart, by so much of their way from the middle of all
-  bool contacts = false;         ///< contact points, coloured open grey, stick blue, slip orange
-  bool troubles = true;          ///< where the run has trouble to converge, as far as it was told
-  bool joints = true;            ///< of the project, where they are set up
-  double rock_opacity = 1;       ///< below 1 joints inside the rock are seen through it
-  bool actions = true;           ///< what acts on the rock and watches it, as far as it was told
+  double deformation_scale = 1;           ///< displacements are drawn this many times too large
+  double explosion = 0;                   ///< blocks are drawn apart, by so much of their way from the middle of all
+  std::optional<SectionPlane> section{};  ///< the blocks are seen cut open, where they are not drawn apart
+  bool contacts = false;                  ///< contact points, coloured open grey, stick blue, slip orange
+  bool troubles = true;                   ///< where the run has trouble to converge, as far as it was told
+  bool joints = true;                     ///< of the project, where they are set up
+  double rock_opacity = 1;                ///< below 1 joints inside the rock are seen through it
+  bool actions = true;                    ///< what acts on the rock and watches it, as far as it was told
   bool parallel_projection = false;
   bool fine = true;  ///< ambient occlusion and smooth edges; off while the user drags
   /// Smooths outlines of pictures that are drawn at their own size. On a screen it would break thin edges into dashes.
@@ -116,6 +124,8 @@ class Scene {
   /// Pictures are fitted anew to their size, and to what acts on the rock, until `set_pose` is called.
   void fit();
   bool fits_itself() const;
+  /// Stands where another scene was fitted, and counts as fitted.
+  void take_fit(const CameraPose& pose);
   CameraPose pose() const;
   void set_pose(const CameraPose& pose);
 

@@ -129,6 +129,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
       joints(origin) {
   backdrop.add_to(*renderer);
   for (BlockActors* part : {&fixed, &movable}) part->add_faces_to(*renderer);
+  section.add_to(*renderer);
   for (BlockActors* part : {&fixed, &movable}) part->add_lines_to(*renderer);
   concern.add_to(*renderer);
   selection.add_to(*renderer);
@@ -167,6 +168,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
   move();
   colour();
   make_overlay();
+  cut_open();
 }
 
 Scene::State::~State() = default;
@@ -182,6 +184,7 @@ void Scene::State::apply(SceneSettings wanted) {
   const auto colours_of = [](const SceneSettings& s) { return std::tie(s.theme, s.field, s.range, s.block_colours); };
   if (colours_of(settings) != colours_of(before)) colour();
   if (settings.troubles != before.troubles) mark_troubles();
+  if (settings.section != before.section || settings.explosion != before.explosion) cut_open();
   make_overlay();
 }
 
@@ -208,6 +211,7 @@ void Scene::State::take(std::shared_ptr<const Frame> shown) {
 }
 
 void Scene::State::move() {
+  section_is_stale = true;
   movable.move(frame ? std::span<const Vec3>(frame->displacement) : std::span<const Vec3>(), settings.deformation_scale,
                settings.explosion);
   place_contacts();
@@ -232,6 +236,7 @@ Rgb Scene::State::colour_of(int block) const {
 }
 
 void Scene::State::colour() {
+  section_is_stale = true;
   fixed.colour_by_block([this](int block) { return colour_of(block); });
   field_values = frame && settings.field ? values(*frame, *settings.field) : std::vector<double>{};
   if (field_values.empty()) {
@@ -275,7 +280,9 @@ void Scene::State::mark_face() {
 void Scene::State::apply_lines() {
   const ThemeColours& c = colours(settings.theme);
   const double unit = text_height() / 14;
-  const Rgb edge = mix(c.edge, c.rock, 0.25);
+  // Where rock is seen through its edges lie on the background.
+  const bool on_dark = settings.theme == Theme::dark && settings.rock_opacity < 1;
+  const Rgb edge = mix(c.edge, c.rock, on_dark ? 0.8 : 0.25);
   const double thin = std::max(0.9 * unit, 1.2);
   const double wide = settings.edges == Edges::none ? 0 : thin, fine = settings.edges == Edges::mesh ? 0.75 * unit : 0;
   const CameraPose camera = pose();
@@ -289,6 +296,7 @@ void Scene::State::apply_lines() {
   selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0, pixel);  // a tint would falsify a field's colours
   hover.style(c.pick, unit, 0, pixel);
   joints.style(1.4 * unit);
+  section.style(thin, edge, pixel);
   face.style(c.pick, 2 * unit, 0.35, pixel);
   const bool with_contacts = !contact_dots.empty();
   contacts.show(with_contacts ? std::span<const ContactSample>(frame->contacts) : std::span<const ContactSample>(),
@@ -355,6 +363,7 @@ void Scene::State::prepare_drawing() {
   renderer->SetUseFXAA(settings.fine && settings.smooth_outlines && pixel_scale == 1);
   overlay.text_height = text_height();
   if (fits_itself && (fit_is_stale || fitted_size != size())) fit_to(size()[0], size()[1]);
+  if (section_is_stale) fill_section();
   apply_lines();
   shape_actions();
   const auto [width, height] = size();

@@ -2,6 +2,7 @@
 
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkRenderer.h>
 
 #include "render/scene/backdrop.hpp"
@@ -11,6 +12,7 @@
 #include "render/scene/joint_actors.hpp"
 #include "render/scene/overlay.hpp"
 #include "render/scene/scene.hpp"
+#include "render/scene/section_actor.hpp"
 #include "render/scene/solid_shapes.hpp"
 
 namespace talus {
@@ -71,6 +73,10 @@ struct Scene::State {
   /// At the depth of the focal point.
   double metres_per_pixel() const;
   void reset_extent();
+  /// Blocks are seen cut open.
+  bool is_cut() const { return settings.section && settings.explosion == 0; }
+  void cut_open();
+  void fill_section();
   /// Corners are shaded: where nothing moves, and nothing is seen through.
   bool occludes() const { return settings.fine && settings.rock_opacity == 1; }
   /// Just before VTK draws: what depends on the camera and on the window's size.
@@ -99,6 +105,9 @@ struct Scene::State {
   JointActors joints;
   ContactActor contacts;
   Backdrop backdrop;
+  SectionActor section;
+  vtkNew<vtkPlane> section_plane;
+  bool section_is_stale = false;
   std::vector<int> hidden, selected;
   std::optional<int> hovered;
   std::optional<Pick> marked_face;

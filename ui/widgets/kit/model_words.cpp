@@ -53,9 +53,9 @@ QString shape(const SolidShape& shape) {
 
 QString stage(StageKind kind) { return kind == StageKind::static_ ? QObject::tr("static") : QObject::tr("dynamic"); }
 
-QString point(const Vec3& p) {
-  return QStringLiteral("%1, %2, %3")
-      .arg(numbers::significant(p.x(), 4), numbers::significant(p.y(), 4), numbers::significant(p.z(), 4));
+QString point(const Vec3& p, int digits) {
+  const auto number = [&](double coordinate) { return numbers::significant(coordinate, digits); };
+  return QStringLiteral("%1, %2, %3").arg(number(p.x()), number(p.y()), number(p.z()));
 }
 
 QString span(const TimeTable& table) {

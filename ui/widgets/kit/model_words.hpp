@@ -13,7 +13,7 @@ QString body(BodyKind kind);
 QString shape(const SolidShape& shape);
 QString stage(StageKind kind);
 /// "1, 2.5, −3", four figures.
-QString point(const Vec3& p);
+QString point(const Vec3& p, int digits = 4);
 /// "3 rows, 0 … 2 s"; the table is not empty.
 QString span(const TimeTable& table);
 

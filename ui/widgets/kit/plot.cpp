@@ -137,7 +137,6 @@ void Plot::drawAxes(QPainter& painter) const {
     painter.drawText(QRectF(0, y - 8, left_margin - 6, 16), Qt::AlignRight | Qt::AlignVCenter, text(yLabels[i]));
   }
   painter.setPen(c.textMuted);
-  painter.drawText(QRectF(0, area_.bottom() + 4, left_margin - 12, 14), Qt::AlignRight | Qt::AlignVCenter, tr("Time"));
   const auto xLabels = tick_labels(xTicks_);
   const size_t skip = area_.width() < 42.0 * static_cast<double>(xTicks_.size()) ? 2 : 1;
   for (size_t i = 0; i < xTicks_.size(); i += skip) {
@@ -146,6 +145,9 @@ void Plot::drawAxes(QPainter& painter) const {
     const double half = painter.fontMetrics().horizontalAdvance(label) / 2.0 + 1;
     const double middle = std::min(xAt(xTicks_[i]), width() - half);  // the last one and its unit stay in the picture
     painter.drawText(QRectF(middle - half, area_.bottom() + 4, 2 * half, 14), Qt::AlignCenter, label);
+    if (i == 0)
+      painter.drawText(QRectF(0, area_.bottom() + 4, middle - half - 4, 14), Qt::AlignRight | Qt::AlignVCenter,
+                       tr("Time"));
   }
 }
 

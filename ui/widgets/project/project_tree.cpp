@@ -254,7 +254,7 @@ void ProjectTree::addBlocks(QTreeWidgetItem* group) {
   leadToTable(wishes.size());
   const auto& merges = project_.document().project().merges;
   for (size_t i = 0; i < merges.size(); ++i)
-    addRow(group, {Item::Kind::merge, static_cast<int>(i)}, tr("merge %1").arg(i + 1), words::point(merges[i].at))
+    addRow(group, {Item::Kind::merge, static_cast<int>(i)}, tr("merge %1").arg(i + 1), words::point(merges[i].at, 3))
         ->setIcon(0, theme::icon(QStringLiteral("plus-set")));
   const Splinters& splinters = project_.document().project().splinters;
   addRow(group, {Item::Kind::splinters, 0}, tr("splinters"),

@@ -117,7 +117,10 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(&session_.playback, &Playback::frameChanged, this, &Viewport::showFrame);
   connect(&session_.display, &Display::changed, this, &Viewport::takeDisplay);
   connect(&session_.run, &CurrentRun::progressed, this, &Viewport::showEmptyState);
-  connect(&session_.project, &CurrentProject::opened, this, [this] { standing_.reset(); });
+  connect(&session_.project, &CurrentProject::opened, this, [this] {
+    standing_.reset();
+    if (session_.display.settings().section) toggleSection();
+  });
   connect(&session_.project, &CurrentProject::opened, this, &Viewport::showEmptyState);
   // Places that were taken would be of blocks that are there no longer.
   connect(&session_.project, &CurrentProject::opened, &session_.picking, &Picking::cancel);
@@ -364,8 +367,7 @@ void Viewport::moveCamera(const CameraPose& pose) {
 }
 
 void Viewport::takeStanding(const Standing& standing) {
-  scene_->set_pose(standing.pose);
-  if (standing.fits) scene_->fit();
+  standing.fits ? scene_->take_fit(standing.pose) : scene_->set_pose(standing.pose);
 }
 
 void Viewport::look(View view) {

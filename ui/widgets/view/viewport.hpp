@@ -50,6 +50,8 @@ class Viewport : public QWidget {
   void showAll();
   /// Blocks are drawn apart, or again where they are.
   void toggleExplosion();
+  /// Cuts what is selected, or all, open in its middle, upright and across the view; or closes it again.
+  void toggleSection();
   /// Shift and drag draw a lasso from now on, where they draw a box otherwise.
   void setLasso(bool lasso) { drawsLasso_ = lasso; }
 

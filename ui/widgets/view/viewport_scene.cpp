@@ -40,6 +40,26 @@ void Viewport::warmUp() {
   }
 }
 
+void Viewport::toggleSection() {
+  if (!scene_) return;
+  SceneSettings settings = session_.display.settings();
+  if (settings.section) {
+    settings.section.reset();
+    return session_.display.set(settings);
+  }
+  Eigen::AlignedBox3d cut;
+  const std::vector<int> chosen = selectedInView();
+  for (std::size_t b = 0; b < system_->blocks.size(); ++b)
+    if (chosen.empty() || std::ranges::find(chosen, static_cast<int>(b)) != chosen.end())
+      for (const Vec3& node : system_->blocks[b].mesh.nodes) cut.extend(node);
+  const CameraPose camera = scene_->pose();
+  Vec3 towards = (camera.position - camera.focal_point).normalized();
+  constexpr double from_above = 0.95;  // there an upright plane would be seen from its edge
+  if (towards.z() < from_above) towards.z() = 0;
+  settings.section = SectionPlane{cut.center(), towards.normalized()};
+  session_.display.set(settings);
+}
+
 Viewport::~Viewport() {
   keepScenes([](const Drawn&) { return false; });
 }

@@ -105,6 +105,10 @@ void WindowActions::makeViewActions() {
   isolate = add(tr("Show what is selected alone"), QStringLiteral("eye"), QKeySequence(Qt::Key_I));
   showAll = add(tr("Show all blocks"), {}, QKeySequence(Qt::Key_A));
   explode = add(tr("Draw blocks apart"), QStringLiteral("blocks"), QKeySequence(Qt::Key_E));
+  section = add(tr("Cut open across the view"), {}, QKeySequence(Qt::Key_X));
+  section->setCheckable(true);
+  connect(&session_.display, &Display::changed, section,
+          [this] { section->setChecked(session_.display.settings().section.has_value()); });
   showJoints = add(tr("Show joints"), QStringLiteral("joints"), QKeySequence(Qt::Key_J));
   showJoints->setCheckable(true);
   showJoints->setChecked(session_.display.settings().joints);
@@ -172,6 +176,7 @@ void WindowActions::drive(Viewport& viewport, Timeline& timeline) {
   connect(isolate, &QAction::triggered, &viewport, &Viewport::isolateSelected);
   connect(showAll, &QAction::triggered, &viewport, &Viewport::showAll);
   connect(explode, &QAction::triggered, &viewport, &Viewport::toggleExplosion);
+  connect(section, &QAction::triggered, &viewport, &Viewport::toggleSection);
   connect(blocks->lasso, &QAction::toggled, &viewport, &Viewport::setLasso);
   connect(play, &QAction::triggered, &timeline, &Timeline::togglePlay);
   connect(previousFrame, &QAction::triggered, &timeline, [&timeline] { timeline.stepBy(-1); });
@@ -198,7 +203,7 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   auto* edit = menu(tr("Edit"), {undo, redo, nullptr, clearSelection, nullptr});
   for (auto* action : blocks->all()) edit->addAction(action);
   auto* view = menu(tr("View"), {fit, iso, front, side, top, projection, nullptr, hide, isolate, showAll, explode,
-                                 showJoints, showActions, nullptr, dark, viewAlone});
+                                 section, showJoints, showActions, nullptr, dark, viewAlone});
   view->addMenu(new LanguageMenu(session_.messages, view));
   auto* model = menu(tr("Model"), {});
   for (const auto& [page, action] : pages)
@@ -251,7 +256,7 @@ void WindowActions::refresh() {
   for (auto* action : {saveAs, stereonet, pasteJoints}) allow(*action, noProject);
   allow(*savePicture, nothingSeen);
   allow(*saveFilm, noFrames);
-  for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, showActions})
+  for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, section, showActions})
     allow(*action, nothingSeen);
   for (auto* action : {hide, isolate}) allow(*action, nothingSelected);
   for (auto* action : blocks->all()) allow(*action, blocks->whyNot(action));

@@ -33,8 +33,8 @@ class WindowActions : public QObject {
   // Edit
   QAction *undo, *redo, *clearSelection;
   // View
-  QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *explode, *showJoints, *showActions,
-      *dark, *viewAlone;
+  QAction *fit, *iso, *front, *side, *top, *projection, *hide, *isolate, *showAll, *explode, *section, *showJoints,
+      *showActions, *dark, *viewAlone;
   JointActions* joints;
   BlockActions* blocks;
   // Model and solve
