@@ -26,18 +26,21 @@ BlockSystem smallest_system() {
 
 }  // namespace
 
-/// In software the first drawing takes ten times as long as the next: better before there is a run to watch.
+/// In software the first drawing takes ten times as long as the next: better before there is a run to watch. Rock that
+/// is seen through is drawn by other programs of the card, made in an event of their own.
 void Viewport::warmUp() {
-  if (scene_) return;
-  const BlockSystem system = smallest_system();
-  SceneSettings settings = screenSettings();
-  settings.field.reset();
-  Scene scene(system, settings);
-  for (const bool fine : {false, true}) {
+  const auto draw = [this](double opacity, bool fine) {
+    if (scene_) return;
+    const BlockSystem system = smallest_system();
+    SceneSettings settings = screenSettings();
+    settings.field.reset();
+    settings.rock_opacity = opacity;
     settings.fine = fine;
-    scene.set_settings(settings);
+    Scene scene(system, settings);
     surface_->warmUp(*scene.renderer());
-  }
+  };
+  for (const bool fine : {false, true}) draw(1, fine);
+  QTimer::singleShot(0, this, [draw] { draw(0.5, false); });
 }
 
 void Viewport::toggleSection() {
