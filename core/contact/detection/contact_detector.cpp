@@ -9,21 +9,10 @@
 #include "contact/contact_features.hpp"
 #include "contact/history/contact_memory.hpp"
 #include "contact/history/coupling.hpp"
-#include "contact/narrow/edge_edge_search.hpp"
-#include "contact/narrow/face_face_search.hpp"
-#include "contact/narrow/facet_wise_search.hpp"
+#include "contact/narrow/point_search.hpp"
 #include "contact/narrow/updated_normal.hpp"
-#include "contact/narrow/vertex_face_search.hpp"
-#include "contact/narrow/vertex_vertex_search.hpp"
 
 namespace talus {
-namespace {
-
-/// Of the size: pairs of facets that are farther than the reach by less are kept, for two measures of one gap
-/// differ by rounding. What is kept for nothing is found to be no contact.
-constexpr double reach_slack = 1e-9;
-
-}  // namespace
 
 struct ContactDetector::State {
   State(std::vector<ContactBody> b, std::vector<JointLaw> l, PairJoints joints, ContactSettings s)
@@ -34,6 +23,7 @@ struct ContactDetector::State {
         features(bodies),
         broad(features, bodies, settings, work),
         shapes(features, broad.odometers(), settings.tolerances),
+        search(settings),
         memory(bodies.size(), s.model == ContactModel::facet_wise, s.tolerances),
         coupling(features),
         asleep(bodies.size(), 0),
@@ -45,10 +35,9 @@ struct ContactDetector::State {
   bool rests(int body) const { return bodies[body].fixed || asleep[body]; }
   bool joints_bond() const;
   double bond_reach() const;
-  void keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x,
-                       const std::function<double(int, int)>& nearer);
   void measure_bodies(std::span<const Vec3> x);
   StepGeometry look(std::span<const Vec3> x, double reach);
+  std::span<const FacetPair> near(const StepGeometry& step);
   void find_points(std::span<const Vec3> x, double reach);
   bool is_given(std::uint64_t key) const;
   double initial_interference(const FoundPoint& found, double normal_stiffness) const;
@@ -67,11 +56,7 @@ struct ContactDetector::State {
   ContactWork work;
   BroadPhase broad;
   FeatureShapes shapes;
-  FacetWiseSearch facet_wise;
-  FaceFaceSearch face_face;
-  VertexFaceSearch vertex_face;
-  EdgeEdgeSearch edge_edge;
-  VertexVertexSearch vertex_vertex;
+  PointSearch search;
   ContactMemory memory;
   Coupling coupling;
   std::vector<char> asleep;         // a body
@@ -82,7 +67,6 @@ struct ContactDetector::State {
   std::vector<char> moved;          // a body: it took part in a step and neither was fixed nor asleep
   bool all_have_moved = false;      // that are free to
 
-  std::vector<FacetPair> near;
   FoundPoints found, ahead;
   std::vector<MissedContact> missed;
   std::vector<int> origins;             // of the points handed out: which one of `found` each was made of
@@ -109,73 +93,38 @@ double ContactDetector::State::bond_reach() const {
   return widest;
 }
 
-/// The planes of both facets tell most of the pairs that are apart; the boxes know it only along the axes.
-void ContactDetector::State::keep_near_pairs(std::span<const FacetPair> pairs, std::span<const Vec3> x,
-                                             const std::function<double(int, int)>& nearer) {
-  near.clear();
-  const auto apart = [&](int facet, int from, double distance) {
-    const auto &n = features.facets[facet].nodes, &m = features.facets[from].nodes;
-    const Vec3 &normal = shapes.normal(from), &origin = x[m[0]];
-    const double h0 = normal.dot(x[n[0]] - origin), h1 = normal.dot(x[n[1]] - origin),
-                 h2 = normal.dot(x[n[2]] - origin);
-    return std::min({h0, h1, h2}) > distance || std::max({h0, h1, h2}) < -distance;
-  };
-  int body_a = -1, body_b = -1;
-  double distance = 0;
-  for (const FacetPair& pair : pairs) {
-    const int a = features.facets[pair.a].body, b = features.facets[pair.b].body;
-    if (a != body_a || b != body_b) {
-      body_a = a, body_b = b;
-      distance = nearer(a, b);
-    }
-    if (!apart(pair.a, pair.b, distance) && !apart(pair.b, pair.a, distance)) near.push_back(pair);
-  }
-}
-
 void ContactDetector::State::measure_bodies(std::span<const Vec3> x) {
   for (const ContactBody& body : bodies) widths.push_back(least_width(body, x));
   for (const ContactFacet& facet : features.facets) first_areas.push_back(facet_area(facet, x));
 }
 
-/// Fills `near` with the pairs of facets that may touch.
+/// What the searches look at, at the positions x.
 StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach) {
-  const StepGeometry step = {.features = features,
-                             .broad = broad,
-                             .x = x,
-                             .penetration = penetration,
-                             .widths = widths,
-                             .first_areas = first_areas,
-                             .tolerances = settings.tolerances,
-                             .reach = reach,
-                             .moved = moved,
-                             .memory = memory,
-                             .shapes = shapes,
-                             .work = work};
-  const auto nearer = [&](int a, int b) {
-    const bool by_facets = settings.model == ContactModel::facet_wise;
-    const double distance = by_facets ? broad.search_distance(a, b, reach) : step.search_distance(a, b);
-    return distance + reach_slack * broad.size(a, b);
-  };
   shapes.look(x);
-  keep_near_pairs(broad.find(x, reach, std::ref(nearer)), x, std::ref(nearer));
-  return step;
+  return {.features = features,
+          .broad = broad,
+          .x = x,
+          .penetration = penetration,
+          .widths = widths,
+          .first_areas = first_areas,
+          .tolerances = settings.tolerances,
+          .reach = reach,
+          .moved = moved,
+          .memory = memory,
+          .shapes = shapes,
+          .work = work};
 }
 
 void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
   if (widths.empty()) measure_bodies(x);
   const StepGeometry step = look(x, reach);
-  found.clear();
-  if (settings.model == ContactModel::facet_wise) {
-    facet_wise.find(step, near, found);
-  } else {
-    face_face.find(step, near, found);
-    vertex_face.find(step, near, found);
-    edge_edge.find(step, near, vertex_face, found);
-    vertex_vertex.find(
-        step, near, [&](std::uint64_t key) { return memory.remembers(key); }, found);
-  }
-  std::sort(found.points.begin(), found.points.end(),
-            [](const FoundPoint& p, const FoundPoint& q) { return p.key < q.key; });
+  search.find(step, near(step), found);
+}
+
+/// Pairs of facets that may touch, by their boxes.
+std::span<const FacetPair> ContactDetector::State::near(const StepGeometry& step) {
+  const auto distance = [&](int a, int b) { return search.distance(step, a, b); };
+  return broad.find(step.x, step.reach, std::ref(distance));
 }
 
 /// A contact that is found deep was there before and was missed, where one feature takes over from another. It goes on
@@ -319,10 +268,7 @@ std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts
   if (s.settings.model == ContactModel::facet_wise) return {};
   if (!s.settings.motion_told) s.broad.read_motion(end);
   const StepGeometry step = s.look(end, reach);
-  s.ahead.clear();
-  s.face_face.find(step, s.near, s.ahead);
-  s.vertex_face.find(step, s.near, s.ahead);
-  s.edge_edge.find(step, s.near, s.vertex_face, s.ahead);
+  s.search.find_ahead(step, s.near(step), s.ahead);
   for (const FoundPoint& point : s.ahead.points) {
     const double size = s.broad.size(point.bodies[0], point.bodies[1]), depth = -point.gap / size;
     if (point.dropped || depth < tolerance || s.is_given(point.key)) continue;
@@ -346,7 +292,7 @@ void ContactDetector::accept(const ContactSet& contacts, std::span<const Contact
     throw std::logic_error("ContactDetector::accept: outcomes of another set of contacts");
   }
   s.memory.accept(contacts.points, s.families, outcomes);
-  s.vertex_vertex.accept();
+  s.search.accept();
   for (int b = 0; !s.all_have_moved && b < static_cast<int>(s.bodies.size()); ++b) s.moved[b] |= !s.rests(b);
   s.all_have_moved = true;
   for (int body : s.pressed) s.penetration[body] = s.bodies[body].fixed ? 0 : s.memory.resting().deepest(body);

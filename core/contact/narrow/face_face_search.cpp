@@ -57,14 +57,14 @@ class SharpEdgesAlong {
       if (count_ < outward_.size())
         outward_[count_++] = Vec2(n.dot(e1), n.dot(e2)).normalized();
       else
-        ++step.work.edges_left_out;
+        step.count(step.work.edges_left_out);
     };
     const auto farthest = [&](const auto& distance) {
       double most = 0;
       for (int i = 0; i < p.count; ++i) most = std::max(most, distance(p.corners[i]));
       return most;
     };
-    const Vec3 centre = (step.x[f.nodes[0]] + step.x[f.nodes[1]] + step.x[f.nodes[2]]) / 3;
+    const Vec3 centre = step.centre(facet);
     for (int k = 0; k < 3; ++k) {
       const int node = t.local[k];
       const double height = t.twice_area / t.side(k);

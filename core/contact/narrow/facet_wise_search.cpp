@@ -63,7 +63,7 @@ void FacetWiseSearch::find(const StepGeometry& step, std::span<const FacetPair> 
 void FacetWiseSearch::touch(const StepGeometry& step, const FacetPair& pair) {
   const Vec3 &na = step.normal(pair.a), &nb = step.normal(pair.b);
   const CommonPlane plane = common_plane(corners(step, pair.a), corners(step, pair.b), nb - na, step.tolerances);
-  if (!plane.converged) ++step.work.unfinished_planes;
+  if (!plane.converged) step.count(step.work.unfinished_planes);
   if (!(plane.gap <= step.reach) || std::min(plane.normal.dot(nb), -plane.normal.dot(na)) < step.cone_tolerance())
     return;  // apart, or the plane sees one of them on edge or from behind
   const std::size_t first = touches_.size();

@@ -2,11 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <thread>
 
 namespace talus {
 namespace {
 
-constexpr std::uint64_t never = ~std::uint64_t{0};
+constexpr std::uint64_t never = ~std::uint64_t{0}, under_way = never - 1;
 
 }  // namespace
 
@@ -18,30 +19,41 @@ FeatureShapes::FeatureShapes(const ContactFeatures& features, const Odometers& o
       normals_(features.facets.size()),
       towards_core_(features.node_count()),
       edges_(features.edges.size()),
-      normal_at_(normals_.size(), never),
-      core_at_(towards_core_.size(), never),
-      edge_at_(edges_.size(), never) {}
+      normal_at_(normals_.size()),
+      core_at_(towards_core_.size()),
+      edge_at_(edges_.size()) {
+  for (std::vector<Moves>* all : {&normal_at_, &core_at_, &edge_at_})
+    for (Moves& moves : *all) moves = never;
+}
 
-bool FeatureShapes::is_stale(std::uint64_t& moves, int body) const {
+template <class Measure>
+void FeatureShapes::keep_measured(Moves& moves, int body, const Measure& measure) const {
   const std::uint64_t now = odometers_.moves(body);
-  if (moves == now) return false;
-  moves = now;
-  return true;
+  std::uint64_t then = moves.load(std::memory_order_acquire);
+  if (then == now) return;
+  if (then != under_way && moves.compare_exchange_strong(then, under_way, std::memory_order_acquire)) {
+    measure();
+    moves.store(now, std::memory_order_release);
+    return;
+  }
+  while (moves.load(std::memory_order_acquire) != now) std::this_thread::yield();
 }
 
 const Vec3& FeatureShapes::normal(int facet) {
   const ContactFacet& f = features_.facets[facet];
-  Vec3& normal = normals_[facet];
-  if (is_stale(normal_at_[facet], f.body)) {
+  keep_measured(normal_at_[facet], f.body, [&] {
     const Vec3& origin = x_[f.nodes[0]];
-    normal = (x_[f.nodes[1]] - origin).cross(x_[f.nodes[2]] - origin).stableNormalized();
-  }
-  return normal;
+    normals_[facet] = (x_[f.nodes[1]] - origin).cross(x_[f.nodes[2]] - origin).stableNormalized();
+  });
+  return normals_[facet];
 }
 
 const Vec3& FeatureShapes::towards_core(int node) {
-  Vec3& inwards = towards_core_[node];
-  if (!is_stale(core_at_[node], features_.body_of(node))) return inwards;
+  keep_measured(core_at_[node], features_.body_of(node), [&] { measure_core(node); });
+  return towards_core_[node];
+}
+
+void FeatureShapes::measure_core(int node) {
   Mat3 matrix = tolerances_.core_regularization * Mat3::Identity();
   Vec3 right = Vec3::Zero();
   for (const int facet : features_.facets_at(node)) {
@@ -49,16 +61,21 @@ const Vec3& FeatureShapes::towards_core(int node) {
     matrix += n * n.transpose();
     right -= n;
   }
+  Vec3& inwards = towards_core_[node];
   inwards = matrix.inverse() * right;
   const double depth = inwards.norm();
   if (depth > tolerances_.deepest_core) inwards *= tolerances_.deepest_core / depth;
-  return inwards;
 }
 
 const FeatureShapes::Edge& FeatureShapes::edge(int number) {
+  const int facet = features_.edges[number].facets[0];
+  keep_measured(edge_at_[number], features_.facets[facet].body, [&] { measure_edge(number); });
+  return edges_[number];
+}
+
+void FeatureShapes::measure_edge(int number) {
   const ContactEdge& e = features_.edges[number];
   Edge& edge = edges_[number];
-  if (!is_stale(edge_at_[number], features_.facets[e.facets[0]].body)) return edge;
   const Vec3 &origin = x_[e.nodes[0]], u = x_[e.nodes[1]] - origin, r = x_[e.opposite[1]] - origin;
   const double below = normal(e.facets[0]).dot(r), along_u = r.dot(u), length = u.squaredNorm();
   const double least = tolerances_.convex_edge_angle;
@@ -70,7 +87,6 @@ const FeatureShapes::Edge& FeatureShapes::edge(int number) {
     const Vec3 into = x_[e.opposite[k]] - origin;
     edge.into[k] = (into - along * along.dot(into)).stableNormalized();
   }
-  return edge;
 }
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,7 +13,8 @@
 namespace talus {
 
 /// What features look like at the positions of a step: each is measured when it is asked for and its body has moved
-/// since, so that nobody measures anything twice, nor what is not near another body.
+/// since, so that nobody measures anything twice, nor what is not near another body. Several threads may ask at once:
+/// the first to ask measures, who asks for the same meanwhile waits.
 class FeatureShapes {
  public:
   /// All outlive this.
@@ -35,8 +37,11 @@ class FeatureShapes {
   const Edge& edge(int number);
 
  private:
-  /// Whether what was measured at the last of `moves` is to be measured again.
-  bool is_stale(std::uint64_t& moves, int body) const;
+  using Moves = std::atomic<std::uint64_t>;  // of the body as of when a feature was measured
+  template <class Measure>
+  void keep_measured(Moves& moves, int body, const Measure& measure) const;
+  void measure_core(int node);
+  void measure_edge(int number);
 
   const ContactFeatures& features_;
   const Odometers& odometers_;
@@ -44,7 +49,7 @@ class FeatureShapes {
   std::span<const Vec3> x_;
   std::vector<Vec3> normals_, towards_core_;
   std::vector<Edge> edges_;
-  std::vector<std::uint64_t> normal_at_, core_at_, edge_at_;  // the moves of the body as of then
+  std::vector<Moves> normal_at_, core_at_, edge_at_;
 };
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <span>
 
@@ -26,7 +27,10 @@ struct StepGeometry {
   std::span<const char> moved;  ///< a body: it took part in a step and was not fixed
   const ContactMemory& memory;
   FeatureShapes& shapes;
-  ContactWork& work;  ///< where the searches count what they come up against
+  ContactWork& work;  ///< where the searches count what they come up against, …
+
+  /// … by one, whoever else counts at the same time.
+  static void count(long& what) { std::atomic_ref(what).fetch_add(1, std::memory_order_relaxed); }
 
   /// Whether one of the two could move before: only then is it known how deep they may be in each other.
   bool have_moved(int body_a, int body_b) const { return moved[body_a] || moved[body_b]; }
@@ -72,6 +76,10 @@ struct StepGeometry {
   /// Joint that both facets carry, or −1.
   int common_joint(int facet_a, int facet_b) const;
   const Vec3& normal(int facet) const { return shapes.normal(facet); }
+  Vec3 centre(int facet) const {
+    const auto& n = features.facets[facet].nodes;
+    return (x[n[0]] + x[n[1]] + x[n[2]]) / 3;
+  }
   /// Sine of the angle by which normals may leave the normal cone of a feature.
   double cone_tolerance() const;
   /// Cosine of the largest angle between the normal of one facet and the opposite of another's in face–face contact.
@@ -82,7 +90,7 @@ template <class Counts>
 bool StepGeometry::came_past_sharp_edge(int facet, std::span<const Vec3> points, int other,
                                         const Counts& counts) const {
   const ContactFacet& f = features.facets[facet];
-  const Vec3 centre = (x[f.nodes[0]] + x[f.nodes[1]] + x[f.nodes[2]]) / 3;
+  const Vec3 centre = this->centre(facet);
   const auto depth_below = [&](const Vec3& normal, int node, const Vec3& p) { return normal.dot(x[node] - p); };
   for (const int node : f.nodes)
     for (const int across : features.facets_at(node)) {

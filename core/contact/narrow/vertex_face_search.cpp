@@ -4,43 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/units.hpp"
 #include "contact/narrow/normal_cones.hpp"
 
 namespace talus {
 namespace {
-
-/// Of a point with a vertex: the facet of the other body.
-int facet_below(const StepGeometry& step, const FoundPoint& p) {
-  const int own = step.features.body_of(p.node);
-  return p.facets[step.features.facets[p.facets[0]].body == own ? 1 : 0];
-}
-
-Vec3 centre(const StepGeometry& step, int facet) {
-  const auto& n = step.features.facets[facet].nodes;
-  return (step.x[n[0]] + step.x[n[1]] + step.x[n[2]]) / 3;
-}
-
-/// Calls `visit` with the normals of the facets across those convex sharp edges of `facet` that its point `p` is nearer
-/// to than `near` [m], and how far it is from them [m].
-template <class Visit>
-void visit_across_sharp_edges(const StepGeometry& step, int facet, const Vec3& p, double near, const Visit& visit) {
-  const ContactFacet& f = step.features.facets[facet];
-  const auto visit_if_convex = [&](int across, const Vec3& on_edge, double distance) {
-    if (!(distance < near) || step.features.facets[across].smooth_face == f.smooth_face) return;
-    const Vec3 &n = step.normal(across), inwards = centre(step, facet) - on_edge;
-    if (n.dot(inwards) < -step.cone_tolerance() * inwards.norm()) visit(n, distance);
-  };
-  for (int k = 0; k < 3; ++k) {
-    const ContactEdge& e = step.features.edges[f.edges[k]];
-    const Vec3 from = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - from).stableNormalized(), r = p - from;
-    visit_if_convex(e.facets[0] + e.facets[1] - facet, from, (r - along * along.dot(r)).norm());
-    const Vec3& node = step.x[f.nodes[k]];
-    const double from_node = (p - node).norm();
-    if (!(from_node < near)) continue;
-    for (int other : step.features.facets_at(f.nodes[k])) visit_if_convex(other, node, from_node);
-  }
-}
 
 /// Is a point that lies below a facet outside the body all the same, past a convex sharp edge of the facet? Where that
 /// edge is acute, the point still projects onto the facet. Where it is square, a point counts as past it only if it
@@ -51,7 +18,7 @@ bool beside_the_body(const StepGeometry& step, int facet, const Vec3& p) {
     const ContactEdge& e = step.features.edges[edge];
     const int across = e.facets[0] + e.facets[1] - facet;
     if (step.features.facets[across].smooth_face == f.smooth_face) return false;
-    const Vec3 &n = step.normal(across), &on_edge = step.x[e.nodes[0]], inwards = centre(step, facet) - on_edge;
+    const Vec3 &n = step.normal(across), &on_edge = step.x[e.nodes[0]], inwards = step.centre(facet) - on_edge;
     const double below = -n.dot(inwards);
     return below > step.cone_tolerance() * inwards.norm() &&
            n.dot(p - on_edge) > step.tolerances.outside_facet * 3 * below;
@@ -91,20 +58,8 @@ OwnSide own_side(const StepGeometry& step, int node, int facet, const Vec3& norm
 
 void VertexFaceSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
   taken_.clear();
-  held_.clear();
-  for (std::size_t i = 0; i < found.points.size(); ++i) {
-    const FoundPoint& p = found.points[i];
-    taken_.push_back(p.key);
-    if (p.node < 0) continue;
-    const int below = facet_below(step, p);
-    const bool first = below == p.facets[1];
-    held_.push_back(
-        {p.node, static_cast<int>(i), step.features.facets[below].body, first ? p.normal : Vec3(-p.normal)});
-  }
-  for (const FoundPoints::Covered& c : found.covered) {
-    taken_.push_back(c.key);
-    held_.push_back({c.node, -1, step.features.facets[c.facet].body, c.normal});
-  }
+  for (const FoundPoint& p : found.points) taken_.push_back(p.key);
+  for (const FoundPoints::Covered& c : found.covered) taken_.push_back(c.key);
   std::sort(taken_.begin(), taken_.end());
 
   touches_.clear();
@@ -122,9 +77,6 @@ void VertexFaceSearch::find(const StepGeometry& step, std::span<const FacetPair>
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     if (i == 0 || touches_[i].key != touches_[i - 1].key) add(step, touches_[i], found);
   }
-  drop_false(step, found);
-  drop_doubled(step, found);
-
   for (const Touch& t : touches_) taken_.push_back(t.key);
   std::sort(taken_.begin(), taken_.end());
 }
@@ -176,92 +128,7 @@ void VertexFaceSearch::add(const StepGeometry& step, const Touch& t, FoundPoints
   p.node = t.node;
   p.joint = own.joint;
   p.normal = t.node_is_first ? n : Vec3(-n);
-  held_.push_back({t.node, static_cast<int>(found.points.size()), f.body, n});
   found.add_vertex(p, f.nodes, t.at, t.node_is_first, step.features, step.x);
-}
-
-void VertexFaceSearch::drop_false(const StepGeometry& step, FoundPoints& found) {
-  std::sort(held_.begin(), held_.end(),
-            [](const Held& p, const Held& q) { return p.node != q.node ? p.node < q.node : p.point < q.point; });
-  for (std::size_t begin = 0, end = 0; begin < held_.size(); begin = end) {
-    while (end < held_.size() && held_[end].node == held_[begin].node) ++end;
-    const std::span<const Held> group(held_.data() + begin, end - begin);
-    for (const Held& h : group) {
-      if (h.point < 0 || found.points[h.point].kind != PointKind::vertex_face) continue;
-      FoundPoint& p = found.points[h.point];
-      p.dropped = past_sharp_edge(step, p, h, group, found) || deeper(step, p, h, group, found);
-    }
-  }
-}
-
-/// Within the edge tolerance of a convex sharp edge a vertex is past it where something flush with the facet across
-/// holds it: else a corner that rests on one slab would catch on the side of the next. Where all its edges lie past the
-/// sharp edge it is passing, unless it points at this facet. An edge that reaches back over the facet lies on it,
-/// though it ends at the sharp edge.
-bool VertexFaceSearch::past_sharp_edge(const StepGeometry& step, const FoundPoint& p, const Held& h,
-                                       std::span<const Held> group, const FoundPoints& found) const {
-  const int facet = facet_below(step, p), own = step.features.body_of(p.node);
-  const Vec3 projection = step.x[p.node] - p.gap * h.normal;
-  const bool points_at_it = rise(step, p.node, h.normal) > step.cone_tolerance();
-  const double flush = std::cos(radians(step.tolerances.flush_angle));
-  bool drop = false;
-  visit_across_sharp_edges(
-      step, facet, projection, step.largest_edge_tolerance(h.body, own), [&](const Vec3& across, double distance) {
-        const bool passes = !points_at_it && rise(step, p.node, across) >= -step.cone_tolerance();
-        if (passes && step.within_edge_tolerance(distance, h.body, own, across)) drop = true;
-        if (!(distance < step.edge_tolerance(h.body, own))) return;
-        for (const Held& other : group) {
-          const bool holds = other.body != h.body && (other.point < 0 || found.points[other.point].gap <= step.reach);
-          if (holds && other.normal.dot(across) > flush) drop = true;
-        }
-      });
-  return drop;
-}
-
-/// Of two facets of one body that form a convex edge, a vertex that is inside both has come through the nearer one; one
-/// at which only edges touch may have an edge on each.
-bool VertexFaceSearch::deeper(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
-                              const FoundPoints& found) const {
-  if (!(p.gap < 0) || rise(step, p.node, h.normal) < -step.cone_tolerance()) return false;
-  const int facet = facet_below(step, p);
-  for (const Held& other : group) {
-    if (other.point < 0 || other.point == h.point || other.body != h.body) continue;
-    const FoundPoint& q = found.points[other.point];
-    if (!(q.gap < 0)) continue;
-    const int neighbour = facet_below(step, q);
-    const Vec3 across = centre(step, facet) - centre(step, neighbour);
-    const bool convex = other.normal.dot(across) < 0 && h.normal.dot(across) > 0;
-    const bool tie = p.gap == q.gap && p.key > q.key && q.kind == PointKind::vertex_face;
-    if (convex && (p.gap < q.gap || tie)) return true;
-  }
-  return false;
-}
-
-/// Two corners in one place may each lie on a facet of the other: one contact, through the nearer facet.
-void VertexFaceSearch::drop_doubled(const StepGeometry& step, FoundPoints& found) {
-  const auto pushes = [&](const Held& h) {
-    if (h.point < 0) return false;
-    const FoundPoint& p = found.points[h.point];
-    return p.kind == PointKind::vertex_face && !p.dropped && p.gap < 0;
-  };
-  const auto stands_for = [&](const Held& other, const Held& h) {
-    const FoundPoint &p = found.points[h.point], &q = found.points[other.point];
-    const auto& nodes = step.features.facets[facet_below(step, q)].nodes;
-    return std::find(nodes.begin(), nodes.end(), h.node) != nodes.end() &&
-           (q.gap != p.gap ? q.gap > p.gap : q.key < p.key);
-  };
-  for (const Held& h : held_) {
-    if (!pushes(h)) continue;
-    FoundPoint& p = found.points[h.point];
-    const ContactFacet& below = step.features.facets[facet_below(step, p)];
-    const double edge_tolerance = step.edge_tolerance(below.body, step.features.body_of(h.node));
-    for (const int corner : below.nodes) {
-      if ((step.x[corner] - step.x[h.node]).norm() > edge_tolerance) continue;
-      const auto [begin, end] = std::equal_range(held_.begin(), held_.end(), Held{corner, 0, 0, {}},
-                                                 [](const Held& a, const Held& b) { return a.node < b.node; });
-      p.dropped = p.dropped || std::any_of(begin, end, [&](const Held& q) { return pushes(q) && stands_for(q, h); });
-    }
-  }
 }
 
 }  // namespace talus

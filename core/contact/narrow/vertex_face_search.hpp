@@ -9,7 +9,8 @@
 
 namespace talus {
 
-/// Vertices on facets, each once for every smooth face. Face–face points must be there already.
+/// Vertices on facets, each once for every smooth face. Face–face points must be there already. Which of them are false
+/// is seen when those of all bodies are there (FalseVertices).
 class VertexFaceSearch {
  public:
   void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
@@ -25,24 +26,11 @@ class VertexFaceSearch {
     std::array<double, 3> at;  // barycentric coordinates on the facet
     double inside;             // the smallest of them: of a smooth face's facets the one where it is largest is taken
   };
-  struct Held {
-    int node;
-    int point;    // −1: covered
-    int body;     // that holds it
-    Vec3 normal;  // towards the node's body
-  };
   void touch(const StepGeometry& step, int node, int facet, bool node_is_first);
   void add(const StepGeometry& step, const Touch& touch, FoundPoints& found);
-  void drop_false(const StepGeometry& step, FoundPoints& found);
-  void drop_doubled(const StepGeometry& step, FoundPoints& found);
-  bool past_sharp_edge(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
-                       const FoundPoints& found) const;
-  bool deeper(const StepGeometry& step, const FoundPoint& p, const Held& h, std::span<const Held> group,
-              const FoundPoints& found) const;
 
   std::vector<Touch> touches_;
   std::vector<std::uint64_t> taken_;
-  std::vector<Held> held_;
 };
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "contact/history/contact_memory.hpp"
 #include "contact/narrow/normal_cones.hpp"
 
 namespace talus {
@@ -34,24 +35,32 @@ void add_faces(const StepGeometry& step, std::span<const int> facets, std::vecto
 
 }  // namespace
 
+void add_pressures(std::span<const FoundPoint> points, double reach, std::vector<Pressure>& pressures) {
+  for (const FoundPoint& p : points) {
+    if (p.dropped || p.gap > reach) continue;
+    if (p.smooth_faces[0] >= 0) pressures.push_back({p.smooth_faces[0], p.bodies[1], p.normal, p.position});
+    if (p.smooth_faces[1] >= 0) pressures.push_back({p.smooth_faces[1], p.bodies[0], -p.normal, p.position});
+  }
+}
+
 VertexVertexSearch::VertexVertexSearch() {
   own_.faces.reserve(usual_faces);
   other_.faces.reserve(usual_faces);
 }
 
 void VertexVertexSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs,
-                              const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found) {
+                              std::span<const Pressure> pressures, std::span<const Sight> former, FoundPoints& found) {
+  pressures_ = pressures;
+  former_ = former;
   seen_.clear();
-  list_pressures(step, found);
   others_.sort(found.points, [](const FoundPoint&) { return true; });
   visit_body_pairs(step.features, pairs, [&](std::span<const FacetPair> of_bodies) {
     list_face_face(step, of_bodies.front(), found);
     find_candidates(step, of_bodies);
     first_ = found.points.size();
     for (std::size_t i = 0; i < candidates_.size(); ++i)
-      if (i == 0 || candidates_[i].key != candidates_[i - 1].key) add(step, candidates_[i], remembered, found);
+      if (i == 0 || candidates_[i].key != candidates_[i - 1].key) add(step, candidates_[i], found);
   });
-  std::sort(seen_.begin(), seen_.end(), [](const Sight& p, const Sight& q) { return p.key < q.key; });
 }
 
 /// All of two bodies.
@@ -152,16 +161,6 @@ void VertexVertexSearch::list_face_face(const StepGeometry& step, const FacetPai
                             face_face_families_.end());
 }
 
-void VertexVertexSearch::list_pressures(const StepGeometry& step, const FoundPoints& found) {
-  pressures_.clear();
-  for (const FoundPoint& p : found.points) {
-    if (p.dropped || p.gap > step.reach) continue;
-    if (p.smooth_faces[0] >= 0) pressures_.push_back({p.smooth_faces[0], p.bodies[1], p.normal, p.position});
-    if (p.smooth_faces[1] >= 0) pressures_.push_back({p.smooth_faces[1], p.bodies[0], -p.normal, p.position});
-  }
-  std::sort(pressures_.begin(), pressures_.end());
-}
-
 std::span<const int> VertexVertexSearch::facets_at(const ContactFeatures& features, const Place& place) {
   if (place.node >= 0) return features.facets_at(place.node);
   return features.edges[place.edge].facets;
@@ -196,8 +195,7 @@ void VertexVertexSearch::take(const StepGeometry& step, const Place& place, Feat
   }
 }
 
-void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m,
-                             const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found) {
+void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m, FoundPoints& found) {
   const ContactFeatures& features = step.features;
   const auto own_facets = facets_at(features, m.own), other_facets = facets_at(features, m.other);
   if (face_face_holds(step, own_facets, other_facets, m.own_is_first)) return;
@@ -210,7 +208,7 @@ void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m,
   const double gap = n.dot(own_.place - other_.place);
   if (!(gap <= step.reach) || gap < -step.depth(own, other)) return;
   if (lies_flush(step, own_, other_) || lies_flush(step, other_, own_)) return;
-  if (passes(step, m.key, remembered(m.key))) return;
+  if (passes(step, m.key)) return;
   if (!stands_for_others(step, n, m.own_is_first, found)) return;
 
   FoundPoint p{};
@@ -295,7 +293,7 @@ bool VertexVertexSearch::lies_flush(const StepGeometry& step, const Feature& own
 
 /// Bodies whose faces lie in one plane slide past each other there though their corners touch. Where such faces are, a
 /// corner is held only if it came from outside of all of them, or was held before. Tells whether it passes instead.
-bool VertexVertexSearch::passes(const StepGeometry& step, std::uint64_t key, bool remembered) {
+bool VertexVertexSearch::passes(const StepGeometry& step, std::uint64_t key) {
   const double most_cosine = -step.face_face_cosine();
   const Vec3 offset = own_.place - other_.place;
   const auto former =
@@ -314,7 +312,7 @@ bool VertexVertexSearch::passes(const StepGeometry& step, std::uint64_t key, boo
       comes_in = comes_in && outward.dot(displacement) < -step.cone_tolerance() * length;
     }
   }
-  const bool solid = !flush || remembered || (known && former->is_solid) || comes_in;
+  const bool solid = !flush || step.memory.remembers(key) || (known && former->is_solid) || comes_in;
   seen_.push_back({key, known && !moved ? former->from_feature : offset, solid});
   return !solid;
 }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +10,24 @@
 #include "contact/points_by_bodies.hpp"
 
 namespace talus {
+
+/// What was seen of two features: where one was as seen from the other, and whether they are known not to pass.
+struct Sight {
+  std::uint64_t key;
+  Vec3 from_feature;
+  bool is_solid;
+};
+
+/// A body that presses on a smooth face.
+struct Pressure {
+  int smooth_face, by;
+  Vec3 normal;  ///< towards the body of the smooth face
+  Vec3 place;   ///< m
+  bool operator<(const Pressure& p) const { return smooth_face < p.smooth_face; }
+};
+
+/// Adds those of points that were not dropped.
+void add_pressures(std::span<const FoundPoint> points, double reach, std::vector<Pressure>& pressures);
 
 /// Contact where no feature has a normal of its own: of a corner with a corner or with a convex sharp edge, and of
 /// sharp edges along each other, at the ends of what they have in common and where they cross at a small angle. Both
@@ -22,12 +39,12 @@ class VertexVertexSearch {
  public:
   VertexVertexSearch();
 
-  /// `remembered` tells of a key whether its contact was closed at the end of the last step.
-  void find(const StepGeometry& step, std::span<const FacetPair> pairs,
-            const std::function<bool(std::uint64_t)>& remembered, FoundPoints& found);
-
-  /// The step was accepted whose features find() saw last.
-  void accept() { former_.swap(seen_); }
+  /// `pressures` on all bodies, sorted; `former`: what searches had seen() when the last step was accepted, sorted by
+  /// key.
+  void find(const StepGeometry& step, std::span<const FacetPair> pairs, std::span<const Pressure> pressures,
+            std::span<const Sight> former, FoundPoints& found);
+  /// In this search.
+  std::span<const Sight> seen() const { return seen_; }
 
  private:
   /// A place on the surface of a body, a corner or a point of a sharp edge, and what is around it.
@@ -49,20 +66,6 @@ class VertexVertexSearch {
     double apart;  // m, of the cores
     bool own_is_first;
   };
-  /// What was seen of two features: where one was as seen from the other, and whether they are known not to pass.
-  struct Sight {
-    std::uint64_t key;
-    Vec3 from_feature;
-    bool is_solid;
-  };
-  /// A body that presses on a smooth face.
-  struct Pressure {
-    int smooth_face, by;
-    Vec3 normal;  // towards the body of the smooth face
-    Vec3 place;   // m
-    bool operator<(const Pressure& p) const { return smooth_face < p.smooth_face; }
-  };
-
   static std::span<const int> facets_at(const ContactFeatures& features, const Place& place);
   static std::array<int, 2> ends_of(const ContactFeatures& features, const Place& place);
   static bool in_cone(const StepGeometry& step, const Place& place, const Vec3& inwards);
@@ -71,14 +74,12 @@ class VertexVertexSearch {
   void add_vertex_at_edge(const StepGeometry& step, int node, int edge, bool node_is_first);
   void add_edge_along_edge(const StepGeometry& step, int edge_a, int edge_b);
   void list_face_face(const StepGeometry& step, const FacetPair& of_bodies, const FoundPoints& found);
-  void list_pressures(const StepGeometry& step, const FoundPoints& found);
-  void add(const StepGeometry& step, const Candidate& m, const std::function<bool(std::uint64_t)>& remembered,
-           FoundPoints& found);
+  void add(const StepGeometry& step, const Candidate& m, FoundPoints& found);
   std::optional<Vec3> normal_of(const StepGeometry& step, const Candidate& m) const;
   bool face_face_holds(const StepGeometry& step, std::span<const int> facets, std::span<const int> others,
                        bool are_first);
   bool lies_flush(const StepGeometry& step, const Feature& own, const Feature& other) const;
-  bool passes(const StepGeometry& step, std::uint64_t key, bool remembered);
+  bool passes(const StepGeometry& step, std::uint64_t key);
   bool stands_for_others(const StepGeometry& step, const Vec3& normal, bool own_is_first, FoundPoints& found) const;
 
   // Of the two bodies that are looked at:
@@ -94,8 +95,9 @@ class VertexVertexSearch {
     Vec3 normal;
   };
   std::vector<AdjacentFace> adjacent_faces_;  // at the place that is looked at: those in face–face contact
-  std::vector<Pressure> pressures_;           // sorted by smooth face
-  std::vector<Sight> seen_, former_;          // sorted by key
+  std::span<const Pressure> pressures_;
+  std::span<const Sight> former_;
+  std::vector<Sight> seen_;
   Feature own_, other_;
 };
 

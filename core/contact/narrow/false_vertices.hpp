@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/narrow/step_geometry.hpp"
+
+namespace talus {
+
+/// Vertices that were found on facets and make no contact there: what else holds a vertex, whichever body that is,
+/// tells. Whoever holds a vertex must be known of all bodies.
+class FalseVertices {
+ public:
+  void clear() { held_.clear(); }
+  /// Points that stay where they are until drop().
+  void add(const StepGeometry& step, FoundPoints& found);
+  /// Drops those that are false.
+  void drop(const StepGeometry& step);
+
+ private:
+  struct Held {
+    int node;
+    std::uint64_t key;
+    FoundPoint* point;  // none: covered
+    int body;           // that holds it
+    Vec3 normal;        // towards the node's body
+  };
+  void drop_false_at(const StepGeometry& step, int begin);
+  void drop_doubled(const StepGeometry& step);
+  bool past_sharp_edge(const StepGeometry& step, const Held& h, std::span<const Held> group) const;
+  bool deeper(const StepGeometry& step, const Held& h, std::span<const Held> group) const;
+
+  std::vector<Held> held_;  // sorted by node
+};
+
+}  // namespace talus

@@ -1,0 +1,150 @@
+#include "contact/narrow/point_search.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "base/parallel.hpp"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t part_size = 1024;  // pairs of facets: a quarter of a millisecond's work
+constexpr int points_worth_a_thread = 512;
+
+/// Of the size: pairs of facets that are farther than the reach by less are kept, for two measures of one gap
+/// differ by rounding. What is kept for nothing is found to be no contact.
+constexpr double reach_slack = 1e-9;
+
+}  // namespace
+
+double PointSearch::distance(const StepGeometry& step, int body_a, int body_b) const {
+  const bool by_facets = settings_.model == ContactModel::facet_wise;
+  const double most =
+      by_facets ? step.broad.search_distance(body_a, body_b, step.reach) : step.search_distance(body_a, body_b);
+  return most + reach_slack * step.broad.size(body_a, body_b);
+}
+
+void PointSearch::divide(const ContactFeatures& features, std::span<const FacetPair> pairs) {
+  const auto bodies = [&](std::size_t i) {
+    return std::pair(features.facets[pairs[i].a].body, features.facets[pairs[i].b].body);
+  };
+  part_count_ = 0;
+  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+    end = std::min(begin + part_size, pairs.size());
+    while (end < pairs.size() && bodies(end) == bodies(end - 1)) ++end;
+    if (part_count_ == static_cast<int>(parts_.size())) parts_.emplace_back(settings_.tolerances);
+    parts_[part_count_++].pairs = pairs.subspan(begin, end - begin);
+  }
+}
+
+template <class Work>
+void PointSearch::each_part(const Work& work) {
+  const auto of_range = [&](int first, int last) {
+    for (int i = first; i < last; ++i) work(parts_[i]);
+  };
+  in_parallel(part_count_, 1, std::ref(of_range));
+}
+
+/// The planes of both facets tell most of the pairs that are apart; the boxes know it only along the axes.
+void PointSearch::keep_near(const StepGeometry& step, Part& part) const {
+  const std::vector<ContactFacet>& facets = step.features.facets;
+  const auto apart = [&](int facet, int from, double distance) {
+    const auto &n = facets[facet].nodes, &m = facets[from].nodes;
+    const Vec3 &normal = step.normal(from), &origin = step.x[m[0]];
+    const double h0 = normal.dot(step.x[n[0]] - origin), h1 = normal.dot(step.x[n[1]] - origin),
+                 h2 = normal.dot(step.x[n[2]] - origin);
+    return std::min({h0, h1, h2}) > distance || std::max({h0, h1, h2}) < -distance;
+  };
+  part.near.clear();
+  visit_body_pairs(step.features, part.pairs, [&](std::span<const FacetPair> of_bodies) {
+    const double most = distance(step, facets[of_bodies[0].a].body, facets[of_bodies[0].b].body);
+    for (const FacetPair& pair : of_bodies)
+      if (!apart(pair.a, pair.b, most) && !apart(pair.b, pair.a, most)) part.near.push_back(pair);
+  });
+}
+
+void PointSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+  divide(step.features, pairs);
+  if (settings_.model == ContactModel::facet_wise) {
+    each_part([&](Part& part) {
+      keep_near(step, part);
+      part.found.clear();
+      part.facet_wise.find(step, part.near, part.found);
+    });
+  } else {
+    search_features(step);
+    search_corners(step);
+  }
+  join(found);
+}
+
+void PointSearch::find_ahead(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+  divide(step.features, pairs);
+  search_features(step);
+  join(found);
+}
+
+/// Face–face contact, vertices on faces and edges that cross.
+void PointSearch::search_features(const StepGeometry& step) {
+  each_part([&](Part& part) {
+    keep_near(step, part);
+    part.found.clear();
+    part.face_face.find(step, part.near, part.found);
+    part.vertex_face.find(step, part.near, part.found);
+  });
+  false_vertices_.clear();
+  for (int i = 0; i < part_count_; ++i) false_vertices_.add(step, parts_[i].found);
+  false_vertices_.drop(step);
+  each_part([&](Part& part) { part.edge_edge.find(step, part.near, part.vertex_face, part.found); });
+}
+
+/// Vertex–vertex contact.
+void PointSearch::search_corners(const StepGeometry& step) {
+  pressures_.clear();
+  for (int i = 0; i < part_count_; ++i) add_pressures(parts_[i].found.points, step.reach, pressures_);
+  std::sort(pressures_.begin(), pressures_.end());
+  each_part([&](Part& part) { part.vertex_vertex.find(step, part.near, pressures_, former_, part.found); });
+  seen_.clear();
+  for (int i = 0; i < part_count_; ++i) {
+    const auto seen = parts_[i].vertex_vertex.seen();
+    seen_.insert(seen_.end(), seen.begin(), seen.end());
+  }
+  std::sort(seen_.begin(), seen_.end(), [](const Sight& p, const Sight& q) { return p.key < q.key; });
+}
+
+void PointSearch::join(FoundPoints& found) {
+  places_.clear();
+  for (int part = 0; part < part_count_; ++part) {
+    const std::vector<FoundPoint>& points = parts_[part].found.points;
+    for (std::size_t i = 0; i < points.size(); ++i) places_.push_back({points[i].key, part, static_cast<int>(i), 0});
+  }
+  std::sort(places_.begin(), places_.end(), [](const Place& p, const Place& q) { return p.key < q.key; });
+  int stencils_end = 0;
+  for (Place& place : places_) {
+    const FoundPoint& p = parts_[place.part].found.points[place.point];
+    place.stencil_begin = stencils_end;
+    stencils_end += p.stencil_end - p.stencil_begin;
+  }
+  found.clear();
+  found.points.resize(places_.size());
+  found.nodes.resize(stencils_end);
+  found.weights.resize(stencils_end);
+  const auto copy = [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const Place& place = places_[i];
+      const FoundPoints& from = parts_[place.part].found;
+      FoundPoint& p = found.points[i];
+      p = from.points[place.point];
+      std::copy(from.nodes.begin() + p.stencil_begin, from.nodes.begin() + p.stencil_end,
+                found.nodes.begin() + place.stencil_begin);
+      std::copy(from.weights.begin() + p.stencil_begin, from.weights.begin() + p.stencil_end,
+                found.weights.begin() + place.stencil_begin);
+      p.stencil_end += place.stencil_begin - p.stencil_begin;
+      p.stencil_begin = place.stencil_begin;
+    }
+  };
+  in_parallel(static_cast<int>(places_.size()), points_worth_a_thread, std::ref(copy));
+}
+
+}  // namespace talus
