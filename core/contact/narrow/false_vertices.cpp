@@ -47,15 +47,15 @@ void FalseVertices::add(const StepGeometry& step, FoundPoints& found) {
     if (p.node < 0) continue;
     const int below = facet_below(step, p);
     const bool first = below == p.facets[1];
-    held_.push_back({p.node, p.key, &p, step.features.facets[below].body, first ? p.normal : Vec3(-p.normal)});
+    held_.push_back({p.node, step.features.facets[below].body, &p, first ? p.normal : Vec3(-p.normal)});
   }
   for (const FoundPoints::Covered& c : found.covered)
-    held_.push_back({c.node, c.key, nullptr, step.features.facets[c.facet].body, c.normal});
+    held_.push_back({c.node, step.features.facets[c.facet].body, nullptr, c.normal});
 }
 
 void FalseVertices::drop(const StepGeometry& step) {
-  std::sort(held_.begin(), held_.end(),
-            [](const Held& p, const Held& q) { return p.node != q.node ? p.node < q.node : p.key < q.key; });
+  const auto by_node = [](const Held& p, const Held& q) { return p.node < q.node; };
+  std::sort(held_.begin(), held_.end(), by_node);
   const auto drop_false = [&](int first, int last) {
     for (int i = first; i < last; ++i)
       if (i == 0 || held_[i - 1].node != held_[i].node) drop_false_at(step, i);
@@ -138,7 +138,7 @@ void FalseVertices::drop_doubled(const StepGeometry& step) {
     const double edge_tolerance = step.edge_tolerance(below.body, step.features.body_of(h.node));
     for (const int corner : below.nodes) {
       if ((step.x[corner] - step.x[h.node]).norm() > edge_tolerance) continue;
-      const auto [begin, end] = std::equal_range(held_.begin(), held_.end(), Held{corner, 0, nullptr, 0, {}},
+      const auto [begin, end] = std::equal_range(held_.begin(), held_.end(), Held{corner, 0, nullptr, {}},
                                                  [](const Held& a, const Held& b) { return a.node < b.node; });
       p.dropped = p.dropped || std::any_of(begin, end, [&](const Held& q) { return pushes(q) && stands_for(q, h); });
     }

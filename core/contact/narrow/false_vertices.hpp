@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,9 +20,8 @@ class FalseVertices {
  private:
   struct Held {
     int node;
-    std::uint64_t key;
-    FoundPoint* point;  // none: covered
     int body;           // that holds it
+    FoundPoint* point;  // none: covered
     Vec3 normal;        // towards the node's body
   };
   void drop_false_at(const StepGeometry& step, int begin);
@@ -31,7 +29,7 @@ class FalseVertices {
   bool past_sharp_edge(const StepGeometry& step, const Held& h, std::span<const Held> group) const;
   bool deeper(const StepGeometry& step, const Held& h, std::span<const Held> group) const;
 
-  std::vector<Held> held_;  // sorted by node
+  std::vector<Held> held_;  // sorted by node; in which order it is held does not matter
 };
 
 }  // namespace talus

@@ -26,31 +26,21 @@ FeatureShapes::FeatureShapes(const ContactFeatures& features, const Odometers& o
     for (Moves& moves : *all) moves = never;
 }
 
-template <class Measure>
-void FeatureShapes::keep_measured(Moves& moves, int body, const Measure& measure) const {
+void FeatureShapes::measure_once(Moves& moves, int body, Measure measure, int number) {
   const std::uint64_t now = odometers_.moves(body);
   std::uint64_t then = moves.load(std::memory_order_acquire);
-  if (then == now) return;
-  if (then != under_way && moves.compare_exchange_strong(then, under_way, std::memory_order_acquire)) {
-    measure();
+  if (then != now && then != under_way && moves.compare_exchange_strong(then, under_way, std::memory_order_acquire)) {
+    (this->*measure)(number);
     moves.store(now, std::memory_order_release);
     return;
   }
   while (moves.load(std::memory_order_acquire) != now) std::this_thread::yield();
 }
 
-const Vec3& FeatureShapes::normal(int facet) {
+void FeatureShapes::measure_normal(int facet) {
   const ContactFacet& f = features_.facets[facet];
-  keep_measured(normal_at_[facet], f.body, [&] {
-    const Vec3& origin = x_[f.nodes[0]];
-    normals_[facet] = (x_[f.nodes[1]] - origin).cross(x_[f.nodes[2]] - origin).stableNormalized();
-  });
-  return normals_[facet];
-}
-
-const Vec3& FeatureShapes::towards_core(int node) {
-  keep_measured(core_at_[node], features_.body_of(node), [&] { measure_core(node); });
-  return towards_core_[node];
+  const Vec3& origin = x_[f.nodes[0]];
+  normals_[facet] = (x_[f.nodes[1]] - origin).cross(x_[f.nodes[2]] - origin).stableNormalized();
 }
 
 void FeatureShapes::measure_core(int node) {
@@ -65,12 +55,6 @@ void FeatureShapes::measure_core(int node) {
   inwards = matrix.inverse() * right;
   const double depth = inwards.norm();
   if (depth > tolerances_.deepest_core) inwards *= tolerances_.deepest_core / depth;
-}
-
-const FeatureShapes::Edge& FeatureShapes::edge(int number) {
-  const int facet = features_.edges[number].facets[0];
-  keep_measured(edge_at_[number], features_.facets[facet].body, [&] { measure_edge(number); });
-  return edges_[number];
 }
 
 void FeatureShapes::measure_edge(int number) {

@@ -24,22 +24,38 @@ class FeatureShapes {
   void look(std::span<const Vec3> x) { x_ = x; }
 
   /// Unit, outwards.
-  const Vec3& normal(int facet);
+  const Vec3& normal(int facet) {
+    const int body = features_.facets[facet].body;
+    if (is_due(normal_at_[facet], body)) measure_once(normal_at_[facet], body, &FeatureShapes::measure_normal, facet);
+    return normals_[facet];
+  }
   /// From a node to its core, for an edge tolerance of 1: all facets around, moved inwards by 1, meet there as nearly
   /// as they can.
-  const Vec3& towards_core(int node);
+  const Vec3& towards_core(int node) {
+    const int body = features_.body_of(node);
+    if (is_due(core_at_[node], body)) measure_once(core_at_[node], body, &FeatureShapes::measure_core, node);
+    return towards_core_[node];
+  }
 
   struct Edge {
     bool is_convex;
     bool is_clearly_convex;    ///< by more than an angle as good as flat
     std::array<Vec3, 2> into;  ///< unit vectors in each facet, square to the edge, away from it
   };
-  const Edge& edge(int number);
+  const Edge& edge(int number) {
+    const int body = features_.facets[features_.edges[number].facets[0]].body;
+    if (is_due(edge_at_[number], body)) measure_once(edge_at_[number], body, &FeatureShapes::measure_edge, number);
+    return edges_[number];
+  }
 
  private:
   using Moves = std::atomic<std::uint64_t>;  // of the body as of when a feature was measured
-  template <class Measure>
-  void keep_measured(Moves& moves, int body, const Measure& measure) const;
+  bool is_due(const Moves& moves, int body) const {
+    return moves.load(std::memory_order_acquire) != odometers_.moves(body);
+  }
+  using Measure = void (FeatureShapes::*)(int number);
+  void measure_once(Moves& moves, int body, Measure measure, int number);
+  void measure_normal(int facet);
   void measure_core(int node);
   void measure_edge(int number);
 

@@ -57,11 +57,16 @@ void PointSearch::keep_near(const StepGeometry& step, Part& part) const {
     return std::min({h0, h1, h2}) > distance || std::max({h0, h1, h2}) < -distance;
   };
   part.near.clear();
-  visit_body_pairs(step.features, part.pairs, [&](std::span<const FacetPair> of_bodies) {
-    const double most = distance(step, facets[of_bodies[0].a].body, facets[of_bodies[0].b].body);
-    for (const FacetPair& pair : of_bodies)
-      if (!apart(pair.a, pair.b, most) && !apart(pair.b, pair.a, most)) part.near.push_back(pair);
-  });
+  int body_a = -1, body_b = -1;
+  double most = 0;
+  for (const FacetPair& pair : part.pairs) {
+    const int a = facets[pair.a].body, b = facets[pair.b].body;
+    if (a != body_a || b != body_b) {
+      body_a = a, body_b = b;
+      most = distance(step, a, b);
+    }
+    if (!apart(pair.a, pair.b, most) && !apart(pair.b, pair.a, most)) part.near.push_back(pair);
+  }
 }
 
 void PointSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
@@ -126,7 +131,6 @@ void PointSearch::join(FoundPoints& found) {
     place.stencil_begin = stencils_end;
     stencils_end += p.stencil_end - p.stencil_begin;
   }
-  found.clear();
   found.points.resize(places_.size());
   found.nodes.resize(stencils_end);
   found.weights.resize(stencils_end);
