@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.hpp"
 #include "mesh/surface.hpp"
 
 namespace talus {
@@ -14,6 +15,7 @@ namespace {
 constexpr double steps_ahead = 20, least_margin = 0.05, most_margin = 0.2;
 // Of what a pair has gone and is away: left for the rounding of sums.
 constexpr double rounding = 1e-12;
+constexpr std::size_t part_size = 8192;  // pairs of facets that are filtered in a tenth of a millisecond
 
 }  // namespace
 
@@ -158,29 +160,58 @@ void BroadPhase::take_candidates(BodyPair& pair) {
   for (int facet : pair.facets) is_taken_[facet] = 0;
 }
 
-void BroadPhase::filter(BodyPair& pair, std::span<const Vec3> x, double distance) {
+void BroadPhase::filter(BodyPair& pair, std::span<const Vec3> x, double distance, std::vector<FacetPair>& near) {
   for (int f : pair.facets) facets_.refresh(f, x);
-  work_.facet_pairs += static_cast<long>(pair.candidates.size());
-  const std::size_t first = near_.size();
+  const std::size_t first = near.size();
   for (const FacetPair& f : pair.candidates) {
-    if (facets_.box(f.a).within(facets_.box(f.b), distance)) near_.push_back(f);
+    if (facets_.box(f.a).within(facets_.box(f.b), distance)) near.push_back(f);
   }
-  if (near_.size() > first) return;
+  if (near.size() > first) return;
   double apart = std::numeric_limits<double>::infinity();
   for (const FacetPair& f : pair.candidates) apart = std::min(apart, facets_.box(f.a).apart(facets_.box(f.b)));
   pair.filter_at = std::min(pair.search_at, (gone(pair) + apart) * (1 - rounding));
 }
 
+/// On all cores. What is near is joined in the order of the neighbours.
+void BroadPhase::filter_due(std::span<const Vec3> x, const std::function<double(int, int)>& nearer) {
+  int count = 0;
+  std::size_t candidates = part_size;
+  for (int i = 0; i < static_cast<int>(due_.size()); ++i) {
+    if (candidates >= part_size) {
+      if (count == static_cast<int>(parts_.size())) parts_.emplace_back();
+      parts_[count++].first = i;
+      candidates = 0;
+    }
+    candidates += pairs_[due_[i].pair].candidates.size();
+    parts_[count - 1].last = i + 1;
+    work_.facet_pairs += static_cast<long>(pairs_[due_[i].pair].candidates.size());
+  }
+  const auto filter_parts = [&](int first, int last) {
+    for (Part& part : std::span(parts_).subspan(first, last - first)) {
+      part.near.clear();
+      for (int i = part.first; i < part.last; ++i) {
+        BodyPair& pair = pairs_[due_[i].pair];
+        const double distance = due_[i].distance;
+        filter(pair, x, nearer ? std::min(distance, nearer(pair.a, pair.b)) : distance, part.near);
+      }
+    }
+  };
+  in_parallel(count, 1, std::ref(filter_parts));
+  near_.clear();
+  for (const Part& part : std::span(parts_).first(count)) near_.insert(near_.end(), part.near.begin(), part.near.end());
+}
+
 std::span<const FacetPair> BroadPhase::find(std::span<const Vec3> x, double reach,
                                             const std::function<double(int, int)>& nearer) {
   if (neighbours_.follow(x, reach, odometers_, facets_)) list_neighbours();
-  near_.clear();
+  due_.clear();
   for (int p : listed_) {
     BodyPair& pair = pairs_[p];
     const double distance = std::max(reach, pair.depth), now = gone(pair) + distance;
     if (!(now <= pair.search_at)) search(pair, x, distance);
-    if (!(now <= pair.filter_at)) filter(pair, x, nearer ? std::min(distance, nearer(pair.a, pair.b)) : distance);
+    if (!(now <= pair.filter_at)) due_.push_back({p, distance});
   }
+  filter_due(x, nearer);
   odometers_.have_seen();
   return near_;
 }

@@ -90,7 +90,17 @@ class BroadPhase {
   double distance_of(const BodyPair& pair, double worthwhile, std::span<const Vec3> x);
   void search(BodyPair& pair, std::span<const Vec3> x, double distance);
   void take_candidates(BodyPair& pair);
-  void filter(BodyPair& pair, std::span<const Vec3> x, double distance);
+  /// Neighbours, as many as have some number of candidates together, and what is near of them.
+  struct Part {
+    int first, last;  // of due_
+    std::vector<FacetPair> near;
+  };
+  struct Due {
+    int pair;
+    double distance;  // m
+  };
+  void filter(BodyPair& pair, std::span<const Vec3> x, double distance, std::vector<FacetPair>& near);
+  void filter_due(std::span<const Vec3> x, const std::function<double(int, int)>& nearer);
 
   const ContactFeatures& features_;
   std::vector<ContactBody> bodies_;
@@ -106,6 +116,8 @@ class BroadPhase {
   std::vector<int> listed_, free_;  // numbers of pairs_: neighbours in order; unused
   std::vector<std::pair<int, int>> new_, found_;
   std::vector<char> is_taken_;  // a facet
+  std::vector<Due> due_;        // to be filtered
+  std::vector<Part> parts_;
   std::vector<FacetPair> near_;
   ContactWork& work_;
 };

@@ -6,7 +6,7 @@ FacetBoxes::FacetBoxes(const ContactFeatures& features, const Odometers& odomete
     : features_(features),
       odometers_(odometers),
       boxes_(features.facets.size()),
-      refreshed_at_(features.facets.size(), never),
+      refreshed_at_(features.facets.size()),
       trees_(features.facet_begin.size() - 1),
       refitted_at_(trees_.size()) {}
 
@@ -41,9 +41,7 @@ double FacetBoxes::farthest_coordinate(int body) const {
 
 void FacetBoxes::refresh(int facet, std::span<const Vec3> x) {
   const std::uint64_t moves = odometers_.moves(features_.facets[facet].body);
-  if (refreshed_at_[facet] == moves) return;
-  boxes_[facet] = measure(facet, x);
-  refreshed_at_[facet] = moves;
+  refreshed_at_[facet].bring_to(moves, [&] { boxes_[facet] = measure(facet, x); });
 }
 
 void FacetBoxes::pairs_within(int a, int b, double distance, std::vector<std::pair<int, int>>& pairs) {

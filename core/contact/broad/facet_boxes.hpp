@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/broad/box_tree.hpp"
+#include "contact/broad/measured_once.hpp"
 #include "contact/broad/odometers.hpp"
 #include "contact/contact_features.hpp"
 
@@ -19,7 +20,7 @@ class FacetBoxes {
 
   /// Brings all boxes of a body and its tree up to date at the positions x.
   void refit(int body, std::span<const Vec3> x);
-  /// Brings the box of one facet up to date.
+  /// Brings the box of one facet up to date; on several threads at once if need be.
   void refresh(int facet, std::span<const Vec3> x);
 
   /// As of the last refit of the body: appends the pairs of facets of a and b whose boxes are within `distance`.
@@ -45,10 +46,10 @@ class FacetBoxes {
 
   const ContactFeatures& features_;
   const Odometers& odometers_;
-  std::vector<Box> boxes_;                   // a facet
-  std::vector<std::uint64_t> refreshed_at_;  // a facet: the moves of its body
-  std::vector<BoxTree> trees_;               // a body
-  std::vector<Reading> refitted_at_;         // a body
+  std::vector<Box> boxes_;                  // a facet
+  std::vector<MeasuredOnce> refreshed_at_;  // a facet
+  std::vector<BoxTree> trees_;              // a body
+  std::vector<Reading> refitted_at_;        // a body
   std::vector<std::pair<int, int>> stack_;
 };
 

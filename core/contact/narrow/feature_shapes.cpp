@@ -2,14 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <thread>
 
 namespace talus {
-namespace {
-
-constexpr std::uint64_t never = ~std::uint64_t{0}, under_way = never - 1;
-
-}  // namespace
 
 FeatureShapes::FeatureShapes(const ContactFeatures& features, const Odometers& odometers,
                              const ContactTolerances& tolerances)
@@ -21,21 +15,7 @@ FeatureShapes::FeatureShapes(const ContactFeatures& features, const Odometers& o
       edges_(features.edges.size()),
       normal_at_(normals_.size()),
       core_at_(towards_core_.size()),
-      edge_at_(edges_.size()) {
-  for (std::vector<Moves>* all : {&normal_at_, &core_at_, &edge_at_})
-    for (Moves& moves : *all) moves = never;
-}
-
-void FeatureShapes::measure_once(Moves& moves, int body, Measure measure, int number) {
-  const std::uint64_t now = odometers_.moves(body);
-  std::uint64_t then = moves.load(std::memory_order_acquire);
-  if (then != now && then != under_way && moves.compare_exchange_strong(then, under_way, std::memory_order_acquire)) {
-    (this->*measure)(number);
-    moves.store(now, std::memory_order_release);
-    return;
-  }
-  while (moves.load(std::memory_order_acquire) != now) std::this_thread::yield();
-}
+      edge_at_(edges_.size()) {}
 
 void FeatureShapes::measure_normal(int facet) {
   const ContactFacet& f = features_.facets[facet];

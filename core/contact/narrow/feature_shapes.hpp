@@ -1,11 +1,10 @@
 #pragma once
 
 #include <array>
-#include <atomic>
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "contact/broad/measured_once.hpp"
 #include "contact/broad/odometers.hpp"
 #include "contact/contact_features.hpp"
 #include "model/tolerances.hpp"
@@ -25,15 +24,13 @@ class FeatureShapes {
 
   /// Unit, outwards.
   const Vec3& normal(int facet) {
-    const int body = features_.facets[facet].body;
-    if (is_due(normal_at_[facet], body)) measure_once(normal_at_[facet], body, &FeatureShapes::measure_normal, facet);
+    normal_at_[facet].bring_to(odometers_.moves(features_.facets[facet].body), [&] { measure_normal(facet); });
     return normals_[facet];
   }
   /// From a node to its core, for an edge tolerance of 1: all facets around, moved inwards by 1, meet there as nearly
   /// as they can.
   const Vec3& towards_core(int node) {
-    const int body = features_.body_of(node);
-    if (is_due(core_at_[node], body)) measure_once(core_at_[node], body, &FeatureShapes::measure_core, node);
+    core_at_[node].bring_to(odometers_.moves(features_.body_of(node)), [&] { measure_core(node); });
     return towards_core_[node];
   }
 
@@ -44,17 +41,11 @@ class FeatureShapes {
   };
   const Edge& edge(int number) {
     const int body = features_.facets[features_.edges[number].facets[0]].body;
-    if (is_due(edge_at_[number], body)) measure_once(edge_at_[number], body, &FeatureShapes::measure_edge, number);
+    edge_at_[number].bring_to(odometers_.moves(body), [&] { measure_edge(number); });
     return edges_[number];
   }
 
  private:
-  using Moves = std::atomic<std::uint64_t>;  // of the body as of when a feature was measured
-  bool is_due(const Moves& moves, int body) const {
-    return moves.load(std::memory_order_acquire) != odometers_.moves(body);
-  }
-  using Measure = void (FeatureShapes::*)(int number);
-  void measure_once(Moves& moves, int body, Measure measure, int number);
   void measure_normal(int facet);
   void measure_core(int node);
   void measure_edge(int number);
@@ -65,7 +56,7 @@ class FeatureShapes {
   std::span<const Vec3> x_;
   std::vector<Vec3> normals_, towards_core_;
   std::vector<Edge> edges_;
-  std::vector<Moves> normal_at_, core_at_, edge_at_;
+  std::vector<MeasuredOnce> normal_at_, core_at_, edge_at_;
 };
 
 }  // namespace talus
