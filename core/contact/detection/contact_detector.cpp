@@ -4,6 +4,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "base/parallel.hpp"
 #include "contact/body_width.hpp"
 #include "contact/broad/broad_phase.hpp"
 #include "contact/contact_features.hpp"
@@ -13,6 +14,11 @@
 #include "contact/narrow/updated_normal.hpp"
 
 namespace talus {
+namespace {
+
+constexpr int points_worth_a_thread = 256;
+
+}  // namespace
 
 struct ContactDetector::State {
   State(std::vector<ContactBody> b, std::vector<JointLaw> l, PairJoints joints, ContactSettings s)
@@ -184,11 +190,13 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f) const {
 void ContactDetector::State::complete_all(ContactSet& contacts) {
   origins.clear();
   memory.transfer(found.points);
-  for (int i = 0; i < static_cast<int>(found.points.size()); ++i) {
-    if (found.points[i].dropped) continue;
-    contacts.points.push_back(complete(found.points[i]));
-    origins.push_back(i);
-  }
+  for (int i = 0; i < static_cast<int>(found.points.size()); ++i)
+    if (!found.points[i].dropped) origins.push_back(i);
+  contacts.points.resize(origins.size());
+  const auto complete_some = [&](int first, int last) {
+    for (int i = first; i < last; ++i) contacts.points[i] = complete(found.points[origins[i]]);
+  };
+  in_parallel(static_cast<int>(origins.size()), points_worth_a_thread, std::ref(complete_some));
   if (joints_bond() || memory.any_bonded()) bond(contacts.points);
   if (memory.any_broken()) weaken_broken(contacts.points);
 }
