@@ -1,15 +1,20 @@
 // What detection costs a step, and how much of it follows motion: the table of docs/contact.md.
 //   build/release/tests/bench/bench_contact_work
 
+#include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <functional>
+#include <limits>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "unit/contact/blocks.hpp"
 
 namespace talus {
@@ -131,6 +136,25 @@ void measure_beside_sleepers(const char* name, int sleepers) {
   });
 }
 
+/// The shortest of many steps on each number of threads, in turns: what else runs on the machine only adds to it.
+void measure_threads(const char* name, Scene scene, double reach, int rounds, double most) {
+  std::vector<int> threads;
+  for (int n = 1; n <= static_cast<int>(std::thread::hardware_concurrency()); n *= 2) threads.push_back(n);
+  std::vector<double> least(threads.size(), std::numeric_limits<double>::infinity());
+  for (int step = 0; step <= rounds * static_cast<int>(threads.size()); ++step) {
+    const std::size_t turn = step % threads.size();
+    tremble(scene, step, most);
+    const ThreadLimit limit(threads[turn]);
+    const auto begin = std::chrono::steady_clock::now();
+    scene.detect(reach);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    if (step > 0) least[turn] = std::min(least[turn], seconds.count());
+    accept(scene);
+  }
+  std::printf("\n%s, ms of wall time, the shortest step:\n", name);
+  for (std::size_t i = 0; i < threads.size(); ++i) std::printf("%d threads: %.1f\n", threads[i], 1e3 * least[i]);
+}
+
 void run() {
   std::printf(
       "| scene | points | ms | pairs of bodies measured | of them searched | pairs of facets looked at | digest |\n"
@@ -156,6 +180,7 @@ void run() {
   });
   measure_beside_sleepers("a cube slides", 0);
   measure_beside_sleepers("a cube slides beside 1 000 asleep", 1000);
+  measure_threads("300 cubes touching", cubes(10, 3, 0), 1e-3, 40, 1e-6);
 }
 
 }  // namespace

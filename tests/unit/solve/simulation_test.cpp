@@ -125,6 +125,24 @@ TEST(Simulation, TwoThreadsGiveTheSameBitsAsOne) {
   EXPECT_EQ(final_positions(1), final_positions(2));
 }
 
+TEST(Simulation, TwoThreadsSeeTheContactsOfAPileAsOneDoes) {
+  const Project project = scene(20, {{"drop", StageKind::dynamic, 0.01, 10, {}}});
+  std::vector<Block> pile = {test::box_block("ground", Vec3(-2, -2, -1), Vec3(6, 6, 0), BodyKind::fixed)};
+  for (int i = 0; i < 36; ++i) {
+    const Vec3 lower(i % 3 + 0.1 * (i / 9), i / 3 % 3, i / 9 * 1.001);  // each layer a little aside
+    pile.push_back(test::box_block("B" + std::to_string(i), lower, lower + Vec3(1, 1, 1), BodyKind::rigid));
+  }
+  const BlockSystem system = blocks(pile);
+  const auto final_positions = [&](int threads) {
+    const ThreadLimit limit(threads);
+    Simulation simulation(project, system);
+    while (!simulation.finished()) simulation.step();
+    EXPECT_GT(simulation.work().facet_pairs, 5000 * 10) << "too few to be worth a second thread";
+    return simulation.bodies().nodes.position;
+  };
+  EXPECT_EQ(final_positions(1), final_positions(2));
+}
+
 TEST(Simulation, InitialVelocitiesBeginWithTheFirstDynamicStage) {
   Project project = scene(0, {{"wait", StageKind::static_, 0.01, 5, {}}, {"fly", StageKind::dynamic, 0.01, 50, {}}});
   project.gravity = Vec3::Zero();
