@@ -145,7 +145,6 @@ void set_up(SimulationState& s) {
 /// Converges, corrects what that shows to be wrong, and converges again, until nothing is.
 OpenCloseResult converge(SimulationState& s) {
   OpenCloseResult result = s.open_close.converge(s.increment);
-
   for (int round = 0; result.converged; ++round) {
     if (round == s.tolerances.step.correction_limit) {
       ++s.correction_limits;
@@ -153,14 +152,12 @@ OpenCloseResult converge(SimulationState& s) {
     }
     if (!correct(s)) break;
     const OpenCloseResult last = s.open_close.converge(s.increment);
-
     result = {.converged = last.converged,
               .iterations = result.iterations + last.iterations,
               .residual = last.residual,
               .force_scale = last.force_scale,
               .worst_dof_block = std::max(result.worst_dof_block, last.worst_dof_block)};
   }
-
   return result;
 }
 

@@ -43,7 +43,6 @@ bool correct_accelerations(SimulationState& s) {
 
 bool correct(SimulationState& s) {
   const bool contacts = correct_contacts(s), accelerations = correct_accelerations(s);
-
   return contacts || accelerations;
 }
 

@@ -17,9 +17,8 @@ namespace talus {
 /// to the body. (What cannot grow is not the kinetic energy, but the sum of it and ½(β − ½)Δ²·m a².) So
 ///   - a body that has taken a blow goes on without an acceleration (`drop_after_blows`), and begins its next step with
 ///     the one that it ends it with, a₀ = a₁, if that moves it;
-///   - so do bodies of which a step, once it has converged, shows that their acceleration ends or dies away in it: it
-///   is
-///     converged again (`correct`).
+///   - so do bodies of which a step, once it has converged, shows that their acceleration ends or dies away in it; the
+///     step is converged again (`correct`).
 /// a₀ = a₁ gives nothing back and is exact for a constant force: there the integrator is Newmark's with β = ½.
 class AccelerationReset {
  public:

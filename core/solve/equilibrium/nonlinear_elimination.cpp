@@ -1,5 +1,8 @@
 #include "solve/equilibrium/nonlinear_elimination.hpp"
 
+#include <algorithm>
+#include <span>
+
 namespace talus {
 
 bool NonlinearElimination::begin(const Composition& composition, StepResidual& residual) {
@@ -44,16 +47,17 @@ void NonlinearElimination::split(const BlockPattern& pattern) {
     for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot)
       if (const int row = number_[pattern.rows()[slot]]; row >= 0) together_.join(number_[column], row);
   for (const int block : dof_blocks_) number_[block] = -1;
-  std::vector<int> system_of(dof_blocks_.size());
-  systems_.clear();
-  for (int k = 0; k < static_cast<int>(dof_blocks_.size()); ++k) {
-    const int first = together_.first_of(k);
-    if (first == k) {
-      system_of[k] = static_cast<int>(systems_.size());
-      systems_.emplace_back();
-    }
-    systems_[system_of[first]].push_back(dof_blocks_[k]);
+  by_system_.clear();
+  for (int k = 0; k < static_cast<int>(dof_blocks_.size()); ++k)
+    by_system_.emplace_back(together_.first_of(k), dof_blocks_[k]);
+  std::sort(by_system_.begin(), by_system_.end());
+  grouped_.clear();
+  system_ends_.clear();
+  for (std::size_t i = 0; i < by_system_.size(); ++i) {
+    if (i > 0 && by_system_[i].first != by_system_[i - 1].first) system_ends_.push_back(i);
+    grouped_.push_back(by_system_[i].second);
   }
+  system_ends_.push_back(grouped_.size());
 }
 
 void NonlinearElimination::pick_points(const Composition& composition) {
@@ -73,7 +77,10 @@ void NonlinearElimination::pick_points(const Composition& composition) {
 void NonlinearElimination::solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks& unsymmetric,
                                  const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   x.setZero(b.size());
-  for (const std::vector<int>& system : systems_) {
+  std::size_t begin = 0;
+  for (const std::size_t end : system_ends_) {
+    const std::span<const int> system(grouped_.data() + begin, end - begin);
+    begin = end;
     right_.resize(static_cast<Eigen::Index>(3 * system.size()));
     for (std::size_t k = 0; k < system.size(); ++k) right_.segment<3>(3 * k) = b.segment<3>(3 * system[k]);
     dense_.factor(matrix, unsymmetric.pairs(), system);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
@@ -35,10 +36,12 @@ class NonlinearElimination {
 
   EliminationTolerances tolerances_;
   std::vector<int> bodies_, dof_blocks_;
-  std::vector<char> is_picked_;            // a body
-  std::vector<std::vector<int>> points_;   // of each normal contact, and of shear contact
-  std::vector<int> number_;                // of a degree-of-freedom block: its place in dof_blocks_, or −1
-  std::vector<std::vector<int>> systems_;  // degree-of-freedom blocks that touch each other
+  std::vector<char> is_picked_;                 // a body
+  std::vector<std::vector<int>> points_;        // of each normal contact, and of shear contact
+  std::vector<int> number_;                     // of a degree-of-freedom block: its place in dof_blocks_, or −1
+  std::vector<std::pair<int, int>> by_system_;  // the first of its system, a degree-of-freedom block; sorted
+  std::vector<int> grouped_;                    // degree-of-freedom blocks, system by system: they touch each other
+  std::vector<std::size_t> system_ends_;        // of each in grouped_
   DisjointSets together_;
   DenseSolver dense_;
   Eigen::VectorXd right_, solution_;

@@ -160,11 +160,11 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
 
 void OpenClose::balance_alone(Increment& d) {
   if (!elimination_.begin(*composition_, residual_)) return;
-  const Increment before = d;
+  before_alone_ = d;
   residual_.evaluate(d, Friction::coupled);
   const double unbalanced = residual_.norm();
   const OpenCloseResult alone = converge_within(elimination_limit_, false, d);
-  if (!(alone.residual < unbalanced)) d = before;
+  if (!(alone.residual < unbalanced)) d = before_alone_;
   elimination_.end(*composition_, residual_);
   residual_.evaluate(d, Friction::coupled);
 }

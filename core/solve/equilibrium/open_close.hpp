@@ -136,7 +136,7 @@ class OpenClose {
   InteriorPoint interior_;
   DisjointSets together_;
   Eigen::VectorXd part_, direction_, zero_;
-  Increment scaled_, start_, second_start_, first_guess_;
+  Increment scaled_, start_, second_start_, first_guess_, before_alone_;
   double tolerance_ = 0;      ///< relative residual of all bodies together at which this step has converged …
   double body_residual_ = 0;  ///< … and of each alone
   double pattern_seconds_ = 0, elimination_seconds_ = 0;
