@@ -10,7 +10,7 @@
 namespace talus {
 
 double Inertia::energy(const Increment& d) const {
-  const double alpha_m = step_.integration.alpha_m;
+  const auto [beta, gamma, alpha_m, alpha_f] = step_.integration;
   double sum = 0;
   for (const Element& element : set_.elements) {
     Corners a1, a0, u = set_.corner_increments(element, d), mixed;
@@ -20,8 +20,7 @@ double Inertia::energy(const Increment& d) const {
       mixed[i] = a0[i] + u[i];
     }
     sum +=
-        (1 - alpha_m) * beta_of(set_.bodies[element.body], step_) / 2 * step_.length * step_.length *
-            mass_square(element.mass, a1) +
+        (1 - alpha_m) * beta / 2 * step_.length * step_.length * mass_square(element.mass, a1) +
         alpha_m / 2 * (mass_square(element.mass, mixed) - mass_square(element.mass, a0) - mass_square(element.mass, u));
   }
   return sum;
@@ -42,11 +41,8 @@ void Inertia::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const
 }
 
 void Inertia::add_hessian(const Increment&, SymmetricBlocks& sum) const {
-  for (const Element& element : set_.elements) {
-    const double beta = beta_of(set_.bodies[element.body], step_);
-    const double scale = (1 - step_.integration.alpha_m) / (20 * beta * step_.length * step_.length);
-    add_mass(element, scale * element.mass, sum);
-  }
+  const double scale = (1 - step_.integration.alpha_m) / (20 * step_.integration.beta * step_.length * step_.length);
+  for (const Element& element : set_.elements) add_mass(element, scale * element.mass, sum);
   add_rigid_mass(set_, step_, sum);
 }
 

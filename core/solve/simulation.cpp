@@ -134,7 +134,7 @@ void set_times(SimulationState& s, double start, double length) {
 }
 
 void set_up(SimulationState& s) {
-  if (s.resets_accelerations() && s.acceleration_reset.begin_step(s.bodies)) s.open_close.outdate_inertia();
+  if (s.resets_accelerations()) s.acceleration_reset.begin_step(s.bodies);
   for (const auto& effect : s.composition.effects) effect->begin_step(s.context);
   s.open_close.begin_step(s.context);
   if (!s.accelerations_wanted) return;

@@ -34,8 +34,7 @@ bool correct_contacts(SimulationState& s) {
 /// Bodies after a blow begin the step with the acceleration that they end it with. Whether any do.
 bool correct_accelerations(SimulationState& s) {
   if (!s.resets_accelerations() || !s.acceleration_reset.correct(s.bodies, s.context, s.increment)) return false;
-  s.open_close.outdate_inertia();
-  s.open_close.begin_step(s.context);
+  s.open_close.begin_step(s.context);  // inertia is another one
   return true;
 }
 

@@ -37,6 +37,12 @@ AccelerationChange change_over_step(const BodySet& set, const Body& body, const 
   return sum;
 }
 
+/// The accelerations at the start of the step become those at its end.
+void set_to_end(BodySet& set, const Body& body, const StepContext& step, const Increment& d) {
+  for (int n = body.first_free(); n < body.first_free() + body.free_count(); ++n)
+    set.nodes.acceleration[n] = end_acceleration(set, step, n, d);
+}
+
 void set_to_zero(BodySet& set, const Body& body) {
   if (body.rigid >= 0) {
     RigidBody& rigid = set.rigid[body.rigid];
@@ -54,21 +60,19 @@ void AccelerationReset::begin_stage(BodySet& set) {
   goes_on_ = was_hit_;
 }
 
-bool AccelerationReset::begin_step(BodySet& set) {
-  bool any = false;
+void AccelerationReset::begin_step(BodySet& set) {
   for (const int b : set.moving) {
-    any = any || set.bodies[b].constant_acceleration != goes_on_[b];
     set.bodies[b].constant_acceleration = goes_on_[b];
     was_changed_[b] = false;
   }
-  return any;
 }
 
 void AccelerationReset::find_blows(const BodySet& set, const StepContext& step, const Increment& d) {
   for (const int b : set.moving) {
     const double change = (forces_[b] - before_[b]).norm();
     was_hit_[b] = change > tolerances_.sudden_change * std::max(forces_[b].norm(), before_[b].norm());
-    goes_on_[b] = was_hit_[b] && is_visible(change_over_step(set, set.bodies[b], step, d).after, step);
+    goes_on_[b] = was_hit_[b] && set.bodies[b].rigid >= 0 &&
+                  is_visible(change_over_step(set, set.bodies[b], step, d).after, step);
   }
 }
 
@@ -108,7 +112,8 @@ bool AccelerationReset::is_constant(const Body& body, bool was_hit, const Accele
   const bool has_ended = a.before > rounding && a.after < t.acceleration_left * t.acceleration_left * a.before;
   const bool ends_at_once = a.change > t.sudden_change * t.sudden_change * a.before;
   const bool dies_away = square / 8 * a.returned > t.returned_energy * a.motion;
-  return body.constant_acceleration || has_ended || (a.change > rounding && a.returned > 0 && (ends_at_once || dies_away));
+  return body.constant_acceleration || has_ended ||
+         (a.change > rounding && a.returned > 0 && (ends_at_once || dies_away));
 }
 
 bool AccelerationReset::correct(BodySet& set, const StepContext& step, const Increment& d) {
@@ -118,8 +123,11 @@ bool AccelerationReset::correct(BodySet& set, const StepContext& step, const Inc
     if (was_changed_[b]) continue;
     const bool constant = is_constant(body, was_hit_[b], change_over_step(set, body, step, d), step);
     if (constant == body.constant_acceleration) continue;
-    body.constant_acceleration = constant;
     was_changed_[b] = any = true;
+    if (body.rigid >= 0)
+      body.constant_acceleration = constant;
+    else
+      set_to_end(set, body, step, d);
   }
   return any;
 }

@@ -19,7 +19,9 @@ namespace talus {
 ///     the one that it ends it with, a₀ = a₁, if that moves it;
 ///   - so do bodies of which a step, once it has converged, shows that their acceleration ends or dies away in it; the
 ///     step is converged again (`correct`).
-/// a₀ = a₁ gives nothing back and is exact for a constant force: there the integrator is Newmark's with β = ½.
+/// a₀ = a₁ gives nothing back and is exact for a constant force: there the integrator of a rigid body is Newmark's with
+/// β = ½. That would let the waves of a body that deforms ring on: there a₀ becomes the a₁ that the step
+/// has converged to first, which is less than a ninth of the change away from it.
 class AccelerationReset {
  public:
   explicit AccelerationReset(const BodySet& set, const AccelerationResetTolerances& tolerances = {})
@@ -33,10 +35,9 @@ class AccelerationReset {
   /// Nothing is known of blows any more.
   void begin_stage(BodySet& set);
   /// A step is about to be tried: says of each body whether it begins with the acceleration that it ends with.
-  /// Whether that is another answer than before of any.
-  bool begin_step(BodySet& set);
+  void begin_step(BodySet& set);
   /// It has converged at `d`: says so of the bodies for which `d` calls for it, and not of those that it would throw
-  /// back. Whether that changes any; then the step is to be converged again. Of each body it changes once a step.
+  /// back. Of each body that changes once a step. Whether any did; then the step is to be converged again.
   bool correct(BodySet& set, const StepContext& step, const Increment& d);
   /// A step is accepted: takes the contact forces at its end.
   void note_contact_forces(const BodySet& set, const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes);

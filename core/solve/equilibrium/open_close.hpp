@@ -55,8 +55,6 @@ class OpenClose {
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
   /// Once after Effect::begin_step, and again where inertia has changed.
   void begin_step(const StepContext& step);
-  /// What bodies' inertia adds to the tangent is to be found anew when the next step begins.
-  void outdate_inertia() { residual_.outdate_inertia(); }
 
   /// Iterates from the first guess `d` to the increment, which it leaves there. The bodies and contacts stand at the
   /// start of a step.

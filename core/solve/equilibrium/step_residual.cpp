@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "base/stopwatch.hpp"
 
@@ -103,8 +102,7 @@ bool StepResidual::begin_step(const StepContext& step) {
   const bool same_kind = step.length == step_.length && step.integration == step_.integration;
   step_ = step;
   smooth_fraction_ = step.integration.smooth_fraction();
-  const bool other_inertia = std::exchange(inertia_outdated_, false);
-  if (!same_kind || other_inertia || pattern_changed_) assemble_constant();
+  if (!same_kind || pattern_changed_) assemble_constant();
   of_step_.assign(constant_);
   part_.resize(zero_.size());
   momentum_scale_ = 0;
@@ -124,7 +122,7 @@ bool StepResidual::begin_step(const StepContext& step) {
     norms_by_body(part_, body_momenta_);
     body_momenta_ *= tolerances_.momentum_force_weight;
   }
-  return !same_kind || other_inertia;
+  return !same_kind;
 }
 
 void StepResidual::evaluate(const Increment& d, Friction friction) {

@@ -26,10 +26,8 @@ class StepResidual {
   /// The couplings of contacts have changed.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
   /// Assembles what is constant through a step, where it has changed; called once after Effect::begin_step. Whether
-  /// length, integration or inertia differ from those of the step before: then an old factor is no good preconditioner.
+  /// length or integration differ from those of the step before: then an old factor is no good preconditioner.
   bool begin_step(const StepContext& step);
-  /// Inertia is another one from the next begin_step on.
-  void outdate_inertia() { inertia_outdated_ = true; }
 
   /// Finds the gradient at D, and the scale of the forces in it.
   void evaluate(const Increment& d, Friction friction);
@@ -100,13 +98,12 @@ class StepResidual {
 
   ConvergenceTolerances tolerances_;
   Composition* composition_ = nullptr;
-  StepContext step_;               ///< of length 0: the stage has had none yet
-  double smooth_fraction_ = 1;     ///< of D at which smooth forces are taken
-  SymmetricBlocks constant_;       ///< what is constant through steps of this length of a stage …
-  SymmetricBlocks of_step_;        ///< … with what is constant through this step …
-  SymmetricBlocks matrix_;         ///< … with the rest
-  bool pattern_changed_ = false;   ///< since constant_ was assembled
-  bool inertia_outdated_ = false;  ///< the same
+  StepContext step_;              ///< of length 0: the stage has had none yet
+  double smooth_fraction_ = 1;    ///< of D at which smooth forces are taken
+  SymmetricBlocks constant_;      ///< what is constant through steps of this length of a stage …
+  SymmetricBlocks of_step_;       ///< … with what is constant through this step …
+  SymmetricBlocks matrix_;        ///< … with the rest
+  bool pattern_changed_ = false;  ///< since constant_ was assembled
   Eigen::VectorXd gradient_, part_, zero_;
   Eigen::VectorXd frozen_;  ///< N, moments that frozen forces keep beside those that have a potential
   Increment scaled_;
