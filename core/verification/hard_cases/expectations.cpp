@@ -153,4 +153,16 @@ HardCaseExpectation comes_down_aside(const std::string& block, const Vec3& up, d
   return {block + " comes down only aside or turning over", fault};
 }
 
+Vec3 mean_displacement(const Trajectory& trajectory) {
+  Vec3 sum = Vec3::Zero();
+  double volume = 0;
+  for (std::size_t b = 0; b < trajectory.system.blocks.size(); ++b) {
+    const Block& block = trajectory.system.blocks[b];
+    if (!movable(block)) continue;
+    sum += block.volume * trajectory.last().blocks[b].displacement;
+    volume += block.volume;
+  }
+  return sum / volume;
+}
+
 }  // namespace talus

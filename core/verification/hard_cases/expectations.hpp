@@ -28,4 +28,7 @@ HardCaseExpectation stays_before(const Vec3& point, const Vec3& normal);
 /// twentieth of the rest (faces of our spikes and wedges are no steeper than 10 to 1) or turned by 5°.
 HardCaseExpectation comes_down_aside(const std::string& block, const Vec3& up, double allowance);
 
+/// That of all movable blocks at the end, by volume [m].
+Vec3 mean_displacement(const Trajectory& trajectory);
+
 }  // namespace talus

@@ -166,15 +166,7 @@ HardCaseExpectation slides_as_a_crowd() {
   return {
       "the mean displacement down the slope, with tan φ of that off it, is " + significant(expected) + " m within 1 %",
       [=](const Trajectory& trajectory) {
-        Vec3 sum = Vec3::Zero();
-        double volume = 0;
-        for (std::size_t b = 0; b < trajectory.system.blocks.size(); ++b) {
-          const Block& block = trajectory.system.blocks[b];
-          if (block.body == BodyKind::fixed) continue;
-          sum += block.volume * trajectory.last().blocks[b].displacement;
-          volume += block.volume;
-        }
-        const double mean = sum.dot(direction) / volume;
+        const double mean = mean_displacement(trajectory).dot(direction);
         return std::abs(mean - expected) < 0.01 * expected ? std::string() : "it is " + significant(mean) + " m";
       }};
 }

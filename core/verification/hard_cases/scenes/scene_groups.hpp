@@ -12,6 +12,7 @@ std::vector<HardCase> ratio_scenes();
 std::vector<HardCase> odd_shape_scenes();
 std::vector<HardCase> time_scenes();
 std::vector<HardCase> crowd_scenes();
+std::vector<HardCase> jointed_slopes();
 std::vector<HardCase> state_change_scenes();
 std::vector<HardCase> threshold_scenes();
 
