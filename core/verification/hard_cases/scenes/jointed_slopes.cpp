@@ -68,6 +68,8 @@ std::string slope_shortfall(const std::string& name) {
   if (name == "stand_6_seed_7_affine")
     return "a chip of 1.7 cm³ is 5.5e-3 of its mesh size deep in a boulder of 73 m³ as these settle by a fraction of a "
            "millimetre a step; in steps of half the length it holds";
+  if (name == "slope_6_seed_7_tetrahedra")
+    return "the same chip, meshed, is 1.03e-3 of its mesh size deep in the boulder; why it is not less is not known";
   return {};
 }
 
