@@ -48,18 +48,6 @@ class Digest {
   std::uint64_t value_ = 14695981039346656037u;
 };
 
-/// What touches sticks and bears what its stiffness says.
-void accept(Scene& scene) {
-  std::vector<ContactOutcome> outcomes(scene.contacts.points.size());
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const ContactPoint& p = scene.contacts.points[i];
-    outcomes[i].gap = p.gap;
-    outcomes[i].normal_force = std::max(0.0, -p.gap * p.normal_stiffness);
-    outcomes[i].shear_force = 0.1 * outcomes[i].normal_force * p.normal.unitOrthogonal();
-  }
-  scene.detector().accept(scene.contacts, outcomes);
-}
-
 /// Moves, detects and accepts. Prints milliseconds of processor time and what was looked at, a step after the first.
 void measure(const char* name, Scene scene, double reach, int steps, const std::function<void(Scene&, int)>& move) {
   Digest digest;
@@ -69,7 +57,7 @@ void measure(const char* name, Scene scene, double reach, int steps, const std::
     move(scene, step);
     const std::clock_t begin = std::clock();
     digest.add(scene.detect(reach));
-    accept(scene);
+    accept_as_stuck(scene);
     if (step == 0) {
       first = scene.detector().work();
     } else {
@@ -149,7 +137,7 @@ void measure_threads(const char* name, Scene scene, double reach, int rounds, do
     scene.detect(reach);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     if (step > 0) least[turn] = std::min(least[turn], seconds.count());
-    accept(scene);
+    accept_as_stuck(scene);
   }
   std::printf("\n%s, ms of wall time, the shortest step:\n", name);
   for (std::size_t i = 0; i < threads.size(); ++i) std::printf("%d threads: %.1f\n", threads[i], 1e3 * least[i]);

@@ -20,8 +20,8 @@ namespace talus {
 ///   - so do bodies of which a step, once it has converged, shows that their acceleration ends or dies away in it; the
 ///     step is converged again (`correct`).
 /// a₀ = a₁ gives nothing back and is exact for a constant force: there the integrator of a rigid body is Newmark's with
-/// β = ½. That would let the waves of a body that deforms ring on: there a₀ becomes the a₁ that the step
-/// has converged to first, which is less than a ninth of the change away from it.
+/// β = ½. That would let the waves of a body that deforms ring on: there a₀ becomes the a₁ that the step has converged
+/// to first, which is less than a ninth of the change away from it.
 class AccelerationReset {
  public:
   explicit AccelerationReset(const BodySet& set, const AccelerationResetTolerances& tolerances = {})

@@ -50,10 +50,14 @@ void StepResidual::set_pattern(int nodes, std::vector<std::pair<int, int>> coupl
   }
 }
 
+double StepResidual::norm_of_body(const Eigen::VectorXd& vector, int body) const {
+  const auto [begin, end] = dof_blocks_of(body);
+  return vector.segment(3 * begin, 3 * (end - begin)).norm();
+}
+
 void StepResidual::norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const {
-  norms.resize(static_cast<Eigen::Index>(body_begins_.size()) - 1);
-  for (Eigen::Index b = 0; b < norms.size(); ++b)
-    norms[b] = vector.segment(3 * body_begins_[b], 3 * (body_begins_[b + 1] - body_begins_[b])).norm();
+  norms.resize(bodies());
+  for (int b = 0; b < bodies(); ++b) norms[b] = norm_of_body(vector, b);
 }
 
 bool StepResidual::each_body_balances(double tolerance) const {
@@ -70,10 +74,8 @@ bool StepResidual::each_body_balances(double tolerance) const {
 
 void StepResidual::list_unbalanced(double fraction, std::vector<int>& bodies) const {
   bodies.clear();
-  for (int b = 0; b < this->bodies(); ++b) {
-    const auto [begin, end] = dof_blocks_of(b);
-    if (gradient_.segment(3 * begin, 3 * (end - begin)).norm() > fraction * body_forces_[b]) bodies.push_back(b);
-  }
+  for (int b = 0; b < this->bodies(); ++b)
+    if (norm_of_body(gradient_, b) > fraction * body_forces_[b]) bodies.push_back(b);
 }
 
 void StepResidual::leave_out_others(Eigen::VectorXd& forces) {
@@ -106,7 +108,7 @@ bool StepResidual::begin_step(const StepContext& step) {
   of_step_.assign(constant_);
   part_.resize(zero_.size());
   momentum_scale_ = 0;
-  body_momenta_.setZero(static_cast<Eigen::Index>(body_begins_.size()) - 1);
+  body_momenta_.setZero(bodies());
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
     const Stopwatch of_effect(effect_work_[i].seconds);

@@ -90,7 +90,8 @@ class StepResidual {
   enum class Contacts { included, left_out };
   void assemble_constant();
   void leave_out_others(Eigen::VectorXd& forces);
-  /// Norm of the part of a vector that belongs to each moving body.
+  /// Norm of the part of a vector that belongs to a moving body, and to each of them.
+  double norm_of_body(const Eigen::VectorXd& vector, int body) const;
   void norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const;
   /// What effects that are not quadratic add at D.
   void add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix);

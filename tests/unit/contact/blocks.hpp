@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -127,6 +128,18 @@ class Scene {
   std::vector<ContactBody> bodies_;
   std::unique_ptr<ContactDetector> detector_;
 };
+
+/// The step is accepted: what touches sticks and bears what its stiffness says.
+inline void accept_as_stuck(Scene& scene) {
+  std::vector<ContactOutcome> outcomes(scene.contacts.points.size());
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const ContactPoint& p = scene.contacts.points[i];
+    outcomes[i].gap = p.gap;
+    outcomes[i].normal_force = std::max(0.0, -p.gap * p.normal_stiffness);
+    outcomes[i].shear_force = 0.1 * outcomes[i].normal_force * p.normal.unitOrthogonal();
+  }
+  scene.detector().accept(scene.contacts, outcomes);
+}
 
 inline double total_area(const ContactSet& contacts) {
   double area = 0;

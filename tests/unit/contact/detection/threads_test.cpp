@@ -42,18 +42,6 @@ void tremble(Scene& scene, int step) {
     scene.move(b, {way(random), way(random), way(random)});
 }
 
-/// What touches sticks and bears what its stiffness says.
-void accept_as_stuck(Scene& scene) {
-  std::vector<ContactOutcome> outcomes(scene.contacts.points.size());
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const ContactPoint& p = scene.contacts.points[i];
-    outcomes[i].gap = p.gap;
-    outcomes[i].normal_force = std::max(0.0, -p.gap * p.normal_stiffness);
-    outcomes[i].shear_force = 0.1 * outcomes[i].normal_force * p.normal.unitOrthogonal();
-  }
-  scene.detector().accept(scene.contacts, outcomes);
-}
-
 /// All numbers that detection hands out in steps of a pile that trembles, and what is missed on the way.
 struct Seen {
   std::vector<std::uint64_t> bits;
