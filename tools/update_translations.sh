@@ -15,7 +15,7 @@ def walk(rule):
         if isinstance(rule.get(key), str):
             said["schema"][rule[key]] = None
     for word in [*rule.get("enum", []), *rule.get("named", []), *rule.get("columns", []), *rule.get("presets", {})]:
-        if len(word) > 2:  # x, xx, t: symbols
+        if len(word) > 2 or word == "on":  # x, xx, t: symbols
             said["choices"][word] = None
     if isinstance(rule.get("file"), str):
         said["schema"][rule["file"]] = None

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "command.hpp"
+#include "model/rules/switched_effects.hpp"
 #include "model/stage_length.hpp"
 #include "model/tolerance_text.hpp"
 #include "project_choice.hpp"
@@ -55,6 +56,13 @@ Json json_of(const EffectCost& effect) {
           {"reason", effect.reason},
           {"items", effect.items},
           {"estimated_seconds_an_iteration", effect.seconds}};
+}
+
+Json json_of(const ProjectProblem& problem) {
+  return {{"kind", problem.kind == ProjectProblem::Kind::warning ? "warning" : "note"},
+          {"place", problem.place},
+          {"problem", problem.problem},
+          {"remedy", problem.remedy}};
 }
 
 template <typename Things>
@@ -118,10 +126,12 @@ Json json_of_project(const Project& project, const BlockSystem& system, const st
           {"stages", list_of(project.stages)},
           {"monitors", monitors},
           {"expectations", project.expect.size()},
-          {"effects", list_of(costs)}};
+          {"effects", list_of(costs)},
+          {"warnings", list_of(problems_of_switched_effects(project))}};
 }
 
-void print_project(const Json& info, const BlockSystem& system, const std::vector<EffectCost>& costs) {
+void print_project(const Json& info, const Project& project, const BlockSystem& system,
+                   const std::vector<EffectCost>& costs) {
   std::cout << info["project"].get<std::string>() << "\n\n";
   print_blocks(info["blocks"], system);
   Table materials({"Material", "Density [kg/m³]", "Young's modulus [Pa]", "Poisson's ratio", "Law"}, "lrrrl");
@@ -137,7 +147,7 @@ void print_project(const Json& info, const BlockSystem& system, const std::vecto
             << materials.text() << '\n'
             << joints.text() << '\n'
             << stages.text() << '\n'
-            << costs_text(costs) << '\n'
+            << costs_text(costs) << switched_effects_text(project) << '\n'
             << info["monitors"].size() << " monitors, " << info["expectations"] << " expectations\n";
 }
 
@@ -173,7 +183,7 @@ ExitCode inform_of_project(const ProjectChoice& choice, bool with_forecast, bool
     std::cout << info.dump(2) << '\n';
     return done;
   }
-  print_project(info, system, costs);
+  print_project(info, project, system, costs);
   if (ahead) std::cout << '\n' << forecast_text(*ahead);
   return done;
 }

@@ -10,6 +10,7 @@
 #include "project_choice.hpp"
 #include "results/summary.hpp"
 #include "run/run.hpp"
+#include "text/effect_text.hpp"
 #include "text/report_text.hpp"
 #include "text/terminal.hpp"
 
@@ -68,6 +69,7 @@ std::filesystem::path results_folder(const SolveOptions& options) {
 RunReport solve(const SolveOptions& options) {
   const Project project = read(options.project);
   const BlockSystem system = build(project, options.project);
+  std::cerr << switched_effects_text(project);
   Watch watch(project);
   return about(options.project.file, [&] {
     return run(project, system, {results_folder(options), text_of(options.project.file), options.threads}, watch);

@@ -355,13 +355,16 @@ void BodySet::give_accelerations(const Eigen::VectorXd& accelerations) {
   for (const int r : turning) rigid[r].moment = rigid[r].inertia_now() * rigid[r].theta(accelerations);
 }
 
-double BodySet::top_speed() const {
+double BodySet::top_speed(std::span<const char> left_out) const {
+  const auto counts = [&](int body) { return left_out.empty() || !left_out[body]; };
   double square = 0;
-  for (const int n : nodes.free) square = std::max(square, nodes.velocity[n].squaredNorm());
+  for (const int n : nodes.free)
+    if (counts(nodes.body[n])) square = std::max(square, nodes.velocity[n].squaredNorm());
   for (const int b : driven) square = std::max(square, nodes.velocity[bodies[b].first_node].squaredNorm());
   double speed = std::sqrt(square);
   for (const int r : turning)
-    speed = std::max(speed, nodes.velocity[rigid[r].centre].norm() + rigid[r].reach * rigid[r].spin().norm());
+    if (counts(rigid[r].body))
+      speed = std::max(speed, nodes.velocity[rigid[r].centre].norm() + rigid[r].reach * rigid[r].spin().norm());
   return speed;
 }
 

@@ -111,8 +111,8 @@ struct BodySet {
   int node_of(int dof_block) const;
   /// Takes over accelerations [m/s²], three numbers a degree-of-freedom block.
   void give_accelerations(const Eigen::VectorXd& accelerations);
-  /// No node moves faster than this [m/s].
-  double top_speed() const;
+  /// No node moves faster than this [m/s]. Bodies that are `left_out`, a flag each, do not count.
+  double top_speed(std::span<const char> left_out = {}) const;
 
   /// Stress of the tetrahedra of a body that is held, in their order [Pa]; none where it was built fixed.
   std::vector<Voigt> stress_of_held(int body) const;

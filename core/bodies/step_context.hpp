@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "bodies/time_integration.hpp"
 
@@ -20,7 +21,8 @@ struct StepContext {
   Arms arms = Arms::end;          ///< of all forces but those that must have a potential
   double extent = 0;              ///< m, largest coordinate: positions are rounded by 1e-16 of it
   double reach = std::numeric_limits<double>::infinity();  ///< m, the longest displacement of a node in one iteration
-  double mesh_size = 0;  ///< m, largest of blocks that may move: edges are rounded by 1e-16 of it
+  std::span<const char> unlimited{};  ///< a body: whether that does not hold for it, for it is alone; empty: for none
+  double mesh_size = 0;               ///< m, largest of blocks that may move: edges are rounded by 1e-16 of it
 };
 
 }  // namespace talus

@@ -1,26 +1,15 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "effects/called_effects.hpp"
 #include "effects/inertia.hpp"
 #include "effects/normal_contact.hpp"
 #include "effects/shear_contact.hpp"
-#include "model/project.hpp"
 #include "model/solver_tolerances.hpp"
 
 namespace talus {
-
-/// Whether a scene calls for an effect, and why or why not.
-struct EffectStatus {
-  EffectKind kind = EffectKind::elasticity;
-  bool active = false;
-  std::string reason;
-};
-
-/// Every kind once, in the order in which effects are added up: whether a stage calls for it. Costs no solving.
-std::vector<EffectStatus> called_effects(const Project& project, const BlockSystem& system);
 
 /// The effects of a stage. What is not called for is not here.
 struct Composition {
@@ -33,8 +22,18 @@ struct Composition {
   bool rebounds = false;                ///< blocks can meet: at the end of dynamic steps they part by the law of impact
 };
 
-/// `set` and `links` outlive the composition. Throws InputError for a load or a constraint outside its block.
+/// `set` and `links` outlive the composition. Throws InputError for a load or a constraint outside its block. Without
+/// contact: no block can reach another one yet.
 Composition compose(const Project& project, const BlockSystem& system, int stage, BodySet& set,
-                    const ContactLinks& links, const EffectTolerances& tolerances = {});
+                    const ContactLinks& links, const EffectTolerances& tolerances = {}, bool with_contact = true);
+
+/// Where effects were put in: before the one that had this place, so many.
+struct PutIn {
+  int place = 0, count = 0;
+};
+
+/// The effects of contact, put into a composition without.
+PutIn put_in_contact(Composition& composition, const Project& project, const BlockSystem& system,
+                     const EffectTolerances& tolerances);
 
 }  // namespace talus

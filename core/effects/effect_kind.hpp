@@ -4,7 +4,8 @@
 
 namespace talus {
 
-/// What a scene can call for: the terms of the potential, and rebound, which acts on velocities once a step is taken.
+/// What a scene can call for: the terms of the potential; rebound, which acts on velocities once a step is taken; and
+/// what else costs and can be left out, which is no term of the potential either.
 enum class EffectKind {
   elasticity,
   neo_hookean_elasticity,
@@ -17,8 +18,17 @@ enum class EffectKind {
   shear_contact,
   cohesion_and_tension,
   rebound,
-  damping
+  damping,
+  restitution,
+  missed_contacts,
+  updated_normals,
+  penalty_scaling,
+  followed_springs,
+  acceleration_reset,
+  sleep,
+  elimination
 };
+inline constexpr int effect_kinds = static_cast<int>(EffectKind::elimination) + 1;
 
 /// The name that users read, in tables and in summary.json.
 constexpr std::string_view to_string(EffectKind kind) {
@@ -46,9 +56,25 @@ constexpr std::string_view to_string(EffectKind kind) {
     case EffectKind::rebound:
       return "rebound";
     case EffectKind::damping:
+      return "damping";
+    case EffectKind::restitution:
+      return "restitution";
+    case EffectKind::missed_contacts:
+      return "missed contacts";
+    case EffectKind::updated_normals:
+      return "updated normals";
+    case EffectKind::penalty_scaling:
+      return "penalty scaling";
+    case EffectKind::followed_springs:
+      return "followed springs";
+    case EffectKind::acceleration_reset:
+      return "acceleration reset";
+    case EffectKind::sleep:
+      return "sleep";
+    case EffectKind::elimination:
       break;
   }
-  return "damping";
+  return "nonlinear elimination";
 }
 
 }  // namespace talus

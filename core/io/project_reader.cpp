@@ -381,6 +381,14 @@ AdaptiveSteps adaptive_from(const OrderedJson& value) {
   return steps;
 }
 
+EffectSwitches effect_switches_from(const OrderedJson& value) {
+  EffectSwitches switches;
+  for_each_switch(switches, [&](const char* key, Switch& choice) {
+    read_word(value, key, choice, {Switch::called_for, Switch::on, Switch::off});
+  });
+  return switches;
+}
+
 /// A number, or the name of one.
 void read_tolerance(const OrderedJson& object, double& tolerance) {
   const auto found = object.find("tolerance");
@@ -406,6 +414,7 @@ SolverSettings solver_from(const OrderedJson& value) {
   read(value, "open_close_limit", solver.open_close_limit);
   read_word(value, "static_inertia", solver.static_inertia, {StaticInertia::fading, StaticInertia::full});
   read_word(value, "extras", solver.extras, {Extras::called_for, Extras::none});
+  if (value.contains("effects")) solver.effects = effect_switches_from(value.at("effects"));
   read(value, "sleep_tolerance", solver.sleep_tolerance);
   read_word(value, "time_step_control", solver.time_step_control, {TimeStepControl::fixed, TimeStepControl::adaptive});
   if (value.contains("adaptive")) solver.adaptive = adaptive_from(value.at("adaptive"));

@@ -275,6 +275,14 @@ OrderedJson json_from(const AdaptiveSteps& steps) {
   return json;
 }
 
+OrderedJson json_from(const EffectSwitches& switches) {
+  OrderedJson json;
+  for_each_switch(switches, [&](const char* key, Switch choice) {
+    write_word_unless_usual(json, key, choice, Switch::called_for);
+  });
+  return json;
+}
+
 /// By its name, where it has one.
 OrderedJson tolerance_json(double tolerance) {
   for (const auto& [name, value] : named_tolerances)
@@ -297,6 +305,7 @@ OrderedJson json_from(const SolverSettings& solver) {
   write_unless_usual(json, "open_close_limit", solver.open_close_limit, usual.open_close_limit);
   write_word_unless_usual(json, "static_inertia", solver.static_inertia, usual.static_inertia);
   write_word_unless_usual(json, "extras", solver.extras, usual.extras);
+  if (solver.effects != usual.effects) json["effects"] = json_from(solver.effects);
   write_unless_usual(json, "sleep_tolerance", solver.sleep_tolerance, usual.sleep_tolerance);
   write_word_unless_usual(json, "time_step_control", solver.time_step_control, usual.time_step_control);
   if (solver.adaptive != usual.adaptive) json["adaptive"] = json_from(solver.adaptive);

@@ -28,6 +28,9 @@ enum class StaticInertia { fading, full };
 /// penalty scaling, updated normals, missed contacts, acceleration resets; or none of it.
 enum class Extras { called_for, none };
 
+/// Whether something that costs and can be left out is there: where the scene calls for it, or as the project says.
+enum class Switch { called_for, on, off };
+
 /// Talus's own scheme, or the paper's, whole: what settings are that a project leaves out.
 enum class Preset { talus, paper };
 
@@ -57,6 +60,17 @@ constexpr std::string_view to_string(StaticInertia inertia) {
   return inertia == StaticInertia::fading ? "fading" : "full";
 }
 constexpr std::string_view to_string(Extras extras) { return extras == Extras::called_for ? "called_for" : "none"; }
+constexpr std::string_view to_string(Switch choice) {
+  switch (choice) {
+    case Switch::called_for:
+      return "called_for";
+    case Switch::on:
+      return "on";
+    case Switch::off:
+      break;
+  }
+  return "off";
+}
 constexpr std::string_view to_string(Preset preset) { return preset == Preset::talus ? "talus" : "paper"; }
 
 /// How exactly a step is solved, by the names of the project file: the residual that is left over the largest force,
@@ -80,6 +94,35 @@ struct AdaptiveSteps {
   bool operator==(const AdaptiveSteps&) const = default;
 };
 
+/// What costs and can be left out, one by one. What is called for is as Extras says.
+struct EffectSwitches {
+  Switch contact = Switch::called_for;             ///< and all that comes of it
+  Switch rebound = Switch::called_for;             ///< the law of impact
+  Switch restitution = Switch::called_for;         ///< of joints, in that law
+  Switch missed_contacts = Switch::called_for;     ///< detection along the way
+  Switch updated_normals = Switch::called_for;     ///< of contacts that go too deep
+  Switch penalty_scaling = Switch::called_for;     ///< of the same
+  Switch followed_springs = Switch::called_for;    ///< no stiffer than the step can follow
+  Switch acceleration_reset = Switch::called_for;  ///< after blows
+  Switch sleep = Switch::called_for;
+  Switch elimination = Switch::called_for;  ///< bodies that are balanced by themselves
+  bool operator==(const EffectSwitches&) const = default;
+};
+
+/// Calls `visit(key, value)` for each, by the words of the project file.
+void for_each_switch(auto& switches, const auto& visit) {
+  visit("contact", switches.contact);
+  visit("rebound", switches.rebound);
+  visit("restitution", switches.restitution);
+  visit("missed_contacts", switches.missed_contacts);
+  visit("updated_normals", switches.updated_normals);
+  visit("penalty_scaling", switches.penalty_scaling);
+  visit("followed_springs", switches.followed_springs);
+  visit("acceleration_reset", switches.acceleration_reset);
+  visit("sleep", switches.sleep);
+  visit("elimination", switches.elimination);
+}
+
 struct SolverSettings {
   Preset preset = Preset::talus;  ///< what the settings below were before a project said otherwise
   Strain strain = Strain::corotational;
@@ -96,6 +139,7 @@ struct SolverSettings {
   int open_close_limit = 160;  ///< iterations before the step is cut
   StaticInertia static_inertia = StaticInertia::fading;
   Extras extras = Extras::called_for;
+  EffectSwitches effects;
   double sleep_tolerance =
       1e-9;  ///< 1/s: blocks slower than this times their mesh size sleep in dynamic stages; 0: none
   TimeStepControl time_step_control = TimeStepControl::fixed;

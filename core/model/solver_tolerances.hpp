@@ -38,6 +38,13 @@ struct StepTolerances {
   int fewest_static_steps = 2;
   /// Of the length of a step. What is left of a step after its parts is rounding. Larger: time is lost.
   double time_rounding = 1e-9;
+  /// Steps of the stage's time_step. Blocks that cannot meet in so many are alone: for them no contact is looked for
+  /// until then, or until one has gone farther than was foreseen. Chosen. Larger: fewer blocks are alone. Smaller: who
+  /// is alone is asked more often.
+  int foreseen_steps = 500;
+  /// –. What a block may go by then is so many times what gravity, loads and its speed take it. Chosen: blocks that are
+  /// struck go on faster. Larger: fewer are alone. Smaller: who is alone is asked more often.
+  double foreseen_way = 2;
 };
 
 /// When the open–close iteration of a step has converged, and when it changes its method.

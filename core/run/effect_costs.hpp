@@ -15,6 +15,7 @@ struct SceneSize {
   long tetrahedra = 0;     ///< of blocks of body tetrahedra
   long affine_blocks = 0;  ///< each of them one element
   long rigid_blocks = 0;
+  long movable_blocks = 0;                                         ///< of any body
   long neo_hookean_tetrahedra = 0, neo_hookean_affine_blocks = 0;  ///< of them, those whose rock has that law
   long loose_points = 0;    ///< contact points without a bond that one detection at the start finds …
   long bonded_points = 0;   ///< … and those with one

@@ -23,9 +23,23 @@ void seek_and_wake(SimulationState& s, double length) {
     changed = true;
   }
   if (changed) account_for_awake_bodies(s);
-  if (s.extras() && s.dynamic())
+  if (s.is_on(EffectKind::followed_springs) && s.dynamic() && !s.contacts.points.empty()) {
+    StepResidual::EffectWork& work = s.work_of(EffectKind::followed_springs);
+    const Stopwatch watch(work.seconds);
+    ++work.evaluations;
     s.followed_springs.limit(s.project, s.adaptive() ? length : s.clock.next_length(), s.dynamic_penetration(),
                              s.contacts);
+  }
+}
+
+/// How far gaps matter, by the speed of those who may touch somebody [m].
+double displacement_reach(const SimulationState& s, double length) {
+  double prescribed = 0;
+  for (const int b : s.bodies.driven)
+    prescribed = std::max(prescribed, s.bodies.nodes.prescribed[s.bodies.bodies[b].first_node].norm());
+  const double displacement = s.context.dynamic_factor * s.bodies.top_speed(s.company.alone()) * length +
+                              0.5 * s.project.gravity.norm() * length * length;
+  return s.tolerances.step.reach_factor * (displacement + prescribed);
 }
 
 /// Pairs of degree-of-freedom blocks that contacts couple or may couple soon.
@@ -44,16 +58,36 @@ std::vector<std::pair<int, int>> couplings_of_contacts(const SimulationState& s)
 
 }  // namespace
 
+void look_for_company(SimulationState& s, double reach) {
+  // Detection was not told of those who were alone.
+  for (int b = 0; b < static_cast<int>(s.bodies.bodies.size()); ++b)
+    if (s.company.is_alone(b) && s.company.travelled(b) > 0) s.detector.moved(b, s.company.travelled(b));
+  const double ahead =
+      std::min(s.clock.left(), s.tolerances.step.foreseen_steps * s.project.stages[s.clock.stage()].time_step);
+  s.company.look(s.bodies, ahead, reach);
+}
+
+void let_touch(SimulationState& s) {
+  if (!s.company.any() || !s.composition.normal.empty()) return;
+  const PutIn where = put_in_contact(s.composition, s.project, s.system, s.tolerances.effects);
+  s.open_close.put_in(where);
+  s.energy.put_in(s.composition, where);
+  s.pattern_generation = ~0ull;
+  s.expect_impacts();
+}
+
 void seek_contacts(SimulationState& s, double length) {
   s.open_close.release_states();
-  double prescribed = 0;
-  for (const int b : s.bodies.driven)
-    prescribed = std::max(prescribed, s.bodies.nodes.prescribed[s.bodies.bodies[b].first_node].norm());
-  const double displacement =
-      s.context.dynamic_factor * s.bodies.top_speed() * length + 0.5 * s.project.gravity.norm() * length * length;
-  const double reach = s.tolerances.step.reach_factor * (displacement + prescribed);
+  double reach = displacement_reach(s, length);
+  if (s.company.is_due(reach + s.smallest_size)) {
+    look_for_company(s, reach + s.smallest_size);
+    let_touch(s);
+    reach = displacement_reach(s, length);
+  }
   s.context.reach = reach + s.smallest_size;
+  s.context.unlimited = s.dynamic() && s.company.any_alone() ? s.company.alone() : std::span<const char>();
   s.reach = reach + s.tolerances.step.least_reach * s.smallest_size;
+  if (!s.company.any() && s.contacts.points.empty()) return;
   s.detector.detect(s.bodies.nodes.position, s.reach, s.contacts);
   s.links.connect();
 }

@@ -4,6 +4,12 @@ namespace talus {
 
 struct SimulationState;
 
+/// Finds who can come to touch somebody in the steps ahead, if gaps up to `reach` [m] are looked for.
+void look_for_company(SimulationState& s, double reach);
+
+/// Puts the effects of contact into the composition once somebody can touch somebody.
+void let_touch(SimulationState& s);
+
 /// Finds the contact points that may bear in a step of `length` [s] from the present positions.
 void seek_contacts(SimulationState& s, double length);
 

@@ -37,6 +37,11 @@ void EnergyBalance::begin_stage(const Composition& composition) {
   }
 }
 
+void EnergyBalance::put_in(const Composition& composition, const PutIn& where) {
+  for (int i = where.place; i < where.place + where.count; ++i)
+    entries_.insert(entries_.begin() + i, {composition.effects[i]->kind(), 0});
+}
+
 void EnergyBalance::energy_was_given(const Composition& composition) {
   for (std::size_t i = 0; i < composition.effects.size(); ++i) {
     const double change = composition.effects[i]->stored_energy() - entries_[i].stored;

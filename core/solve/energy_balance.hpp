@@ -12,6 +12,8 @@ class EnergyBalance {
  public:
   /// The effects of a stage, before its first step.
   void begin_stage(const Composition& composition);
+  /// Effects were put into the composition of the stage; they hold nothing yet.
+  void put_in(const Composition& composition, const PutIn& where);
   /// Velocities were given from outside: their energy is new.
   void energy_was_given(const Composition& composition);
   /// Bodies fell asleep or woke: what effects hold from now on is of those that are awake, and `ledger` keeps the rest.

@@ -29,7 +29,7 @@ std::vector<JointLaw> joint_laws(const Project& project) {
     law.tensile_strength = joint.tensile_strength;
     law.normal_stiffness = joint.normal_stiffness.value_or(0);
     law.shear_stiffness = joint.shear_stiffness.value_or(0);
-    law.restitution = joint.restitution;
+    if (project.solver.effects.restitution != Switch::off) law.restitution = joint.restitution;
     laws.push_back(law);
   }
   if (laws.empty()) laws.emplace_back();

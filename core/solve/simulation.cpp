@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stopwatch.hpp"
 #include "solve/contact_search.hpp"
 #include "solve/simulation_state.hpp"
 #include "solve/stage_start.hpp"
@@ -27,6 +28,7 @@ void cut(SimulationState& s, StepReport& report);
 void accept(SimulationState& s, StepReport& report);
 void remember_step(SimulationState& s, StepReport& report);
 void move_bodies(SimulationState& s, StepReport& report);
+void put_to_sleep(SimulationState& s);
 void end_static_stage_in_equilibrium(SimulationState& s, StepReport& report);
 StepMeasure measure(const SimulationState& s, int iterations);
 
@@ -122,6 +124,7 @@ bool try_step(SimulationState& s, double start, double length, StepReport& repor
       s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
     const OpenCloseResult result = converge(s);
     const bool good = check(s, result, report);
+    if (good && s.company.goes_too_far(s.bodies, s.increment)) continue;
     if (!retry_with_more_inertia(s, good)) return good;
   }
 }
@@ -206,7 +209,7 @@ void accept(SimulationState& s, StepReport& report) {
   move_bodies(s, report);
   if (may_hit) by_impacts += s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes());
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
-  if (s.dynamic()) s.falls_asleep = s.sleep.after_step(s.bodies, s.contacts, s.context.length);
+  if (s.dynamic() && s.is_on(EffectKind::sleep)) put_to_sleep(s);
   report.energy = s.anything_moves()
                       ? s.energy.after_step(s.composition, s.open_close.residual().works(), s.increment, by_impacts)
                       : s.energy.ledger();
@@ -232,9 +235,19 @@ void move_bodies(SimulationState& s, StepReport& report) {
     report.max_displacement = std::max(report.max_displacement, s.bodies.bodies[b].largest_displacement);
   for (const auto* moved : {&s.bodies.moving, &s.bodies.driven})
     for (const int b : *moved)
-      if (const double displacement = s.bodies.bodies[b].largest_displacement; displacement > 0)
-        s.detector.moved(b, displacement);
+      if (const double displacement = s.bodies.bodies[b].largest_displacement; displacement > 0) {
+        s.company.moved(b, displacement);
+        if (!s.company.is_alone(b)) s.detector.moved(b, displacement);
+      }
+  s.company.step_taken();
   s.bodies.carry_velocities();
+}
+
+void put_to_sleep(SimulationState& s) {
+  StepResidual::EffectWork& work = s.work_of(EffectKind::sleep);
+  const Stopwatch watch(work.seconds);
+  ++work.evaluations;
+  s.falls_asleep = s.sleep.after_step(s.bodies, s.contacts, s.context.length);
 }
 
 void end_static_stage_in_equilibrium(SimulationState& s, StepReport& report) {

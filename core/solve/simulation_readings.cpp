@@ -81,13 +81,37 @@ HistoryRow Simulation::history() const {
   return row;
 }
 
+namespace {
+
+/// What all effects have cost, those that are no term of the potential too.
+std::map<EffectKind, StepResidual::EffectWork> effect_work(const SimulationState& s,
+                                                           const std::vector<EffectStatus>& called) {
+  auto work = s.open_close.residual().effect_work();
+  if (s.impacts) {
+    work[EffectKind::rebound] = {.seconds = s.impacts->seconds(), .built = 1, .evaluations = s.impacts->evaluations()};
+    work[EffectKind::restitution].evaluations = s.impacts->restitutions();
+  }
+  for (const EffectStatus& status : called) {
+    if (status.kind <= EffectKind::damping || !status.active) continue;
+    StepResidual::EffectWork& of_kind = work[status.kind];
+    const StepResidual::EffectWork& counted = status.kind == EffectKind::elimination
+                                                  ? s.open_close.work_alone()
+                                                  : s.extra_work[static_cast<std::size_t>(status.kind)];
+    of_kind.seconds += counted.seconds;
+    of_kind.evaluations += counted.evaluations;
+    of_kind.built = 1;
+  }
+  return work;
+}
+
+}  // namespace
+
 std::vector<EffectOutcome> Simulation::effects() const {
   const SimulationState& s = *state_;
-  auto work = s.open_close.residual().effect_work();
-  if (s.impacts)
-    work[EffectKind::rebound] = {.seconds = s.impacts->seconds(), .built = 1, .evaluations = s.impacts->evaluations()};
+  const std::vector<EffectStatus> called = called_effects(s.project, s.system, s.company.never_met(s.bodies));
+  const auto work = effect_work(s, called);
   std::vector<EffectOutcome> outcomes;
-  for (const EffectStatus& status : called_effects(s.project, s.system)) {
+  for (const EffectStatus& status : called) {
     EffectOutcome& outcome =
         outcomes.emplace_back(EffectOutcome{std::string(to_string(status.kind)), status.active, status.reason});
     const auto spent = work.find(status.kind);

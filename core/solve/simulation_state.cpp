@@ -46,6 +46,12 @@ double smallest_mesh_size(const BodySet& bodies, const std::vector<Surface>& sur
   return size;
 }
 
+/// Where contact is off all are alone; with one block as well.
+Company::Choice company_choice(const SimulationState& s) {
+  if (!s.is_on(EffectKind::normal_contact)) return Company::Choice::never;
+  return s.project.solver.effects.contact == Switch::on ? Company::Choice::always : Company::Choice::by_reach;
+}
+
 /// Half the height of all blocks [m]; of a flat model half its longest side.
 double half_height(const BodySet& bodies) {
   Vec3 low = Vec3::Constant(1e300), high = -low;
@@ -63,19 +69,22 @@ SimulationState::SimulationState(const Project& p, const BlockSystem& s, const T
     : project(p),
       system(s),
       tolerances(t.solver.at(p.solver.tolerance)),
+      called(called_effects(p, s)),
       bodies(p, s),
       surfaces(surfaces_of(s)),
       smallest_size(smallest_mesh_size(bodies, surfaces)),
       detector(contact_bodies(bodies, surfaces), joint_laws(p), pair_joints(p, s), contact_settings(p, t.contact)),
       outcomes(tolerances.contact_outcome),
+      company(s.blocks.size(), tolerances.step, company_choice(*this)),
       clock(p.stages, tolerances.step.time_rounding),
       control(p.solver.adaptive, half_height(bodies), smallest_size, tolerances.step_control),
-      open_close(tolerances, p.solver.open_close_limit, p.solver.open_close),
+      open_close(tolerances, p.solver.open_close_limit, p.solver.open_close,
+                 p.solver.effects.elimination != Switch::off),
       first_guess(tolerances.first_guess),
       pseudo_transient(tolerances.pseudo_transient),
       acceleration_reset(bodies, tolerances.acceleration_reset),
       followed_springs(bodies, tolerances.followed_spring),
-      sleep(sizes_of(surfaces), extras() ? p.solver.sleep_tolerance : 0, tolerances.sleep),
+      sleep(sizes_of(surfaces), is_on(EffectKind::sleep) ? p.solver.sleep_tolerance : 0, tolerances.sleep),
       stress(bodies, composition),
       troubles(p, s, bodies, contacts) {
   for (const Monitor& monitor : p.monitors) {

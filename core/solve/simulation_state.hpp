@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "contact/detection/missed_contacts.hpp"
 #include "mesh/surface.hpp"
 #include "model/tolerances.hpp"
+#include "solve/company.hpp"
 #include "solve/contact_outcomes.hpp"
 #include "solve/dynamics/acceleration_reset.hpp"
 #include "solve/dynamics/followed_springs.hpp"
@@ -31,15 +33,24 @@ struct SimulationState {
 
   bool adaptive() const { return project.solver.time_step_control == TimeStepControl::adaptive; }
   bool augmented() const { return project.solver.penetration_tolerance.has_value(); }
-  bool extras() const { return project.solver.extras == Extras::called_for; }  ///< beyond the equations
-  bool dynamic() const { return context.dynamic_factor > 0; }                  ///< is the stage?
-  bool resets_accelerations() const { return extras() && dynamic() && context.integration.carries_acceleration(); }
+  /// Whether an effect is on, as far as blocks can touch.
+  bool is_on(EffectKind kind) const { return called[static_cast<std::size_t>(kind)].active; }
+  bool dynamic() const { return context.dynamic_factor > 0; }  ///< is the stage?
+  bool resets_accelerations() const {
+    return is_on(EffectKind::acceleration_reset) && dynamic() && context.integration.carries_acceleration();
+  }
+  /// The composition may have come to call for the law of impact.
+  void expect_impacts() {
+    if (composition.rebounds && !impacts) impacts.emplace(bodies, tolerances.impact);
+  }
+  StepResidual::EffectWork& work_of(EffectKind kind) { return extra_work[static_cast<std::size_t>(kind)]; }
   double dynamic_penetration() const;  ///< of h, that contacts of a dynamic stage may have
   bool anything_moves() const { return bodies.nodes.movable > 0; }
 
   const Project& project;
   const BlockSystem& system;
   const SolverTolerances tolerances;
+  const std::vector<EffectStatus> called;  ///< if all blocks could touch
 
   // Bodies and their contacts.
   BodySet bodies;
@@ -49,6 +60,7 @@ struct SimulationState {
   ContactSet contacts;
   ContactLinks links{bodies, contacts};
   ContactOutcomes outcomes;
+  Company company;
   std::vector<RestingContact> resting;       ///< contacts of sleepers
   std::uint64_t pattern_generation = ~0ull;  ///< of the contacts that the equations' pattern was made for
 
@@ -85,6 +97,7 @@ struct SimulationState {
   std::vector<MaterialPoint> monitors;
   int step = 0;
   double detect_seconds = 0;
+  std::array<StepResidual::EffectWork, effect_kinds> extra_work{};  ///< of effects that are no term of the potential
   long block_steps_asleep = 0;
   long correction_limits = 0;  ///< steps that used all their rounds of correction
 };

@@ -46,6 +46,13 @@ void hold_bodies_of_stage(SimulationState& s, int stage) {
   s.detector.set_fixed(fixed);
 }
 
+/// Bodies that were built fixed, or that the stage holds: one flag a body.
+std::vector<bool> standing_bodies(const SimulationState& s) {
+  std::vector<bool> standing = s.held;
+  for (std::size_t b = 0; b < standing.size(); ++b) standing[b] = standing[b] || s.bodies.bodies[b].built_fixed();
+  return standing;
+}
+
 /// What each body may be left with, over the forces on it; 0: only what ConvergenceTolerances leaves to all together. A
 /// stage that ends at equilibrium is solved a good deal more exactly than it asks for.
 double body_residual(const SimulationState& s, const Stage& stage) {
@@ -59,9 +66,9 @@ double body_residual(const SimulationState& s, const Stage& stage) {
 
 void compose_effects(SimulationState& s, int stage) {
   s.open_close.end_stage();
-  s.composition = compose(s.project, s.system, stage, s.bodies, s.links, s.tolerances.effects);
+  s.composition = compose(s.project, s.system, stage, s.bodies, s.links, s.tolerances.effects, s.company.any());
   s.open_close.begin_stage(s.composition, body_residual(s, s.project.stages[stage]));
-  if (s.composition.rebounds && !s.impacts) s.impacts.emplace(s.bodies, s.tolerances.impact);
+  s.expect_impacts();
   s.energy.begin_stage(s.composition);
 }
 
@@ -100,12 +107,18 @@ void begin_stage(SimulationState& s) {
   wake_all(s, now);
   hold_bodies_of_stage(s, number);
   s.detector.set_laws(joint_laws(now));
+  s.company.begin_stage(pulls_on_blocks(now, s.system), standing_bodies(s));
+  look_for_company(s, 0);
   compose_effects(s, number);
   s.motion.emplace(now, s.system);
   forget_steps(s, stage.time_step);
   set_time_integration(s, stage.kind);
   s.accelerations_wanted = s.dynamic();
-  if (s.dynamic() && !s.velocities_given) give_velocities(s);
+  if (s.dynamic() && !s.velocities_given) {
+    give_velocities(s);
+    look_for_company(s, 0);
+    let_touch(s);
+  }
 }
 
 }  // namespace talus

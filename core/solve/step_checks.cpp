@@ -19,10 +19,21 @@ int inverted_element(const SimulationState& s) {
 
 std::optional<ContactDetector::MissedContact> missed_contact(SimulationState& s) {
   const double longest = s.project.stages[s.clock.stage()].time_step;
-  if (!s.extras() || !s.dynamic() || s.context.length < s.tolerances.step.shortest_recheck * longest) return {};
+  if (!s.is_on(EffectKind::missed_contacts) || !s.dynamic() || !s.company.any() ||
+      s.context.length < s.tolerances.step.shortest_recheck * longest)
+    return {};
   const double tolerance = s.dynamic_penetration();
-  const Stopwatch watch(s.detect_seconds);
-  return s.missed_contacts.seek(s.detector, s.links, s.increment, s.reach, tolerance, tolerance * s.smallest_size);
+  StepResidual::EffectWork& work = s.work_of(EffectKind::missed_contacts);
+  const double before = s.detect_seconds;
+  ++work.evaluations;
+  std::optional<ContactDetector::MissedContact> missed;
+  {
+    const Stopwatch watch(s.detect_seconds);
+    missed = s.missed_contacts.seek(s.detector, s.links, s.increment, s.reach, tolerance, tolerance * s.smallest_size,
+                                    s.company.alone());
+  }
+  work.seconds += s.detect_seconds - before;
+  return missed;
 }
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #include "solve/step_corrections.hpp"
 
+#include "base/stopwatch.hpp"
 #include "contact/detection/normal_update.hpp"
 #include "solve/simulation_state.hpp"
 
@@ -8,10 +9,24 @@ namespace talus {
 namespace {
 
 bool update_normals(SimulationState& s, double tolerance) {
+  if (!s.is_on(EffectKind::updated_normals)) return false;
+  StepResidual::EffectWork& work = s.work_of(EffectKind::updated_normals);
+  const Stopwatch watch(work.seconds);
+  ++work.evaluations;
   const auto start = [&](int node) { return s.bodies.nodes.position[node]; };
   const auto end = [&](int node) { return Vec3(start(node) + s.bodies.node_increment(node, s.increment)); };
   const auto updated = [&](int point) { return s.detector.updated_normal(point, start, end); };
   return update_normals(s.contacts, s.links, updated, s.increment, tolerance, s.detector.tolerances());
+}
+
+bool scale_penalty(SimulationState& s, double tolerance) {
+  if (!s.is_on(EffectKind::penalty_scaling)) return false;
+  StepResidual::EffectWork& work = s.work_of(EffectKind::penalty_scaling);
+  const Stopwatch watch(work.seconds);
+  ++work.evaluations;
+  const auto as_given =
+      s.project.solver.penetration_tolerance ? std::span<const Joint>() : std::span<const Joint>(s.project.joints);
+  return scale_penalty(s.contacts, s.links, s.increment, tolerance, as_given, s.tolerances.contact_outcome);
 }
 
 /// Contacts that go deeper than the tolerance get the normal that their features have at the end of the step, a stiffer
@@ -20,11 +35,9 @@ bool correct_contacts(SimulationState& s) {
   const std::optional<double>& asked = s.project.solver.penetration_tolerance;
   // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
   if (s.dynamic()) {
-    if (!s.extras()) return false;
+    if (s.contacts.points.empty()) return false;
     const double tolerance = s.dynamic_penetration();
-    const auto as_given = asked ? std::span<const Joint>() : s.project.joints;
-    return update_normals(s, tolerance) ||
-           scale_penalty(s.contacts, s.links, s.increment, tolerance, as_given, s.tolerances.contact_outcome);
+    return update_normals(s, tolerance) || scale_penalty(s, tolerance);
   }
   if (!asked || multiplier_error(s.links, s.increment) <= *asked) return false;
   adapt_multipliers(s.contacts, s.links, s.increment);
@@ -33,7 +46,13 @@ bool correct_contacts(SimulationState& s) {
 
 /// Bodies after a blow begin the step with the acceleration that they end it with. Whether any do.
 bool correct_accelerations(SimulationState& s) {
-  if (!s.resets_accelerations() || !s.acceleration_reset.correct(s.bodies, s.context, s.increment)) return false;
+  if (!s.resets_accelerations()) return false;
+  StepResidual::EffectWork& work = s.work_of(EffectKind::acceleration_reset);
+  {
+    const Stopwatch watch(work.seconds);
+    ++work.evaluations;
+    if (!s.acceleration_reset.correct(s.bodies, s.context, s.increment)) return false;
+  }
   s.open_close.begin_step(s.context);  // inertia is another one
   return true;
 }

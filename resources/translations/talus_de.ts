@@ -1234,6 +1234,14 @@
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
 </context>
 <context>
     <name>counted</name>
@@ -1448,6 +1456,38 @@
     <message>
         <source>damping</source>
         <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>restitution</source>
+        <translation>Rückprallzahl</translation>
+    </message>
+    <message>
+        <source>missed contacts</source>
+        <translation>verpasste Kontakte</translation>
+    </message>
+    <message>
+        <source>updated normals</source>
+        <translation>nachgeführte Normalen</translation>
+    </message>
+    <message>
+        <source>penalty scaling</source>
+        <translation>Versteifung der Kontakte</translation>
+    </message>
+    <message>
+        <source>followed springs</source>
+        <translation>mitkommende Federn</translation>
+    </message>
+    <message>
+        <source>acceleration reset</source>
+        <translation>Rücksetzen der Beschleunigung</translation>
+    </message>
+    <message>
+        <source>sleep</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>nonlinear elimination</source>
+        <translation>nichtlineare Elimination</translation>
     </message>
 </context>
 <context>
@@ -2972,6 +3012,98 @@
     <message>
         <source>impacts, sleep, updated normals and whatever else is beyond the equations: as called_for by the scene (when absent), or none, as in the paper</source>
         <translation>Stöße, Schlaf, nachgeführte Normalen und was sonst über die Gleichungen hinausgeht: was die Szene verlangt (wenn nichts dasteht) oder keine, wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>On and off</source>
+        <translation>An und aus</translation>
+    </message>
+    <message>
+        <source>what costs and can be left out, each as called_for by the scene, on or off</source>
+        <translation>was kostet und wegbleiben kann, jedes, wie die Szene es verlangt, an oder aus</translation>
+    </message>
+    <message>
+        <source>as called for</source>
+        <translation>was die Szene verlangt</translation>
+    </message>
+    <message>
+        <source>Contact of blocks</source>
+        <translation>Kontakt der Blöcke</translation>
+    </message>
+    <message>
+        <source>blocks touch, where some can come near another within the run (called_for, when absent); off: they pass through each other</source>
+        <translation>Blöcke berühren sich, wo im Lauf einer in die Nähe eines anderen kommen kann (wie verlangt, wenn nichts dasteht); aus: sie gehen durcheinander hindurch</translation>
+    </message>
+    <message>
+        <source>Impacts</source>
+        <translation>Stöße</translation>
+    </message>
+    <message>
+        <source>the law of impact, where a restitution is given or a rigid block may be stopped (called_for, when absent)</source>
+        <translation>das Stoßgesetz, wo eine Rückprallzahl angegeben ist oder ein starrer Block aufgehalten werden kann (wie verlangt, wenn nichts dasteht)</translation>
+    </message>
+    <message>
+        <source>that joints give, in the law of impact, where one does (called_for, when absent); off: as if none did</source>
+        <translation>die der Klüfte im Stoßgesetz, wo eine angegeben ist (wie verlangt, wenn nichts dasteht); aus: als gäbe es keine</translation>
+    </message>
+    <message>
+        <source>Detection along the way</source>
+        <translation>Suche unterwegs</translation>
+    </message>
+    <message>
+        <source>a step in which blocks turn into each other unforeseen is cut, in dynamic stages (called_for, when absent)</source>
+        <translation>ein Schritt, in dem Blöcke sich unvorhergesehen ineinander drehen, wird gekürzt, in dynamischen Abschnitten (wie verlangt, wenn nichts dasteht)</translation>
+    </message>
+    <message>
+        <source>Updated normals</source>
+        <translation>Nachgeführte Normalen</translation>
+    </message>
+    <message>
+        <source>a contact that goes too deep as blocks turn gets the normal that it comes to, in dynamic stages (called_for, when absent)</source>
+        <translation>ein Kontakt, der beim Drehen der Blöcke zu tief geht, bekommt die Normale, zu der er kommt, in dynamischen Abschnitten (wie verlangt, wenn nichts dasteht)</translation>
+    </message>
+    <message>
+        <source>Penalty scaling</source>
+        <translation>Versteifung der Kontakte</translation>
+    </message>
+    <message>
+        <source>a contact that goes too deep gets a stiffer spring, in dynamic stages (called_for, when absent)</source>
+        <translation>ein Kontakt, der zu tief geht, bekommt eine steifere Feder, in dynamischen Abschnitten (wie verlangt, wenn nichts dasteht)</translation>
+    </message>
+    <message>
+        <source>Followed springs</source>
+        <translation>Mitkommende Federn</translation>
+    </message>
+    <message>
+        <source>new contacts of rigid and affine blocks are no stiffer than a step can follow, in dynamic stages (called_for, when absent)</source>
+        <translation>neue Kontakte starrer und affiner Blöcke sind nicht steifer, als ein Schritt ihnen folgen kann, in dynamischen Abschnitten (wie verlangt, wenn nichts dasteht)</translation>
+    </message>
+    <message>
+        <source>Acceleration reset</source>
+        <translation>Rücksetzen der Beschleunigung</translation>
+    </message>
+    <message>
+        <source>a block that was struck does not go on with the acceleration of the blow, in dynamic stages (called_for, when absent)</source>
+        <translation>ein gestoßener Block behält die Beschleunigung des Stoßes nicht bei, in dynamischen Abschnitten (wie verlangt, wenn nichts dasteht)</translation>
+    </message>
+    <message>
+        <source>Sleep</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>blocks at rest cost nothing, in dynamic stages (called_for, when absent)</source>
+        <translation>ruhende Blöcke kosten nichts, in dynamischen Abschnitten (wie verlangt, wenn nichts dasteht)</translation>
+    </message>
+    <message>
+        <source>Balanced alone</source>
+        <translation>Allein ins Gleichgewicht</translation>
+    </message>
+    <message>
+        <source>rigid and affine blocks that are far out of balance are balanced by themselves (called_for, when absent)</source>
+        <translation>starre und affine Blöcke, die weit aus dem Gleichgewicht sind, kommen für sich allein ins Gleichgewicht (wie verlangt, wenn nichts dasteht)</translation>
+    </message>
+    <message>
+        <source>called_for by the scene (when absent), on or off</source>
+        <translation>wie die Szene es verlangt (wenn nichts dasteht), an oder aus</translation>
     </message>
 </context>
 <context>

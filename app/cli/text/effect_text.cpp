@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/number_text.hpp"
+#include "model/rules/switched_effects.hpp"
 #include "text/table.hpp"
 
 namespace talus::cli {
@@ -112,6 +113,14 @@ std::string costs_text(const std::vector<EffectCost>& costs) {
          paragraph("An open-close iteration is estimated to spend " + number(1e3 * all, 2) +
                    " ms on forces and stiffness on one thread, within a factor of two or so; finding contacts and "
                    "solving the equations come on top.");
+}
+
+std::string switched_effects_text(const Project& project) {
+  std::string text;
+  for (const ProjectProblem& one : problems_of_switched_effects(project))
+    text += paragraph((one.kind == ProjectProblem::Kind::warning ? "warning: " : "note: ") + one.place + ": " +
+                      one.problem + "; " + one.remedy);
+  return text;
 }
 
 std::string profile_text(const RunReport& report) {

@@ -77,6 +77,25 @@ void BoxTree::within(const Box& box, double distance, std::span<const Box> boxes
   }
 }
 
+bool BoxTree::any_other_within(int item, std::span<const Box> boxes, std::vector<int>& stack) const {
+  const Box& own = boxes[item];
+  stack.assign(1, 0);
+  while (!stack.empty()) {
+    const int n = stack.back();
+    const Node& node = nodes_[n];
+    stack.pop_back();
+    if (!node.box.within(own, 0)) continue;
+    if (node.right) {
+      stack.push_back(n + 1);
+      stack.push_back(node.right);
+      continue;
+    }
+    for (int i = node.begin; i < node.end; ++i)
+      if (order_[i] != item && boxes[order_[i]].within(own, 0)) return true;
+  }
+  return false;
+}
+
 void BoxTree::pairs_within(const BoxTree& other, double distance, std::span<const Box> boxes,
                            std::span<const Box> other_boxes, std::vector<std::pair<int, int>>& stack,
                            std::vector<std::pair<int, int>>& pairs) const {

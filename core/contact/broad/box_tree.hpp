@@ -25,6 +25,9 @@ class BoxTree {
   void within(const Box& box, double distance, std::span<const Box> boxes, std::vector<int>& stack,
               std::vector<int>& items) const;
 
+  /// Whether the box of any other item overlaps that of `item`.
+  bool any_other_within(int item, std::span<const Box> boxes, std::vector<int>& stack) const;
+
   /// Appends every pair of items (of this tree, of the other) whose boxes are within `distance`, in no special order.
   void pairs_within(const BoxTree& other, double distance, std::span<const Box> boxes, std::span<const Box> other_boxes,
                     std::vector<std::pair<int, int>>& stack, std::vector<std::pair<int, int>>& pairs) const;

@@ -4,8 +4,15 @@
 
 namespace talus {
 
-bool MissedContacts::rotates(const Increment& d, double least_rotation) const {
+namespace {
+
+bool is_alone(int body, std::span<const char> alone) { return !alone.empty() && alone[body]; }
+
+}  // namespace
+
+bool MissedContacts::rotates(const Increment& d, double least_rotation, std::span<const char> alone) const {
   return std::any_of(set_.moving.begin(), set_.moving.end(), [&](int b) {
+    if (is_alone(b, alone)) return false;
     const Body& body = set_.bodies[b];
     const int nodes_end = body.first_node + body.node_count;
     Vec3 mean = Vec3::Zero();
@@ -16,11 +23,12 @@ bool MissedContacts::rotates(const Increment& d, double least_rotation) const {
   });
 }
 
-void MissedContacts::place_nodes(const Increment& d) {
+void MissedContacts::place_nodes(const Increment& d, std::span<const char> alone) {
   end_ = set_.nodes.position;
   std::fill(displacements_.begin(), displacements_.end(), 0.0);
   for (const auto* moved : {&set_.moving, &set_.driven})
     for (const int b : *moved) {
+      if (is_alone(b, alone)) continue;
       const Body& body = set_.bodies[b];
       for (int n = body.first_node; n < body.first_node + body.node_count; ++n) {
         const Vec3 step = set_.node_increment(n, d);
@@ -48,9 +56,9 @@ double MissedContacts::known_depth(const ContactDetector::MissedContact& contact
 
 std::optional<ContactDetector::MissedContact> MissedContacts::seek(ContactDetector& detector, const ContactLinks& links,
                                                                    const Increment& d, double reach, double tolerance,
-                                                                   double least_rotation) {
-  if (!rotates(d, least_rotation)) return std::nullopt;
-  place_nodes(d);
+                                                                   double least_rotation, std::span<const char> alone) {
+  if (!rotates(d, least_rotation, alone)) return std::nullopt;
+  place_nodes(d, alone);
   tell(detector);
   std::optional<ContactDetector::MissedContact> deepest;
   for (const ContactDetector::MissedContact& contact :

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "contact/contact_links.hpp"
@@ -20,14 +21,15 @@ class MissedContacts {
   /// latter no more than `tolerance` counts, else the error of one contact would hide the next. None is deeper than
   /// those by more than the two have come nearer there. Contacts are looked for only if a node of some block goes
   /// `least_rotation` [m] or more against the mean of its block: without that, no feature comes into contact all of a
-  /// sudden. `reach` [m]: as for detect() of this step. The detector is told of the motion to the end and back.
+  /// sudden. `reach` [m]: as for detect() of this step. The detector is told of the motion to the end and back, but for
+  /// bodies that are `alone`, a flag each: they can touch nobody.
   std::optional<ContactDetector::MissedContact> seek(ContactDetector& detector, const ContactLinks& links,
                                                      const Increment& d, double reach, double tolerance,
-                                                     double least_rotation);
+                                                     double least_rotation, std::span<const char> alone = {});
 
  private:
-  bool rotates(const Increment& d, double least_rotation) const;
-  void place_nodes(const Increment& d);
+  bool rotates(const Increment& d, double least_rotation, std::span<const char> alone) const;
+  void place_nodes(const Increment& d, std::span<const char> alone);
   void tell(ContactDetector& detector) const;
   double known_depth(const ContactDetector::MissedContact& contact, const ContactLinks& links,
                      const Increment& d) const;

@@ -5,6 +5,7 @@
 
 #include "model/number_text.hpp"
 #include "model/require.hpp"
+#include "model/rules/switched_effects.hpp"
 #include "model/rules/validate.hpp"
 
 namespace talus {
@@ -94,6 +95,7 @@ std::vector<ProjectProblem> problems_of(const Project& project) {
   look_at_materials(project, problems);
   look_at_the_run(project, problems);
   look_for_unused(project, problems);
+  for (ProjectProblem& problem : problems_of_switched_effects(project)) problems.push_back(std::move(problem));
   std::stable_sort(problems.begin(), problems.end(), [](const auto& a, const auto& b) { return a.kind < b.kind; });
   return problems;
 }

@@ -99,6 +99,7 @@ bool Impacts::gather(const ContactSet& contacts, double step, const std::vector<
     const ContactPoint& point = contacts.points[i];
     if (!(outcomes[i].normal_force > 0) || left_to_springs(point, step)) continue;
     const double speed = speed_of(set_, contacts, point, step);
+    if (point.restitution) ++restitutions_;
     struck_.push_back({i, range(point, closing_[k], speed, outcomes[i], step)});
     const auto& [lowest, highest] = struck_.back().range;
     const double lighter = std::min(mass_of(set_.bodies[point.bodies[0]]), mass_of(set_.bodies[point.bodies[1]]));

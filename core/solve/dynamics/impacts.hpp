@@ -32,6 +32,7 @@ class Impacts {
 
   double seconds() const { return seconds_; }
   long evaluations() const { return evaluations_; }
+  long restitutions() const { return restitutions_; }  ///< contacts that pushed and whose joint gives a restitution
   long sweep_limits() const { return sweep_limits_; }  ///< steps whose impulses were not found within the sweep limit
 
  private:
@@ -75,7 +76,7 @@ class Impacts {
   std::vector<Struck> struck_;
   std::vector<Hit> hits_;
   double seconds_ = 0;
-  long evaluations_ = 0, sweep_limits_ = 0;
+  long evaluations_ = 0, restitutions_ = 0, sweep_limits_ = 0;
 };
 
 }  // namespace talus

@@ -150,7 +150,8 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
       find_direction(d, Friction::coupled);
       iterate(d, newton_iterations < tolerances_.closing_iterations);
       ++newton_iterations;
-      if (newton_iterations >= tolerances_.closing_iterations && !elimination_.is_active()) balance_alone(d);
+      if (newton_iterations >= tolerances_.closing_iterations && balances_alone_ && !elimination_.is_active())
+        balance_alone(d);
     }
   }
   result.residual = residual_.norm();
@@ -159,7 +160,9 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
 }
 
 void OpenClose::balance_alone(Increment& d) {
+  const Stopwatch watch(alone_.seconds);
   if (!elimination_.begin(*composition_, residual_)) return;
+  ++alone_.evaluations;
   before_alone_ = d;
   residual_.evaluate(d, Friction::coupled);
   const double unbalanced = residual_.norm();

@@ -36,10 +36,11 @@ struct OpenCloseResult {
 class OpenClose {
  public:
   explicit OpenClose(const SolverTolerances& tolerances = {}, int iteration_limit = SolverSettings{}.open_close_limit,
-                     OpenCloseMethod method = OpenCloseMethod::newton)
+                     OpenCloseMethod method = OpenCloseMethod::newton, bool balances_alone = true)
       : tolerances_(tolerances.convergence),
         iteration_limit_(iteration_limit),
         method_(method),
+        balances_alone_(balances_alone),
         residual_(tolerances.convergence),
         linear_({.tolerance = tolerances.convergence.gmres, .limit = tolerances.convergence.gmres_limit}),
         search_(tolerances.convergence),
@@ -51,6 +52,8 @@ class OpenClose {
   /// by more than `body_residual` of the forces on it; 0: by nothing.
   void begin_stage(Composition& composition, double body_residual = 0);
   void end_stage() { residual_.end_stage(); }
+  /// Effects were put into the composition of the stage; a pattern is to be set.
+  void put_in(const PutIn& where) { residual_.put_in(where); }
   /// The couplings of contacts have changed: finds the independent systems anew.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
   /// Once after Effect::begin_step, and again where inertia has changed.
@@ -72,6 +75,7 @@ class OpenClose {
   SolveTimes times() const;
   const LinearWork& linear_work() const { return linear_.work(); }
   const InteriorPoint& interior_point() const { return interior_; }
+  const StepResidual::EffectWork& work_alone() const { return alone_; }  ///< of balancing bodies by themselves
 
  private:
   using Friction = StepResidual::Friction;
@@ -124,6 +128,7 @@ class OpenClose {
   ConvergenceTolerances tolerances_;
   int iteration_limit_;
   OpenCloseMethod method_;
+  bool balances_alone_;
   ContactStates states_;  ///< of the paper's method
   StepResidual residual_;
   UnsymmetricBlocks unsymmetric_;
@@ -138,6 +143,7 @@ class OpenClose {
   double tolerance_ = 0;      ///< relative residual of all bodies together at which this step has converged …
   double body_residual_ = 0;  ///< … and of each alone
   double pattern_seconds_ = 0, elimination_seconds_ = 0;
+  StepResidual::EffectWork alone_;
 };
 
 }  // namespace talus

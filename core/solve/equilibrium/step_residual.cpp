@@ -33,6 +33,16 @@ void StepResidual::begin_stage(Composition& composition) {
   step_.length = 0;
 }
 
+void StepResidual::put_in(const PutIn& where) {
+  const auto make_room = [&](auto& list, const auto& value) {
+    list.insert(list.begin() + where.place, where.count, value);
+  };
+  make_room(effect_work_, EffectWork{.built = 1});
+  make_room(works_, 0.0);
+  make_room(norms_, 0.0);
+  step_.length = 0;
+}
+
 void StepResidual::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
   for (const auto& effect : composition_->effects) effect->add_couplings(couplings);
   const BlockPattern pattern(nodes, std::move(couplings));
@@ -244,7 +254,12 @@ void StepResidual::assemble_without_contacts(const Increment& d, SymmetricBlocks
 
 double StepResidual::longest_step_fraction(const Increment& d, const Eigen::VectorXd& change) {
   double longest = 0;
-  for (Eigen::Index n = 0; n < change.size(); n += 3) longest = std::max(longest, change.segment<3>(n).squaredNorm());
+  const auto look_at = [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) longest = std::max(longest, change.segment<3>(3 * k).squaredNorm());
+  };
+  if (step_.unlimited.empty()) look_at(0, static_cast<int>(change.size() / 3));
+  for (int b = 0; b < bodies() && !step_.unlimited.empty(); ++b)
+    if (!step_.unlimited[composition_->bodies->moving[b]]) look_at(body_begins_[b], body_begins_[b + 1]);
   double fraction = longest > step_.reach * step_.reach ? step_.reach / std::sqrt(longest) : 1;
   scaled_ = smooth_fraction_ * d;
   part_ = smooth_fraction_ * change;

@@ -23,6 +23,8 @@ class StepResidual {
   /// The effects of a stage; they must live until end_stage.
   void begin_stage(Composition& composition);
   void end_stage();
+  /// Effects were put into the composition of the stage; a pattern is to be set.
+  void put_in(const PutIn& where);
   /// The couplings of contacts have changed.
   void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
   /// Assembles what is constant through a step, where it has changed; called once after Effect::begin_step. Whether

@@ -139,6 +139,16 @@ TEST(ProjectRoundTrip, SolverSettingsAreRead) {
   solver.open_close_limit = 8;
   solver.time_step_control = TimeStepControl::adaptive;
   solver.adaptive = {0.01, 1e-5, 6, 0.01};
+  solver.effects = {.contact = Switch::on,
+                    .rebound = Switch::off,
+                    .restitution = Switch::off,
+                    .missed_contacts = Switch::on,
+                    .updated_normals = Switch::off,
+                    .penalty_scaling = Switch::on,
+                    .followed_springs = Switch::off,
+                    .acceleration_reset = Switch::on,
+                    .sleep = Switch::on,
+                    .elimination = Switch::off};
   EXPECT_EQ(parse_project(full_project).solver, solver);
 }
 

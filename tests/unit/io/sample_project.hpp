@@ -97,6 +97,9 @@ inline const std::string full_project = R"(// A slope above a road.
     "preset": "paper", "open_close": "newton", "static_inertia": "fading", "extras": "called_for",
     "integrator": "generalized-alpha", "spectral_radius": 0.6,
     "contact": "area", "contact_stiffness": 12.5, "penetration_tolerance": 1e-6, "tolerance": "standard", "open_close_limit": 8, "sleep_tolerance": 1e-7,
+    "effects": {"contact": "on", "rebound": "off", "restitution": "off", "missed_contacts": "on", "updated_normals": "off",
+                "penalty_scaling": "on", "followed_springs": "off", "acceleration_reset": "on", "sleep": "on",
+                "elimination": "off"},
     "time_step_control": "adaptive",
     "adaptive": {"displacement_limit": 0.01, "error_limit": 1e-5, "iterations": 6, "shortest": 0.01} // of time_step
   },

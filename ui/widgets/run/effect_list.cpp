@@ -26,18 +26,27 @@ double dearest(const auto& effects) {
 
 /// In the user's language.
 QString effectName(const std::string& name) {
-  static const char* const known[] = {QT_TRANSLATE_NOOP("effects", "elasticity"),
-                                      QT_TRANSLATE_NOOP("effects", "neo-Hookean elasticity"),
-                                      QT_TRANSLATE_NOOP("effects", "initial stress"),
-                                      QT_TRANSLATE_NOOP("effects", "inertia"),
-                                      QT_TRANSLATE_NOOP("effects", "displacement constraint"),
-                                      QT_TRANSLATE_NOOP("effects", "point load"),
-                                      QT_TRANSLATE_NOOP("effects", "body force"),
-                                      QT_TRANSLATE_NOOP("effects", "normal contact"),
-                                      QT_TRANSLATE_NOOP("effects", "shear contact"),
-                                      QT_TRANSLATE_NOOP("effects", "cohesion and tension"),
-                                      QT_TRANSLATE_NOOP("effects", "rebound"),
-                                      QT_TRANSLATE_NOOP("effects", "damping")};  // where translators find them
+  static const char* const known[] = {
+      QT_TRANSLATE_NOOP("effects", "elasticity"),
+      QT_TRANSLATE_NOOP("effects", "neo-Hookean elasticity"),
+      QT_TRANSLATE_NOOP("effects", "initial stress"),
+      QT_TRANSLATE_NOOP("effects", "inertia"),
+      QT_TRANSLATE_NOOP("effects", "displacement constraint"),
+      QT_TRANSLATE_NOOP("effects", "point load"),
+      QT_TRANSLATE_NOOP("effects", "body force"),
+      QT_TRANSLATE_NOOP("effects", "normal contact"),
+      QT_TRANSLATE_NOOP("effects", "shear contact"),
+      QT_TRANSLATE_NOOP("effects", "cohesion and tension"),
+      QT_TRANSLATE_NOOP("effects", "rebound"),
+      QT_TRANSLATE_NOOP("effects", "damping"),
+      QT_TRANSLATE_NOOP("effects", "restitution"),
+      QT_TRANSLATE_NOOP("effects", "missed contacts"),
+      QT_TRANSLATE_NOOP("effects", "updated normals"),
+      QT_TRANSLATE_NOOP("effects", "penalty scaling"),
+      QT_TRANSLATE_NOOP("effects", "followed springs"),
+      QT_TRANSLATE_NOOP("effects", "acceleration reset"),
+      QT_TRANSLATE_NOOP("effects", "sleep"),
+      QT_TRANSLATE_NOOP("effects", "nonlinear elimination")};  // where translators find them
   static_cast<void>(known);
   return sentenceCase(QCoreApplication::translate("effects", name.c_str()));
 }

@@ -17,6 +17,24 @@ Box random_box(std::mt19937& random) {
   return box;
 }
 
+TEST(BoxTree, KnowsOfAnItemWhetherAnotherOneOverlapsIt) {
+  std::mt19937 random(7);
+  std::vector<Box> boxes(200);
+  for (Box& box : boxes) box = random_box(random);
+  BoxTree tree;
+  tree.build(boxes);
+  std::vector<int> stack;
+  int by_themselves = 0;
+  for (int item = 0; item < 200; ++item) {
+    bool any = false;
+    for (int i = 0; i < 200; ++i) any = any || (i != item && boxes[i].within(boxes[item], 0));
+    EXPECT_EQ(tree.any_other_within(item, boxes, stack), any) << item;
+    by_themselves += any ? 0 : 1;
+  }
+  EXPECT_GT(by_themselves, 5);
+  EXPECT_LT(by_themselves, 195);
+}
+
 TEST(BoxTree, FindsAllItemsNearABoxAsBoxesChangeOneByOne) {
   std::mt19937 random(5);
   std::vector<Box> boxes(200);
