@@ -33,7 +33,8 @@ double mean_density(const BlockToMesh& block, std::span<const MeshRefinement> re
   double more = 0;
   for (std::size_t i = 0; i < refinements.size(); ++i) {
     const Vec3 reach = Vec3::Constant(2 * refinements[i].radius);
-    const Box common = box.intersection(Box(refinements[i].at - reach, refinements[i].at + reach));
+    const Box near = box_of(refinements[i]);
+    const Box common = box.intersection(Box(near.min() - reach, near.max() + reach));
     if (common.isEmpty()) continue;
     for (int k = 0; k < samples * samples * samples; ++k) {
       const Eigen::Array3d cell(k % samples, k / samples % samples, k / (samples * samples));

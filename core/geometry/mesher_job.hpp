@@ -125,7 +125,7 @@ struct MesherMerge {
 struct MesherRefinement : MeshRefinement {
   template <class Stream>
   void fields(Stream& stream) {
-    stream(at, radius, size);
+    stream(at, radius, size, face);
   }
 };
 

@@ -236,6 +236,8 @@ Splinters splinters_from(const OrderedJson& value) {
 
 MeshRefinement read_item(const OrderedJson& value, MeshRefinement refinement) {
   read(value, "at", refinement.at);
+  if (value.contains("face"))
+    for (const auto& corner : value.at("face")) refinement.face.push_back(vector_from(corner));
   read(value, "radius", refinement.radius);
   read(value, "size", refinement.size);
   return refinement;

@@ -148,7 +148,12 @@ OrderedJson json_from(const Splinters& splinters) {
 }
 
 OrderedJson json_from(const MeshRefinement& refinement) {
-  return {{"at", json_from(refinement.at)}, {"radius", refinement.radius}, {"size", refinement.size}};
+  OrderedJson json;
+  if (refinement.face.empty()) json["at"] = json_from(refinement.at);
+  for (const Vec3& corner : refinement.face) json["face"].push_back(json_from(corner));
+  json["radius"] = refinement.radius;
+  json["size"] = refinement.size;
+  return json;
 }
 
 OrderedJson json_from(const Interface& interface) {

@@ -29,14 +29,40 @@ std::set<Edge> outline_of(const Block& block, const std::vector<int>& triangles)
   return sides;
 }
 
-std::vector<Vec3> corners_of(const Block& block, const std::set<Edge>& outline) {
+/// The nodes where an outline bends.
+std::set<int> bends_of(const Block& block, const std::set<Edge>& outline) {
   std::map<int, Vec3> arrival;
   const auto& nodes = block.mesh.nodes;
   for (const auto& [from, to] : outline) arrival[to] = (nodes[to] - nodes[from]).normalized();
-  std::vector<Vec3> corners;
+  std::set<int> bends;
   for (const auto& [from, to] : outline)
-    if (arrival.at(from).dot((nodes[to] - nodes[from]).normalized()) < straight) corners.push_back(nodes[from]);
-  return corners;
+    if (arrival.at(from).dot((nodes[to] - nodes[from]).normalized()) < straight) bends.insert(from);
+  return bends;
+}
+
+/// The corners of the outline that is round all others, in order: sides of holes run the other way.
+std::vector<Vec3> outermost(const Block& block, std::set<Edge> outline, const std::set<int>& bends,
+                            const Vec3& normal) {
+  const auto& nodes = block.mesh.nodes;
+  std::vector<Vec3> largest;
+  double most = 0;
+  while (!outline.empty()) {
+    const Vec3 begin = nodes[outline.begin()->first];
+    std::vector<Vec3> corners;
+    double area = 0;
+    for (auto side = outline.begin(); side != outline.end();) {
+      const auto [from, to] = *side;
+      outline.erase(side);
+      if (bends.contains(from)) corners.push_back(nodes[from]);
+      area += (nodes[from] - begin).cross(nodes[to] - begin).dot(normal) / 2;
+      side = outline.lower_bound({to, 0});
+      if (side != outline.end() && side->first != to) side = outline.end();
+    }
+    if (area <= most) continue;
+    most = area;
+    largest = std::move(corners);
+  }
+  return largest;
 }
 
 }  // namespace
@@ -45,7 +71,7 @@ PickedFace face_at(const Block& block, const Vec3& point, const Vec3& normal) {
   Eigen::AlignedBox3d box;
   for (const Vec3& node : block.mesh.nodes) box.extend(node);
   const double tolerance = same_height * box.diagonal().norm();
-  PickedFace face{.normal = normal, .corners = {}};
+  PickedFace face{.normal = normal, .corners = {}, .outline = {}};
   std::vector<int> triangles;
   for (std::size_t t = 0; t < block.surface.size(); ++t) {
     const auto& [a, b, c] = block.surface[t].nodes;
@@ -60,7 +86,10 @@ PickedFace face_at(const Block& block, const Vec3& point, const Vec3& normal) {
   }
   if (triangles.empty()) return face;
   face.centroid /= face.area;
-  face.corners = corners_of(block, outline_of(block, triangles));
+  const std::set<Edge> outline = outline_of(block, triangles);
+  const std::set<int> bends = bends_of(block, outline);
+  for (const int node : bends) face.corners.push_back(block.mesh.nodes[node]);
+  face.outline = outermost(block, outline, bends, normal);
   return face;
 }
 

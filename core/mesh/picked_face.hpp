@@ -11,7 +11,8 @@ struct PickedFace {
   double area = 0;               ///< m²
   Vec3 centroid = Vec3::Zero();  ///< m
   Vec3 normal = Vec3::UnitZ();   ///< unit, outwards
-  std::vector<Vec3> corners;     ///< m, where its outline bends, in no order
+  std::vector<Vec3> corners;     ///< m, where its outlines bend, in no order
+  std::vector<Vec3> outline;     ///< m, the corners round all of it, counter-clockwise seen from outside
 };
 
 /// The triangles of the block's surface that lie in the plane through `point` across `normal` (unit, outwards), to a

@@ -1722,14 +1722,6 @@
         <translation>je Körper</translation>
     </message>
     <message>
-        <source>Near points</source>
-        <translation>Nahe Punkten</translation>
-    </message>
-    <message>
-        <source>points around which the mesh is finer or coarser</source>
-        <translation>Punkte, um die das Netz feiner oder gröber ist</translation>
-    </message>
-    <message>
         <source>At most</source>
         <translation>Höchstens</translation>
     </message>
@@ -2482,14 +2474,6 @@
         <translation>Mit dem bei</translation>
     </message>
     <message>
-        <source>Mesh near a point</source>
-        <translation>Netz bei einem Punkt</translation>
-    </message>
-    <message>
-        <source>an object with at, radius and size</source>
-        <translation>ein Objekt mit at, radius und size</translation>
-    </message>
-    <message>
         <source>Within</source>
         <translation>Innerhalb</translation>
     </message>
@@ -3104,6 +3088,38 @@
     <message>
         <source>called_for by the scene (when absent), on or off</source>
         <translation>wie die Szene es verlangt (wenn nichts dasteht), an oder aus</translation>
+    </message>
+    <message>
+        <source>Near points and faces</source>
+        <translation>Nahe Punkten und Flächen</translation>
+    </message>
+    <message>
+        <source>points and faces around which the mesh is finer or coarser</source>
+        <translation>Punkte und Flächen, um die das Netz feiner oder gröber ist</translation>
+    </message>
+    <message>
+        <source>Mesh near a place</source>
+        <translation>Netz bei einer Stelle</translation>
+    </message>
+    <message>
+        <source>an object with at or face, radius and size</source>
+        <translation>ein Objekt mit at oder face, radius und size</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Nahe</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>a flat face: corners [x, y, z] in order, m</source>
+        <translation>eine ebene Fläche: Ecken [x, y, z] der Reihe nach, m</translation>
     </message>
 </context>
 <context>
@@ -4876,6 +4892,22 @@ Z %3</translation>
     <message>
         <source>refine the mesh near a place</source>
         <translation>Netz um einen Ort verfeinern</translation>
+    </message>
+    <message>
+        <source>Refine near a face</source>
+        <translation>Bei einer Fläche verfeinern</translation>
+    </message>
+    <message>
+        <source>A click on a flat face says along which the mesh becomes finer; the form of the mesh says how far and how much</source>
+        <translation>Ein Klick auf eine ebene Fläche sagt, entlang welcher das Netz feiner wird; das Formular des Netzes sagt, wie weit und wie viel</translation>
+    </message>
+    <message>
+        <source>Click the face near which the mesh shall be finer</source>
+        <translation>Klicken Sie die Fläche an, bei der das Netz feiner werden soll</translation>
+    </message>
+    <message>
+        <source>refine the mesh near a face</source>
+        <translation>das Netz bei einer Fläche verfeinern</translation>
     </message>
 </context>
 <context>
@@ -6948,6 +6980,22 @@ Mittel %3,  κ %4,  95-%-Kegel %5</translation>
     <message>
         <source>wrote %1</source>
         <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Pick the face in the view</source>
+        <translation>Die Fläche in der Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>Click the face in which blocks could fail</source>
+        <translation>Klicken Sie die Fläche an, in der Blöcke versagen könnten</translation>
+    </message>
+    <message>
+        <source>the face that was picked overhangs</source>
+        <translation>die gewählte Fläche hängt über</translation>
+    </message>
+    <message>
+        <source>pick a face that looks upwards, or type dip and dip direction</source>
+        <translation>wählen Sie eine Fläche, die nach oben sieht, oder geben Sie Fallen und Fallrichtung ein</translation>
     </message>
 </context>
 <context>

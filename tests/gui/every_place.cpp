@@ -80,11 +80,11 @@ void EveryPlace::visitAll(const QSize& size, Look look) {
 
 void EveryPlace::begin() {
   look("start");
-  for (const char* key : {"", "bench-slope", "wedge", "cavern"}) {
+  for (const char* key : {empty_key, "bench-slope", "wedge", "cavern"}) {
     window->newProject(key);
     rest(50);
     wait([&] { return shown<ProjectPreview>().isUpToDate(); });
-    look(std::string("new-") + (*key ? key : "empty"));
+    look(std::string("new-") + key);
     closeAll();
   }
   std::vector<Leftover> left(2);
@@ -284,8 +284,8 @@ void EveryPlace::solve() {
   session->playback.showTime(0.8);
   wait([&] { return !session->playback.isWaiting(); });
   look("results", WorkflowPage::results);
-  choose(*window, "field", 1);
-  look("results-second-field");
+  choose(*window, "field", 3);
+  look("results-stress");
   auto* bottom = window->findChild<BottomPanel*>();
   bottom->setCurrentIndex(0);
   look("results-table");

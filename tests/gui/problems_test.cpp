@@ -2,7 +2,10 @@
 // mended.
 #include "widgets/project/problem_list.hpp"
 
+#include <gmock/gmock.h>
+
 #include <QApplication>
+#include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTest>
@@ -36,7 +39,7 @@ TEST_F(Problems, WhatIsOddIsListedAndEnterLeadsToItsField) {
   const auto listed = rows();
   ASSERT_EQ(listed.size(), 1u);
   EXPECT_EQ(count(), QStringLiteral("1 warning"));
-  EXPECT_TRUE(listed[0]->accessibleName().startsWith(QStringLiteral("material rock, young: ")));
+  EXPECT_TRUE(listed[0]->accessibleName().startsWith(QStringLiteral("material rock, Young E: ")));
   EXPECT_TRUE(session->run.whyNotSolve().isEmpty()) << "it is odd, and can be solved";
   QTest::mouseClick(window->findChild<ProblemCount*>(), Qt::LeftButton);
   ASSERT_TRUE(listed[0]->isVisible());
@@ -53,6 +56,32 @@ TEST_F(Problems, WhatIsOddIsListedAndEnterLeadsToItsField) {
   QTest::keyClick(field, Qt::Key_Return);
   EXPECT_TRUE(rows().empty()) << "25 GPa";
   EXPECT_EQ(count(), QStringLiteral("No problems"));
+}
+
+TEST_F(Problems, AreSaidInTheWordsOfTheForms) {
+  window->open(write("bare.talus", R"({"talus": 1, "materials": {}, "solids": [], "stages": []})"));
+  QStringList said;
+  for (const auto* row : rows()) said << row->accessibleName() + u'|' + row->accessibleDescription();
+  const std::string all = said.join(u'\n').toStdString();
+  EXPECT_THAT(all, testing::HasSubstr("add one with a type, a 'Time step', and steps or a duration"));
+  EXPECT_EQ(all.find('_'), std::string::npos) << all;
+
+  window->open(write("short.talus", R"({"talus": 1,
+    "materials": {"rock": {"density": 2600, "young": 1e9, "poisson": 0.25}},
+    "solids": [{"name": "cube", "box": {"min": [0, 0, 0], "max": [1, 1, 1]}, "material": "rock"}],
+    "stages": [{"name": "fall", "type": "dynamic", "time_step": 0.01, "duration": 1}]})"));
+  session->project.selection().select({Item::Kind::stage, 0});
+  rest(30);
+  auto* field = window->findChild<NumberField*>(QStringLiteral("/stages/0/duration"));
+  ASSERT_NE(field, nullptr);
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, QStringLiteral("1 ms"));
+  QTest::keyClick(field, Qt::Key_Return);
+  rest(30);
+  auto* problem = window->findChild<QLabel*>(QStringLiteral("/stages/0/duration#problem"));
+  ASSERT_NE(problem, nullptr);
+  EXPECT_THAT(problem->text().toStdString(), testing::HasSubstr("lengthen the duration or shorten 'Time step'"));
 }
 
 TEST_F(Problems, ABrokenFileIsToldOfWhenTheProjectIsOpenedAndNothingCanBeSolvedUntilItIsMended) {

@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QToolButton>
+#include <cmath>
 
 #include "driven_window.hpp"
 #include "listed_runs.hpp"
@@ -167,6 +169,37 @@ TEST_F(StereonetWindow, CountsWhatCanFailInTheFaceThatIsTyped) {
   EXPECT_FALSE(counts.isVisible()) << "no face, no counts";
 }
 
+TEST_F(StereonetWindow, TheFaceOfTheCheckIsPickedInTheView) {
+  StereonetPanel& net = panel();
+  auto* pick = net.findChild<QToolButton*>(QStringLiteral("pick face"));
+  ASSERT_NE(pick, nullptr);
+  const auto typed = [&](const char* field) {
+    for (auto* one : net.findChildren<NumberField*>())
+      if (one->accessibleName() == QLatin1String(field)) return one->text().toStdString();
+    return std::string();
+  };
+  QTest::mouseClick(pick, Qt::LeftButton);
+  EXPECT_FALSE(net.isVisible()) << "it makes way for the rock";
+  ASSERT_TRUE(session->picking.isAsking());
+  const double half = std::sqrt(0.5);
+  session->picking.take({.solid = 0, .point = {10, 5, 5}, .normal = {half, 0, half}});
+  EXPECT_TRUE(net.isVisible());
+  EXPECT_EQ(typed("Face dip"), "45 °");
+  EXPECT_EQ(typed("Face dip direction"), "90 °");
+  EXPECT_EQ(cell(table(net, "counts"), 0, 1), "1 of 3") << "40° daylights, 50° does not";
+  QTest::mouseClick(pick, Qt::LeftButton);
+  session->picking.take({.solid = 0, .point = {0, 5, 5}, .normal = {-1, 0, 0}});
+  EXPECT_EQ(typed("Face dip"), "90 °");
+  EXPECT_EQ(typed("Face dip direction"), "270 °") << "an upright face looks to where the rock ends";
+  QTest::mouseClick(pick, Qt::LeftButton);
+  session->picking.take({.solid = 0, .point = {5, 5, 0}, .normal = {0, 0, -1}});
+  EXPECT_EQ(typed("Face dip direction"), "270 °") << "below the rock nothing slides out";
+  EXPECT_FALSE(session->messages.problems().empty());
+  QTest::mouseClick(pick, Qt::LeftButton);
+  session->picking.cancel();
+  EXPECT_TRUE(net.isVisible()) << "it comes back when the asking ends, too";
+}
+
 /// Three sets that scatter, 120 planes in all.
 std::string survey() {
   return R"({
@@ -253,6 +286,17 @@ TEST_F(StereonetWindow, JointsArePastedAsOneStepThatCanBeUndone) {
   EXPECT_EQ(project(), before);
   session->project.document().undoStack().redo();
   EXPECT_EQ(project().cuts.size(), 5u);
+}
+
+TEST_F(StereonetWindow, ATableOfJointsIsDropped) {
+  drop(write("survey.csv", "dip;dip direction;set;x;y;z\n30;90;A;4;5;6\n60;200;C;1;2;3\n"));
+  auto* dialog = window->findChild<PasteJoints*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  ASSERT_EQ(table(*dialog, "preview").rowCount(), 2);
+  click(*dialog->findChild<QPushButton*>(QStringLiteral("add")));
+  ASSERT_EQ(project().cuts.size(), 5u);
+  EXPECT_EQ(project().cuts[4].joint, "C");
+  EXPECT_EQ(project().cuts[4].dip, 60);
 }
 
 TEST_F(StereonetWindow, WhatIsWrongInATableIsToldLineByLine) {

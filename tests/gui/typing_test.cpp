@@ -96,6 +96,30 @@ TEST_F(Typing, OnlyTheFieldThatIsTypedIntoIsSelected) {
   EXPECT_TRUE(first->hasSelectedText());
 }
 
+TEST_F(Typing, ANumberIsRoundedBeforeItsUnitIsCutOffAndTypedOverWhole) {
+  window->open(slidingCube(40));
+  Project changed = session->project.document().project();
+  changed.solids[1].mesh_size = 1.0 / 3;
+  session->project.document().change(changed, QStringLiteral("a third"));
+  session->project.selection().select({Item::Kind::solid, 1});
+  rest(50);
+  NumberField* size = field("Mesh size");
+  ASSERT_TRUE(size && size->isVisible());
+  size->setFixedWidth(80);
+  rest(20);
+  EXPECT_TRUE(size->text().startsWith(QStringLiteral("0.333"))) << size->text().toStdString();
+  EXPECT_TRUE(size->text().endsWith(QStringLiteral(" m"))) << size->text().toStdString();
+  EXPECT_LT(size->fontMetrics().horizontalAdvance(size->text()), size->width());
+  EXPECT_TRUE(size->toolTip().startsWith(QStringLiteral("0.333333333333 m"))) << size->toolTip().toStdString();
+  window->activateWindow();
+  size->setFocus();
+  rest(20);
+  EXPECT_EQ(size->text(), QStringLiteral("0.333333333333 m")) << "who types sees all of it";
+  QTest::keyClick(size, Qt::Key_Tab);
+  rest(20);
+  EXPECT_EQ(session->project.document().project().solids[1].mesh_size, 1.0 / 3) << "looking at it changes nothing";
+}
+
 TEST_F(Typing, CuttingIsCancelledAndBegunAgain) {
   window->open(fineSlab());
   session->run.mesh();

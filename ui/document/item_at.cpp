@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <utility>
 
+#include "document/schema.hpp"
 #include "model/project.hpp"
 
 namespace talus {
@@ -36,6 +38,25 @@ QString nameIn(const Things& things, int index) {
   return QString::fromStdString(things.at(static_cast<std::size_t>(index)).name);
 }
 
+bool isNumber(const QString& part) {
+  bool good = false;
+  part.toInt(&good);
+  return good;
+}
+
+bool isListOfThings(const schema::Json& rule) {
+  if (!rule.contains("type")) return false;
+  const schema::Kind kind = schema::kindOf(rule);
+  return kind == schema::Kind::list || kind == schema::Kind::named;
+}
+
+/// "z" of a vector, "3" of a row.
+QString numberIn(const schema::Json& rule, int index) {
+  const schema::Json columns = rule.value("columns", schema::Json::array());
+  const auto at = static_cast<std::size_t>(index);
+  return at < columns.size() ? QString::fromStdString(columns.at(at).get<std::string>()) : QString::number(index + 1);
+}
+
 /// Empty for things without one.
 QString nameOf(const Project& project, const Item& item) {
   switch (item.kind) {
@@ -57,21 +78,27 @@ QString nameOf(const Project& project, const Item& item) {
 }  // namespace
 
 QString placeWords(const Project& project, const QString& place) {
-  QStringList parts = place.split(u'/', Qt::SkipEmptyParts);
+  const QStringList parts = place.split(u'/', Qt::SkipEmptyParts);
   if (parts.isEmpty()) return QObject::tr("project");
+  if (!place.startsWith(u'/')) return place;
   const QString name = nameOf(project, itemAt(project, place));
   QStringList words;
-  if (parts.size() > 1) {
-    QString thing = parts.takeFirst();
-    if (thing.endsWith(u's')) thing.chop(1);
-    thing.replace(u'_', u' ');
-    bool numbered = false;
-    const int index = parts.front().toInt(&numbered);
-    const QString which = name.isEmpty() ? (numbered ? QString::number(index + 1) : parts.front()) : name;
-    parts.removeFirst();
-    words << thing + u' ' + which;
+  schema::Json rule = schema::root();
+  for (const QString& part : parts) {
+    const std::string key = keyOf(part);
+    const schema::Json holder = std::exchange(rule, schema::memberRule(rule, key));
+    const QString title = schema::withinSentence(schema::words(rule, "title"));
+    if (!isListOfThings(holder) || title.isEmpty()) {
+      words << (isNumber(part)    ? numberIn(holder, part.toInt())
+                : title.isEmpty() ? QString::fromStdString(key)
+                                  : title);
+      continue;
+    }
+    const QString own = words.size() == 1 && !name.isEmpty() ? name
+                        : isNumber(part)                     ? QString::number(part.toInt() + 1)
+                                                             : QString::fromStdString(key);
+    words.last() = title + u' ' + own;  // "material rock", not "materials, rock"
   }
-  for (QString part : parts) words << part.replace(u'_', u' ');
   return words.join(QStringLiteral(", "));
 }
 

@@ -12,7 +12,8 @@ struct Project;
 /// belongs to the project as a whole, and for things that are not there.
 Item itemAt(const Project& project, const QString& place);
 
-/// A place as one says it: "material rock, young", "stage slide, time step", "cut 3, dip".
+/// A place in the words of the window's forms: "material rock, Young E", "stage slide, time step", "support 2, at, z".
+/// What is no place of a project file is said as it is.
 QString placeWords(const Project& project, const QString& place);
 
 }  // namespace talus

@@ -1,7 +1,9 @@
 #include "document/schema.hpp"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "io/project_file.hpp"
@@ -37,7 +39,38 @@ QString withinSentence(const QString& title) {
   // Translators of languages that keep capital letters, as German does, give another word for this one.
   const char* const rule = QT_TRANSLATE_NOOP("grammar", "lower case");
   const bool lower = QCoreApplication::translate("grammar", rule) == QLatin1String(rule);
-  return lower ? title.toLower() : title;
+  const bool person = title.startsWith(QStringLiteral("Young")) || title.startsWith(QStringLiteral("Poisson"));
+  return lower && !person ? title.left(1).toLower() + title.mid(1) : title;
+}
+
+namespace {
+
+/// The titles of all fields whose key is of several words.
+void collectTitles(const Json& rule, std::map<QString, QString>& titles) {
+  if (rule.contains("properties") && rule.at("properties").is_object())
+    for (const auto& [key, member] : rule.at("properties").items())
+      if (key.find('_') != std::string::npos)
+        if (const QString title = words(resolved(member), "title"); !title.isEmpty())
+          titles[QString::fromStdString(key)] = title;
+  for (const auto& inner : rule)
+    if (inner.is_structured()) collectTitles(inner, titles);
+}
+
+}  // namespace
+
+QString inWordsOfForms(QString sentence) {
+  static const QRegularExpression keys(QStringLiteral("(['\"]?)\\b([a-z]+(?:_[a-z]+)+)\\b\\1"));
+  std::map<QString, QString> titles;
+  if (sentence.contains(u'_')) collectTitles(root(), titles);
+  for (qsizetype from = 0; !titles.empty();) {
+    const QRegularExpressionMatch found = keys.match(sentence, from);
+    if (!found.hasMatch()) break;
+    const auto title = titles.find(found.captured(2));
+    const QString words = title == titles.end() ? found.captured(0) : u'\'' + title->second + u'\'';
+    sentence.replace(found.capturedStart(), found.capturedLength(), words);
+    from = found.capturedStart() + words.size();
+  }
+  return sentence;
 }
 
 Json memberRule(const Json& rule, const std::string& key) {

@@ -30,8 +30,11 @@ Json ruleOf(const Place& place);
 QString words(const Json& rule, const char* key);
 /// A word that the file has, one of some that may stand there, in the user's language.
 QString choiceWords(const std::string& word);
-/// A title within a sentence: with a small letter in languages that have it so.
+/// A title within a sentence: with a small letter in languages that have it so, unless a person's name begins it.
 QString withinSentence(const QString& title);
+/// What the core says in keys of the file, with the titles of the forms in their place: "shorten time_step" is shorten
+/// 'Time step'. Keys of one word stay: they are words, and may be anybody's name.
+QString inWordsOfForms(QString sentence);
 
 /// The rule of a member of what `rule` describes, resolved; null where there is none.
 Json memberRule(const Json& rule, const std::string& key);

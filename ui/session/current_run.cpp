@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "document/schema.hpp"
 #include "io/project_file.hpp"
 #include "jobs/results_loader.hpp"
 #include "jobs/solver_job.hpp"
@@ -19,7 +20,7 @@ namespace {
 Problem problemOf(const RunReport& report) {
   Problem problem{.severity = Problem::Severity::warning,
                   .place = QObject::tr("run"),
-                  .problem = QString::fromStdString(report.reason),
+                  .problem = schema::inWordsOfForms(QString::fromStdString(report.reason)),
                   .remedy = QObject::tr("the results hold until then"),
                   .of = Problem::Of::run};
   if (!report.troubles.empty() && report.troubles.front().ended_run) problem.where = report.troubles.front();

@@ -1,16 +1,17 @@
 #include "session/messages.hpp"
 
 #include "base/error.hpp"
+#include "document/schema.hpp"
 
 namespace talus {
 
 namespace {
 
-/// What the core advises in options of the command line, as it is done in the window.
+/// What the core advises in options of the command line and in keys of the file, as it is done in the window.
 QString inTheWindow(QString remedy) {
   remedy.replace(QStringLiteral("choose another --out"),
                  QObject::tr("save the project in another folder, where its results will lie beside it"));
-  return remedy.remove(QStringLiteral(", or allow it with --allow-outside"));
+  return schema::inWordsOfForms(remedy.remove(QStringLiteral(", or allow it with --allow-outside")));
 }
 
 }  // namespace
@@ -18,7 +19,7 @@ QString inTheWindow(QString remedy) {
 Problem problemOf(const InputError& error, Problem::Severity severity) {
   return {.severity = severity,
           .place = QString::fromStdString(error.place()),
-          .problem = QString::fromStdString(error.problem()),
+          .problem = schema::inWordsOfForms(QString::fromStdString(error.problem())),
           .remedy = inTheWindow(QString::fromStdString(error.remedy()))};
 }
 

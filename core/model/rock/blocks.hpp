@@ -50,11 +50,12 @@ struct Splinters {
   bool operator==(const Splinters&) const = default;
 };
 
-/// Around a point blocks are meshed more finely, or more coarsely.
+/// Around a point or a flat face blocks are meshed more finely, or more coarsely.
 struct MeshRefinement {
-  Vec3 at = Vec3::Zero();  ///< m
-  double radius = 0;       ///< m, within which `size` holds; beyond it grows to the blocks' own over one more radius
-  double size = 0;         ///< m
+  Vec3 at = Vec3::Zero();    ///< m; counts where there is no face
+  double radius = 0;         ///< m, within which `size` holds; beyond it grows to the blocks' own over one more radius
+  double size = 0;           ///< m
+  std::vector<Vec3> face{};  ///< m, corners in order; empty: around the point
   bool operator==(const MeshRefinement&) const = default;
 };
 

@@ -23,6 +23,10 @@ void check(const MeshSettings& mesh, const Place& place) {
   for (std::size_t i = 0; i < mesh.refinements.size(); ++i) {
     const Place refinement = place / "refinements" / i;
     require_finite(mesh.refinements[i].at, refinement / "at");
+    const auto& face = mesh.refinements[i].face;
+    require(face.empty() || face.size() >= 3, refinement / "face", "a face has at least three corners",
+            "give three corners or more, or take the face away");
+    for (std::size_t k = 0; k < face.size(); ++k) require_finite(face[k], refinement / "face" / k);
     require_positive(mesh.refinements[i].radius, refinement / "radius", "radius", "m");
     require_positive(mesh.refinements[i].size, refinement / "size", "mesh size", "m");
   }

@@ -24,10 +24,9 @@ void check(const Constraint& constraint, const Place& place, const BodyOfBlock& 
 
 /// A block that was made fixed because every stage holds it may be held by every stage.
 void check_change_of_fixed(const BlockChange& change, const Place& place, bool chosen) {
-  require(
-      chosen && change.body == BodyKind::fixed, place / "name",
-      "block '" + change.name + "' is built fixed: a stage can neither hold it nor let it go",
-      "build it as a body that may move, 'tetrahedra' say, and hold it with \"body\": \"fixed\" in the first stage");
+  require(chosen && change.body == BodyKind::fixed, place / "name",
+          "block '" + change.name + "' is built fixed: a stage can neither hold it nor let it go",
+          "build it as a body that may move, 'tetrahedra' say, and hold it in the first stage by the body 'fixed'");
 }
 
 void check(const BlockChange& change, const Place& place, const BodyOfBlock& body_of) {
@@ -46,7 +45,7 @@ void check(const Monitor& monitor, const Place& place, const BodyOfBlock& body_o
   if (!known) return;
   require(known->body != BodyKind::fixed && known->body != BodyKind::rigid, place / "stress",
           "block '" + monitor.block + "' is " + quoted(known->body) + " and has no stress",
-          "give it the body 'tetrahedra' (or 'affine' for one stress throughout), or take \"stress\" away");
+          "give it the body 'tetrahedra' (or 'affine' for one stress throughout), or let the monitor record no stress");
 }
 
 /// A fixed block may be named: the rock around it bears the stress too.

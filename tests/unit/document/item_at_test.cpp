@@ -33,9 +33,16 @@ TEST(ItemAt, WhatIsNotThereOrBelongsToTheWholeIsNone) {
 TEST(PlaceWords, SayTheThingAndItsField) {
   const Project project = example();
   EXPECT_EQ(placeWords(project, QStringLiteral("/materials/marl~1clay/density")).toStdString(),
-            "material marl/clay, density");
+            "material marl/clay, density ρ");
   EXPECT_EQ(placeWords(project, QStringLiteral("/stages/0/time_step")).toStdString(), "stage slide, time step");
   EXPECT_EQ(placeWords(project, QStringLiteral("/cuts/2/dip")).toStdString(), "cut 3, dip");
+  EXPECT_EQ(placeWords(project, QStringLiteral("/materials/marl~1clay/young")).toStdString(),
+            "material marl/clay, Young E");
+  EXPECT_EQ(placeWords(project, QStringLiteral("/constraints/1/at/2")).toStdString(), "support 2, at, z");
+  EXPECT_EQ(placeWords(project, QStringLiteral("/stages/0/joints/J1/cohesion")).toStdString(),
+            "stage slide, joint strength J1, cohesion c");
+  EXPECT_EQ(placeWords(project, QStringLiteral("/solver/open_close_limit")).toStdString(), "solver, open–close limit");
+  EXPECT_EQ(placeWords(project, QStringLiteral("the file")).toStdString(), "the file");
   EXPECT_EQ(placeWords(project, QStringLiteral("/solids")).toStdString(), "solids");
   EXPECT_EQ(placeWords(project, QStringLiteral("/")).toStdString(), "project");
 }

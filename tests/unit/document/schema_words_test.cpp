@@ -56,10 +56,21 @@ TEST(SchemaWords, ARuleKnowsTheDefinitionThatItRefersTo) {
   EXPECT_EQ(ruleOf(Place("/output/every")).value("of", std::string()), "");
 }
 
+TEST(SchemaWords, TakeThePlaceOfKeysOfTheFile) {
+  EXPECT_EQ(inWordsOfForms(QStringLiteral("raise open_close_limit: 3 iterations were allowed")).toStdString(),
+            "raise 'Open–close limit': 3 iterations were allowed");
+  EXPECT_EQ(inWordsOfForms(QStringLiteral("add 'spacing_law', \"fisher_kappa\" or a seed")).toStdString(),
+            "add 'Law of spacing', 'Scatter κ' or a seed");
+  EXPECT_EQ(inWordsOfForms(QStringLiteral("no block is called 'my_time_step' or x_y")).toStdString(),
+            "no block is called 'my_time_step' or x_y");
+}
+
 TEST(SchemaWords, AreEnglishWithoutATranslator) {
   EXPECT_EQ(words(ruleOf(Place("/loads/0/at")), "title"), QStringLiteral("At"));
   EXPECT_EQ(words(ruleOf(Place("/loads/0/at")), "shown"), QString());
   EXPECT_EQ(withinSentence(QStringLiteral("Point load")), QStringLiteral("point load"));
+  EXPECT_EQ(withinSentence(QStringLiteral("Density P32")), QStringLiteral("density P32"));
+  EXPECT_EQ(withinSentence(QStringLiteral("Young E")), QStringLiteral("Young E"));
   EXPECT_EQ(choiceWords("tetrahedra"), QStringLiteral("tetrahedra"));
   EXPECT_EQ(choiceWords("called_for"), QStringLiteral("called for"));
 }

@@ -72,6 +72,17 @@ TEST(MeshSize, IsThatOfARefinementNearItsPointAndGrowsToTheBlocksOwn) {
       << "inside the rock, far from any face";
 }
 
+TEST(MeshSize, IsThatOfARefinementNearItsFace) {
+  Project p = cube_meshed_by(2);
+  p.mesh.refinements = {{.radius = 1.5, .size = 0.6, .face = {{0, 0, 10}, {10, 0, 10}, {10, 10, 10}, {0, 10, 10}}}};
+  const double usual = mean_edge(build(cube_meshed_by(1)).blocks[0], {5, 5, 5}, 0, 5);
+  const Block b = build(p).blocks[0];
+  for (const Vec3& of_the_face : {Vec3(5, 5, 10), Vec3(0, 10, 10), Vec3(8, 2, 10)})
+    EXPECT_NEAR(mean_edge(b, of_the_face, 0, 1.2) / usual, 0.6, 0.09) << of_the_face.transpose();
+  EXPECT_NEAR(mean_edge(b, {5, 5, 0}, 0, 5) / usual, 2, 0.3);
+  expect_sound(build(p), 1000);
+}
+
 TEST(MeshSize, MayBeCoarserNearAPoint) {
   Project p = cube_meshed_by(1);
   p.mesh.refinements = {{Vec3(0, 0, 0), 6, 3}};

@@ -61,7 +61,11 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   EXPECT_EQ(p.origin, Vec3(2600000, 1200000.5, 400));
   EXPECT_EQ(p.merges, (std::vector{Merge{{1, 1, 1}, {2, 1, 1}}}));
   EXPECT_EQ(p.splinters, (Splinters{0.01, SplinterRule::merge}));
-  EXPECT_EQ(p.mesh, (MeshSettings{1.25, {{{5, 5, 10}, 2, 0.2}}, 200000}));
+  EXPECT_EQ(
+      p.mesh,
+      (MeshSettings{1.25,
+                    {{{5, 5, 10}, 2, 0.2}, {.radius = 1, .size = 0.25, .face = {{0, 0, 10}, {4, 0, 10}, {4, 4, 10}}}},
+                    200000}));
   ASSERT_EQ(p.blocks.size(), 3u);
   EXPECT_EQ(p.blocks[0], (BlockOverride{"top", {5, 5, 9}, BodyKind::tetrahedra, "hard/rock", 0.5}));
   EXPECT_EQ(p.blocks[1], (BlockOverride{"foot", {5, 5, 1}, BodyKind::fixed, {}, {}}));

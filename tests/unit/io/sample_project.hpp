@@ -62,7 +62,9 @@ inline const std::string full_project = R"(// A slope above a road.
   ],
   "merges": [{"at": [1, 1, 1], "with": [2, 1, 1]}],
   "splinters": {"thickness": 0.01, "rule": "merge"},
-  "mesh": {"size": 1.25, "refinements": [{"at": [5, 5, 10], "radius": 2, "size": 0.2}], "most_tetrahedra": 200000},
+  "mesh": {"size": 1.25, "most_tetrahedra": 200000,
+           "refinements": [{"at": [5, 5, 10], "radius": 2, "size": 0.2},
+                           {"face": [[0, 0, 10], [4, 0, 10], [4, 4, 10]], "radius": 1, "size": 0.25}]},
   "interfaces": [{"between": ["top", "wedge"], "joint": "J2"}],
   "constraints": [
     {"block": "foot", "at": [0, 0, 0], "displacement": [0, null, -0.001]},

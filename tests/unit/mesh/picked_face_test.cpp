@@ -39,6 +39,23 @@ TEST(PickedFace, ANodeWithinAStraightSideIsNoCorner) {
   EXPECT_THAT(face_at(block, {0.5, 0.5, 1}, Vec3::UnitZ()).corners, testing::SizeIs(4));
 }
 
+TEST(PickedFace, HasAnOutlineInOrderRoundItsHole) {
+  // A square of 4 m about one of 2 m that is missing: eight triangles.
+  Block ring;
+  ring.mesh.nodes = {{1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}, {0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+  for (int side = 0; side < 4; ++side) {
+    const int next = (side + 1) % 4;
+    ring.surface.push_back({{4 + side, 4 + next, next}});
+    ring.surface.push_back({{4 + side, next, side}});
+  }
+  const PickedFace face = face_at(ring, {0.5, 2, 0}, Vec3::UnitZ());
+  EXPECT_NEAR(face.area, 12, 1e-12);
+  EXPECT_THAT(face.corners, testing::SizeIs(8));
+  ASSERT_THAT(face.outline, testing::SizeIs(4));
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR((face.outline[i] - face.outline[(i + 1) % 4]).norm(), 4, 1e-12) << "side after side";
+}
+
 TEST(PickedFace, IsEmptyWhereTheBlockHasNoSuchFace) {
   EXPECT_EQ(face_at(slab(), {0.5, 0.5, 0.5}, Vec3::UnitZ()).area, 0);
   EXPECT_EQ(face_at(slab(), {0.5, 0.5, 1}, -Vec3::UnitZ()).area, 0);

@@ -3,8 +3,10 @@
 #include <QComboBox>
 
 #include "base/error.hpp"
+#include "document/edits.hpp"
 #include "geometry/mesh_estimate.hpp"
 #include "mesh/mesh_size.hpp"
+#include "mesh/picked_face.hpp"
 #include "session/session.hpp"
 #include "widgets/blocks/block_columns.hpp"
 #include "widgets/blocks/block_table.hpp"
@@ -85,8 +87,21 @@ QWidget* MeshPanel::makeHead() {
                  tr("A click in the view says where the mesh becomes finer; the form of the mesh says how far "
                     "and how much"));
   refine->setObjectName(QStringLiteral("refine"));
-  connect(refine, &QToolButton::clicked, this, &MeshPanel::askForRefinement);
+  connect(refine, &QToolButton::clicked, this, [this] {
+    session_.picking.ask(tr("Click the place near which the mesh shall be finer"), 1,
+                         [this](const auto& places) { refineAt(places.front(), false); });
+  });
   row->addWidget(refine);
+  auto* refineFace =
+      makeAction(QStringLiteral("section"), tr("Refine near a face"),
+                 tr("A click on a flat face says along which the mesh becomes finer; the form of the mesh says how far "
+                    "and how much"));
+  refineFace->setObjectName(QStringLiteral("refine face"));
+  connect(refineFace, &QToolButton::clicked, this, [this] {
+    session_.picking.ask(tr("Click the face near which the mesh shall be finer"), 1,
+                         [this](const auto& places) { refineAt(places.front(), true); });
+  });
+  row->addWidget(refineFace);
   row->addSpacing(8);
   ahead_ = new ElidedLabel({}, "small");
   ahead_->setObjectName(QStringLiteral("ahead"));
@@ -187,20 +202,20 @@ void MeshPanel::showWorst() {
   worst_->setCurrentCell(-1, -1);
 }
 
-void MeshPanel::askForRefinement() {
-  session_.picking.ask(tr("Click the place near which the mesh shall be finer"), 1,
-                       [this](const std::vector<PickedPlace>& places) { refineAt(places.front()); });
-}
-
-void MeshPanel::refineAt(const PickedPlace& place) {
+void MeshPanel::refineAt(const PickedPlace& place, bool wholeFace) {
   Project changed = session_.project.document().project();
   const auto system = session_.project.system();
   if (!system || place.block < 0) return;
   const Block& block = system->blocks.at(static_cast<std::size_t>(place.block));
   const double own = mesh_size(block.mesh.nodes, block.surface);
-  changed.mesh.refinements.push_back({place.point, reach * own, finer * own});
+  MeshRefinement refinement{place.point, reach * own, finer * own};
+  if (wholeFace)
+    for (const Vec3& corner : face_at(block, place.point, place.normal).outline)
+      refinement.face.push_back(edits::keptPlace(corner));
+  changed.mesh.refinements.push_back(refinement);
   try {
-    session_.project.document().change(changed, tr("refine the mesh near a place"));
+    session_.project.document().change(
+        changed, wholeFace ? tr("refine the mesh near a face") : tr("refine the mesh near a place"));
     session_.project.selection().select({Item::Kind::mesh, 0});
   } catch (const InputError& error) {
     session_.messages.add(problemOf(error));

@@ -37,8 +37,8 @@ class MeshPanel : public QWidget {
   void showWorst();
   void showAhead();
   void goTo(int row);
-  void askForRefinement();
-  void refineAt(const PickedPlace& place);
+  /// Makes the mesh finer near what was picked, or near the whole flat face there.
+  void refineAt(const PickedPlace& place, bool wholeFace);
 
   Session& session_;
   BlockTable* table_;

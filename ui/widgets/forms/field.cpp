@@ -9,7 +9,9 @@
 #include "base/quantity_text.hpp"
 #include "document/document.hpp"
 #include "document/edits.hpp"
+#include "document/item_at.hpp"
 #include "document/names.hpp"
+#include "session/messages.hpp"
 #include "widgets/forms/list_field.hpp"
 #include "widgets/forms/object_field.hpp"
 #include "widgets/forms/row_fields.hpp"
@@ -99,8 +101,10 @@ bool FormField::change(const QString& what, const std::function<void(Json&)>& ed
     return true;
   } catch (const InputError& error) {
     const bool here = error.place().find(site_.place.to_string()) != std::string::npos;
-    const QString where = here ? QString() : text(error.place()) + QStringLiteral(": ");
-    say(where + tr("%1; %2").arg(text(error.problem()), text(error.remedy())));
+    const Problem problem = problemOf(error);
+    const QString where =
+        here ? QString() : placeWords(site_.context.document.project(), problem.place) + QStringLiteral(": ");
+    say(where + tr("%1; %2").arg(problem.problem, problem.remedy));
     return false;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <QStyle>
+#include <QStyleOptionFrame>
 #include <QTimer>
 
 #include "base/error.hpp"
@@ -37,10 +38,38 @@ void NumberField::setValue(std::optional<double> value) {
 
 void NumberField::show() {
   if (!value_) return clear();
-  const double shown = converted(*value_, units_.kept.toStdString(), units_.shown.toStdString());
-  const QString number = numbers::inField(shown);
-  setText(units_.behind && !units_.shown.isEmpty() ? number + u' ' + units_.shown : number);
+  const QString whole = written(numbers::all_figures), shown = hasFocus() ? whole : fitting();
+  setText(shown);
   setCursorPosition(0);
+  const QString meaning = meaning_.isEmpty() && parentWidget() ? parentWidget()->toolTip() : meaning_;
+  setToolTip(shown == whole ? meaning_ : QStringList{whole, meaning}.join(u'\n').trimmed());
+}
+
+QString NumberField::written(int figures) const {
+  const double shown = converted(*value_, units_.kept.toStdString(), units_.shown.toStdString());
+  const QString number = numbers::inField(shown, figures);
+  return units_.behind && !units_.shown.isEmpty() ? number + u' ' + units_.shown : number;
+}
+
+/// A number is rounded before its unit is cut off; who types into the field sees all of it.
+QString NumberField::fitting() const {
+  constexpr int fewest = 3, beside_text = 4;  // figures; pixels that a line edit leaves at its sides
+  QStyleOptionFrame option;
+  initStyleOption(&option);
+  const int room = style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - beside_text;
+  for (int figures = numbers::all_figures; figures >= fewest; --figures)
+    if (const QString words = written(figures); fontMetrics().horizontalAdvance(words) <= room) return words;
+  return written(fewest);
+}
+
+/// Shows the number anew as it fits, unless something is being typed, or was refused.
+void NumberField::fitAnew() {
+  if (!isModified() && !property("state").isValid()) show();
+}
+
+void NumberField::resizeEvent(QResizeEvent* event) {
+  QLineEdit::resizeEvent(event);
+  if (!hasFocus()) fitAnew();
 }
 
 void NumberField::setProblem(const QString& sentence) {
@@ -85,9 +114,15 @@ bool NumberField::event(QEvent* event) {
 
 void NumberField::focusInEvent(QFocusEvent* event) {
   QLineEdit::focusInEvent(event);
+  fitAnew();
   QTimer::singleShot(0, this, [this] {  // after the click has placed the cursor
     if (hasFocus()) selectAll();
   });
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event) {
+  QLineEdit::focusOutEvent(event);
+  fitAnew();
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {

@@ -37,11 +37,16 @@ class NumberField : public QLineEdit {
  protected:
   bool event(QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void commit();
   void show();
+  void fitAnew();
+  QString fitting() const;
+  QString written(int figures) const;
   std::optional<double> value_;
   Units units_;
   QString meaning_;

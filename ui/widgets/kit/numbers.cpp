@@ -39,9 +39,9 @@ QString nounFor(int count, const char* noun) {
   return translated || count == 1 ? said : said + u's';
 }
 
-QString inField(double value) {
+QString inField(double value, int figures) {
   static const QRegularExpression exponent(QStringLiteral("e\\+?(-?)0*(?=\\d)"));
-  return QString::number(value, 'g', 12).replace(exponent, QStringLiteral("e\\1")).replace(u'-', QChar(0x2212));
+  return QString::number(value, 'g', figures).replace(exponent, QStringLiteral("e\\1")).replace(u'-', QChar(0x2212));
 }
 
 QString quantity(double value, const char* unit) {

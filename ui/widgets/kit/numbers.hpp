@@ -18,8 +18,9 @@ QString counted(std::integral auto count, const char* noun) {
 QString significant(double value, int figures = 3);
 /// The same without zeros at its end: 2, not 2.000000.
 QString figure(double value, int figures);
-/// As a field shows it, to be typed over: twelve figures at most, "2600", "1e-5", "−3".
-QString inField(double value);
+constexpr int all_figures = 12;  // of a number in a field
+/// As a field shows it, to be typed over: so many figures at most, "2600", "1e-5", "−3".
+QString inField(double value, int figures = all_figures);
 /// With the prefix that suits it: "25 GPa", "0.2 MPa"; `unit` is SI.
 QString quantity(double value, const char* unit);
 /// J, kJ, MJ, GJ, TJ: the factor to divide by and its unit, for values up to `largest`.

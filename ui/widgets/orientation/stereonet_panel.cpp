@@ -5,14 +5,18 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <utility>
 
 #include "base/error.hpp"
+#include "base/units.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
 #include "session/current_project.hpp"
 #include "session/display.hpp"
 #include "session/drawn_joints.hpp"
 #include "session/messages.hpp"
+#include "session/picking.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
@@ -83,8 +87,8 @@ QWidget* beside(QWidget* left, QWidget* right) {
 }  // namespace
 
 StereonetPanel::StereonetPanel(CurrentProject& project, DrawnJoints& drawn, Messages& messages, Display& display,
-                               QWidget* parent)
-    : QDialog(parent), project_(project), drawn_(drawn), messages_(messages), display_(display) {
+                               Picking& picking, QWidget* parent)
+    : QDialog(parent), project_(project), drawn_(drawn), messages_(messages), display_(display), picking_(picking) {
   setWindowTitle(tr("Stereonet"));
   resizeWithin(*this, usual_size);
   auto* row = new QHBoxLayout(this);
@@ -101,6 +105,9 @@ StereonetPanel::StereonetPanel(CurrentProject& project, DrawnJoints& drawn, Mess
   });
   connect(&display_, &Display::themeChanged, this, &StereonetPanel::refresh);
   connect(&project_.selection(), &Selection::changed, this, &StereonetPanel::showSelection);
+  connect(&picking_, &Picking::changed, this, [this] {
+    if (!picking_.isAsking() && std::exchange(awaitsFace_, false)) present();
+  });
   refresh();
 }
 
@@ -214,7 +221,12 @@ QWidget* StereonetPanel::makeSlope() {
   directionField_ = addAngle(tr("Face dip direction"), {}, faceDirection_, 360);
   dipField_->allowNone(tr("no face"));
   directionField_->allowNone(tr("no face"));
-  section->addRow(tr("Face"), beside(dipField_, directionField_), tr("Dip and dip direction, clockwise from north"));
+  auto* pick = makeTool(QStringLiteral("point"), tr("Pick the face in the view"));
+  pick->setObjectName(QStringLiteral("pick face"));
+  connect(pick, &QToolButton::clicked, this, &StereonetPanel::pickFace);
+  auto* face = beside(dipField_, directionField_);
+  face->layout()->addWidget(pick);
+  section->addRow(tr("Face"), face, tr("Dip and dip direction, clockwise from north"));
   auto* friction = addAngle(tr("Friction angle of the check"), friction_, friction_, 90);
   friction->setToolTip(tr("φ of all joints in this check; it changes no joint of the project"));
   auto* limit = addAngle(tr("Lateral limits"), limit_, limit_, 90);
@@ -386,6 +398,32 @@ void StereonetPanel::choose(std::optional<std::size_t> joint) {
     project_.selection().select({Item::Kind::cut, joints_.cuts.at(*joint)});
   else
     project_.selection().clear();
+}
+
+void StereonetPanel::pickFace() {
+  awaitsFace_ = true;
+  hide();
+  picking_.ask(tr("Click the face in which blocks could fail"), 1,
+               [this](const std::vector<PickedPlace>& places) { takeFace(places.front().normal); });
+}
+
+void StereonetPanel::takeFace(const Vec3& outwards) {
+  constexpr double level = 1e-6;
+  PlaneAttitude face = attitude_of_normal(outwards);
+  // An upright face looks to where its normal points; a plane alone has two sides.
+  if (std::abs(outwards.z()) < level)
+    face = {90, azimuth_within_circle(degrees(std::atan2(outwards.x(), outwards.y())))};
+  if (outwards.z() < -level)
+    return messages_.add({.severity = Problem::Severity::warning,
+                          .place = tr("Stereonet"),
+                          .problem = tr("the face that was picked overhangs"),
+                          .remedy = tr("pick a face that looks upwards, or type dip and dip direction")});
+  const auto rounded = [](double angle) { return std::round(10 * angle) / 10; };
+  faceDip_ = rounded(face.dip);
+  faceDirection_ = std::fmod(rounded(face.dip_direction), 360);
+  dipField_->setValue(faceDip_);
+  directionField_->setValue(faceDirection_);
+  refresh();
 }
 
 void StereonetPanel::assign() {

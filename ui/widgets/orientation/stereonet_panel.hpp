@@ -20,6 +20,7 @@ class Display;
 class DrawnJoints;
 class Messages;
 class NumberField;
+class Picking;
 class PlainTable;
 class StereonetView;
 
@@ -28,7 +29,7 @@ class StereonetView;
 class StereonetPanel : public QDialog {
   Q_OBJECT
  public:
-  StereonetPanel(CurrentProject& project, DrawnJoints& drawn, Messages& messages, Display& display,
+  StereonetPanel(CurrentProject& project, DrawnJoints& drawn, Messages& messages, Display& display, Picking& picking,
                  QWidget* parent = nullptr);
   /// To the front.
   void present();
@@ -54,6 +55,9 @@ class StereonetPanel : public QDialog {
   void showSelection();
   void showWindow();
   void choose(std::optional<std::size_t> joint);
+  /// Makes way for the view until a face is clicked there, or the asking ends.
+  void pickFace();
+  void takeFace(const Vec3& outwards);
   void assign();
   void savePicture();
   Stereonet net() const;
@@ -63,6 +67,8 @@ class StereonetPanel : public QDialog {
   DrawnJoints& drawn_;
   Messages& messages_;
   Display& display_;
+  Picking& picking_;
+  bool awaitsFace_ = false;
   std::optional<double> faceDip_, faceDirection_, friction_ = 30, limit_ = 20;  ///< degrees
   std::optional<SetWindow> window_;
   ProjectJoints joints_;  ///< of the project as it was shown last

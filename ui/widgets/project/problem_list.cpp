@@ -49,6 +49,8 @@ QString sentence(const Problem& problem) {
 
 }  // namespace
 
+QIcon iconOfProblems(Problem::Severity worst) { return theme::icon(iconOf(worst), toneOf(worst)); }
+
 ProblemRow::ProblemRow(const Problem& problem, Display& display)
     : problem_(problem), display_(display), leads_(problem.where || !problem.field.isEmpty()) {
   setFocusPolicy(leads_ ? Qt::StrongFocus : Qt::NoFocus);

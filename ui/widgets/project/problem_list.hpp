@@ -10,6 +10,9 @@ namespace talus {
 class ProjectProblems;
 class Display;
 
+/// What stands beside several problems: the icon of the worst of them.
+QIcon iconOfProblems(Problem::Severity worst);
+
 /// One problem: what, where, remedy; Enter, a double click or its button go there.
 class ProblemRow : public QFrame {
   Q_OBJECT

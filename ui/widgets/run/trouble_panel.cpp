@@ -1,5 +1,6 @@
 #include "widgets/run/trouble_panel.hpp"
 
+#include "document/schema.hpp"
 #include "jobs/solver_job.hpp"
 #include "session/current_run.hpp"
 #include "session/display.hpp"
@@ -52,7 +53,7 @@ void TroubleRow::show(const ConvergenceTrouble& trouble) {
   trouble_ = trouble;
   contact_->setText(contactOf(trouble));
   cost_->setText(costOf(trouble));
-  QString advice = text(trouble.advice);
+  QString advice = schema::inWordsOfForms(text(trouble.advice));
   if (!advice.isEmpty()) advice[0] = advice[0].toUpper();
   advice_->setText(advice);
   setVisible(true);

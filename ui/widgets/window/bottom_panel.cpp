@@ -4,6 +4,7 @@
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTime>
+#include <algorithm>
 
 #include "session/session.hpp"
 #include "widgets/actions/stage_strip.hpp"
@@ -115,9 +116,11 @@ void BottomPanel::showProblems() { setCurrentWidget(problems_); }
 
 void BottomPanel::countProblems() {
   const int tab = indexOf(problems_);
-  const auto count = session_.messages.problems().size() + session_.project.problems().all().size();
-  setTabText(tab, count == 0 ? tr("Problems") : tr("Problems  %1").arg(count));
-  setTabIcon(tab, count == 0 ? QIcon() : theme::icon(QStringLiteral("warning"), theme::Tone::warn));
+  std::vector<Problem> problems = session_.messages.problems();
+  problems.insert(problems.end(), session_.project.problems().all().begin(), session_.project.problems().all().end());
+  setTabText(tab, problems.empty() ? tr("Problems") : tr("Problems  %1").arg(problems.size()));
+  const auto worst = std::ranges::max_element(problems, {}, &Problem::severity);
+  setTabIcon(tab, problems.empty() ? QIcon() : iconOfProblems(worst->severity));
 }
 
 }  // namespace talus

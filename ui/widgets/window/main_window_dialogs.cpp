@@ -145,7 +145,8 @@ void MainWindow::showAccuracy() {
 
 void MainWindow::showStereonet() {
   if (!stereonet_) {
-    stereonet_ = new StereonetPanel(session_.project, session_.joints, session_.messages, session_.display, this);
+    stereonet_ = new StereonetPanel(session_.project, session_.joints, session_.messages, session_.display,
+                                    session_.picking, this);
     connect(stereonet_, &StereonetPanel::pasteWanted, this, &MainWindow::askForJoints);
   }
   stereonet_->present();

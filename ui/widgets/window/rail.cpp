@@ -76,8 +76,8 @@ void Rail::refresh() {
   for (const WorkflowPage page : {WorkflowPage::blocks, WorkflowPage::mesh})
     set(page, meshing ? State::busy : doneIf(meshed), staleBlocks);
   set(WorkflowPage::materials, doneIf(!project.materials.empty()));
-  set(WorkflowPage::loads,
-      doneIf(!project.loads.empty() || !project.constraints.empty() || project.gravity.norm() > 0));
+  const bool acts = !project.loads.empty() || !project.constraints.empty() || project.gravity.norm() > 0;
+  set(WorkflowPage::loads, doneIf(acts && !project.solids.empty()));  // gravity alone acts on nothing
   set(WorkflowPage::stages, doneIf(!project.stages.empty()));
   const bool solved = !session_.playback.times().empty() && !session_.run.job().isBusy();
   const bool current = solved && session_.playback.isCurrent();

@@ -235,9 +235,8 @@ QString WorkflowBar::solidsOutcome() const {
   const SolidSurfaces& solids = session_.surfaces;
   if (solids.isBusy()) return tr("%1, being read").arg(count);
   if (!solids.problems().empty()) {
-    const InputError& first = solids.problems().front();
-    return tr("%1; %2: %3")
-        .arg(count, placeWords(session_.project.document().project(), text(first.place())), text(first.problem()));
+    const Problem first = problemOf(solids.problems().front());
+    return tr("%1; %2: %3").arg(count, placeWords(session_.project.document().project(), first.place), first.problem);
   }
   double volume = 0;
   for (std::size_t i = 0; solids.current() && i < solids.current()->size(); ++i)

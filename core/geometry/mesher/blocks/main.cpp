@@ -22,6 +22,7 @@
 #include "geometry/mesher/solid_views.hpp"
 #include "geometry/mesher/tet_mesher.hpp"
 #include "geometry/splinters_found.hpp"
+#include "mesh/size_field.hpp"
 
 namespace talus {
 namespace {
@@ -86,7 +87,7 @@ MesherBlock finished_block(const ImportedModel& model, const CutBlock& cut, Mesh
 std::vector<MeshRefinement> reaching(const std::vector<MeshRefinement>& refinements, const Eigen::AlignedBox3d& box) {
   std::vector<MeshRefinement> found;
   std::copy_if(refinements.begin(), refinements.end(), std::back_inserter(found),
-               [&](const MeshRefinement& one) { return box.exteriorDistance(one.at) <= 2 * one.radius; });
+               [&](const MeshRefinement& one) { return box.exteriorDistance(box_of(one)) <= 2 * one.radius; });
   return found;
 }
 
@@ -128,7 +129,10 @@ MesherCutModel cut_model(const ImportedModel& model, const CutModel& cut, const 
 /// Relative to the model's origin.
 std::vector<MeshRefinement> refinements_of(const MesherJob& job, const ImportedModel& model) {
   std::vector<MeshRefinement> refinements(job.refinements.begin(), job.refinements.end());
-  for (MeshRefinement& refinement : refinements) refinement.at -= model.origin;
+  for (MeshRefinement& refinement : refinements) {
+    refinement.at -= model.origin;
+    for (Vec3& corner : refinement.face) corner -= model.origin;
+  }
   return refinements;
 }
 
@@ -138,7 +142,7 @@ std::uint64_t key_of(SurfaceMesh surface, double size, const std::vector<MeshRef
   ByteWriter all;
   all(surface.nodes, surface.triangles, size, volume, origin);
   for (FacetOrigin& facet : surface.origins) all(facet.joint);
-  for (MeshRefinement one : nearby) all(one.at, one.radius, one.size);
+  for (MeshRefinement one : nearby) all(one.at, one.radius, one.size, one.face);
   return std::max<std::uint64_t>(1, std::hash<std::string>()(all.bytes()));
 }
 

@@ -154,6 +154,11 @@ const std::vector<BadProject> bad_values{
        p.mesh.refinements = {{{0, 0, 0}, 1, 0}};
      },
      "/mesh/refinements/0/size", "greater than 0", " m"},
+    {"refined near an edge",
+     [](Project& p) {
+       p.mesh.refinements = {{.radius = 1, .size = 1, .face = {{0, 0, 0}, {1, 0, 0}}}};
+     },
+     "/mesh/refinements/0/face", "three corners", "take the face away"},
     {"no tetrahedra", [](Project& p) { p.mesh.most_tetrahedra = 0; }, "/mesh/most_tetrahedra", "greater than 0",
      "tetrahedra"},
     {"mesh size", [](Project& p) { p.solids[0].mesh_size = 0; }, "/solids/0/mesh_size", "greater than 0", " m"},
