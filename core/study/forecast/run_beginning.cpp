@@ -113,8 +113,7 @@ RunBeginning run_parts(const Project& project, const BlockSystem& system, int st
                        Progress& progress) {
   const std::vector<Part> parts = parts_of(project, static_steps);
   const Project beginning = with_stages(project, parts);
-  const bool counts = count_resident_memory_anew();
-  const double memory_before = resident_memory().now, begin = processor_seconds_of_thread();
+  const double begin = processor_seconds_of_thread();
   const TemporaryFolder folder;
   StepTimer timer(parts, budget, progress);
   const RunReport report = run(beginning, system, {folder.path() / "results", write_project(project), 1}, timer);
@@ -122,8 +121,6 @@ RunBeginning run_parts(const Project& project, const BlockSystem& system, int st
   const bool all_counts = std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.counts; });
   RunBeginning result;
   result.around = processor_seconds_of_thread() - begin - timer.in_steps();
-  const ResidentMemory memory = resident_memory();
-  result.memory = std::max(0.0, (counts ? memory.most : memory.now) - memory_before);
   result.whole = all_counts && report.status != RunStatus::stopped;
   if (result.whole) result.failure = report.reason;  // after long steps it may be theirs
   result.stages = timer.take(report.status == RunStatus::completed);
@@ -149,9 +146,14 @@ Project beginning_of(const Project& project, int static_steps) {
 }
 
 RunBeginning run_beginning(const Project& project, const BlockSystem& system, double budget, Progress& progress) {
-  const RunBeginning first = run_parts(project, system, most_static_steps, of_first_look * budget, progress);
-  if (first.whole) return first;
-  return run_parts(project, system, affordable_static_steps(project, first, budget), budget, progress);
+  const bool counts = count_resident_memory_anew();
+  const double memory_before = resident_memory().now;  // what the first look leaves behind is held by the run, too
+  RunBeginning result = run_parts(project, system, most_static_steps, of_first_look * budget, progress);
+  if (!result.whole)
+    result = run_parts(project, system, affordable_static_steps(project, result, budget), budget, progress);
+  const ResidentMemory memory = resident_memory();
+  result.memory = std::max(0.0, (counts ? memory.most : memory.now) - memory_before);
+  return result;
 }
 
 }  // namespace talus
