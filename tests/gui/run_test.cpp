@@ -80,12 +80,12 @@ QStringList saidOfEffects(MainWindow& window) {
 TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   openAndMesh(slidingCube(200));
   ASSERT_TRUE(wait([&] { return !session->run.effectCosts().empty(); }));
-  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 12 on"));
+  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 10 of 20 on"));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("no stage or material asks for it")));
-  EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" contact points at the start")).size(), 2);
+  EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" contact points at the start")).size(), 5);
   EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" tetrahedra")).size(), 3);
   session->solve();
-  ASSERT_TRUE(wait([&] { return session->run.effects().size() == 12 && session->playback.isLive(); }))
+  ASSERT_TRUE(wait([&] { return session->run.effects().size() == 20 && session->playback.isLive(); }))
       << "as the run goes on";
   ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
@@ -102,7 +102,7 @@ TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   EXPECT_EQ(session->run.monitorNames(), std::vector<std::string>{"P1"});
   ASSERT_TRUE(session->run.report());
   EXPECT_EQ(session->run.report()->status, RunStatus::completed);
-  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 5 of 12 on"));
+  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 10 of 20 on"));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
   window->timeline().togglePlay();
   EXPECT_TRUE(window->timeline().isPlaying());
