@@ -217,7 +217,7 @@ TEST_F(Commands, InfoOnAProjectSaysWhichEffectsAndWhy) {
     EXPECT_EQ(effect["estimated_seconds_an_iteration"] > 0, effect["active"]) << effect;
     EXPECT_EQ(!effect["items"].get<std::string>().empty(), effect["active"]) << effect;
   }
-  EXPECT_THAT(on, ElementsAre("elasticity", "inertia", "body force"));
+  EXPECT_THAT(on, ElementsAre("elasticity", "inertia", "body force", "acceleration reset", "sleep"));
   EXPECT_THAT(talus_cli({"info", sample("free_fall")}).out, HasSubstr("nothing can touch"));
 }
 
