@@ -4,6 +4,7 @@
 
 #include "bodies/body_set.hpp"
 #include "bodies/time_integration.hpp"
+#include "model/joint_names.hpp"
 #include "model/stage_changes.hpp"
 
 namespace talus {
@@ -20,13 +21,6 @@ std::size_t deforming_blocks(const Project& project, const BlockSystem& system, 
   return static_cast<std::size_t>(std::count_if(system.blocks.begin(), system.blocks.end(), [&](const Block& block) {
     return deforms(block) && project.materials[block.material].law == law;
   }));
-}
-
-std::string joints_where(const Project& project, bool (*resists)(const Joint&)) {
-  std::string names;
-  for (const Joint& joint : project.joints)
-    if (resists(joint)) names += (names.empty() ? "" : ", ") + joint.name;
-  return names;
 }
 
 /// All stages' projects in one: an effect is on if any stage calls for it.
@@ -78,8 +72,14 @@ bool is_any_stage(const Project& project, StageKind kind) {
   return std::any_of(project.stages.begin(), project.stages.end(), [=](const Stage& s) { return s.kind == kind; });
 }
 
-bool any_joint(const Project& project, bool (*has)(const Joint&)) {
-  return in_any_stage(project, [&](const Project& p) { return std::any_of(p.joints.begin(), p.joints.end(), has); });
+/// Joints as the project has them, and as each stage does.
+std::vector<Joint> joints_of_all_stages(const Project& project) {
+  std::vector<Joint> joints = project.joints;
+  for (int stage = 0; stage < static_cast<int>(project.stages.size()); ++stage) {
+    const std::vector<Joint> now = project_in_stage(project, stage).joints;
+    joints.insert(joints.end(), now.begin(), now.end());
+  }
+  return joints;
 }
 
 /// Blocks by what they may do, and what contact there is.
@@ -95,13 +95,15 @@ struct Scene {
                                                       [](const Block& b) { return b.body == BodyKind::affine; }))),
         alone(project.solver.effects.contact == Switch::on ? 0 : std::min(blocks_alone, movable)),
         touching(project.solver.effects.contact != Switch::off && movable > alone && blocks > 1),
-        dynamic(is_any_stage(project, StageKind::dynamic)) {
+        dynamic(is_any_stage(project, StageKind::dynamic)),
+        joints(joints_of_all_stages(project)) {
     if (project.solver.effects.contact == Switch::off)
       no_touch = "the project switches contact off";
     else
       no_touch = alone > 0 && blocks > 1 ? "no block can reach another within the run" : "nothing can touch";
     no_motion = touching ? "every stage is static" : no_touch;
   }
+  bool any_joint(bool (*has)(const Joint&)) const { return std::any_of(joints.begin(), joints.end(), has); }
   std::string who_touches() const {
     const std::string can = count(blocks - alone, "block", "blocks") + " can touch";
     return alone == 0 ? can : can + "; " + count(alone, "reaches", "reach") + " no other within the run";
@@ -109,6 +111,7 @@ struct Scene {
 
   std::size_t blocks, movable, linear, neo_hookean, rigid, affine, alone;
   bool touching, dynamic;
+  std::vector<Joint> joints;        ///< of all stages
   std::string no_touch, no_motion;  ///< why nothing touches; why nothing does in a dynamic stage
 };
 
@@ -117,9 +120,9 @@ void add_contact(const Project& project, const Scene& scene, Calls& calls) {
   const auto bonds = [](const Joint& j) { return j.cohesion > 0 || j.tensile_strength > 0; };
   const auto off = [&](const std::string& otherwise) { return scene.touching ? otherwise : scene.no_touch; };
   calls.add(EffectKind::normal_contact, scene.touching, scene.who_touches(), scene.no_touch);
-  calls.add(EffectKind::shear_contact, scene.touching && any_joint(project, resists),
+  calls.add(EffectKind::shear_contact, scene.touching && scene.any_joint(resists),
             "friction or cohesion on " + joints_where(project, resists), off("no joint resists shear"));
-  calls.add(EffectKind::cohesion_and_tension, scene.touching && any_joint(project, bonds),
+  calls.add(EffectKind::cohesion_and_tension, scene.touching && scene.any_joint(bonds),
             "bonds on " + joints_where(project, bonds), off("no joint has cohesion or tensile strength"));
 }
 
@@ -127,7 +130,7 @@ bool gives_restitution(const Joint& joint) { return joint.restitution.has_value(
 
 void add_rebound(const Project& project, const Scene& scene, Calls& calls) {
   const EffectSwitches& switches = project.solver.effects;
-  const bool given = switches.restitution != Switch::off && any_joint(project, gives_restitution);
+  const bool given = switches.restitution != Switch::off && scene.any_joint(gives_restitution);
   const Switch choice = given && switches.restitution == Switch::on && switches.rebound == Switch::called_for
                             ? Switch::on
                             : switches.rebound;
@@ -146,9 +149,9 @@ void add_the_rest(const Project& project, const Scene& scene, bool rebounds, Cal
   const bool single = scene.rigid + scene.affine > 0;
   const auto own_stiffness = [](const Joint& j) { return j.normal_stiffness.has_value(); };
   const auto lacks_stiffness = [](const Joint& j) { return !j.normal_stiffness.has_value(); };
-  const bool scaled = project.joints.empty() || any_joint(project, lacks_stiffness);
+  const bool scaled = project.joints.empty() || scene.any_joint(lacks_stiffness);
   const bool newton = solver.open_close == OpenCloseMethod::newton;
-  calls.add(EffectKind::restitution, switches.restitution, rebounds && any_joint(project, gives_restitution),
+  calls.add(EffectKind::restitution, switches.restitution, rebounds && scene.any_joint(gives_restitution),
             rebounds ? "no joint gives one" : "there is no law of impact", true,
             "of " + joints_where(project, gives_restitution), "");
   calls.add(EffectKind::missed_contacts, switches.missed_contacts, touches && solver.contact == ContactModel::area,

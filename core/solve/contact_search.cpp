@@ -24,9 +24,7 @@ void seek_and_wake(SimulationState& s, double length) {
   }
   if (changed) account_for_awake_bodies(s);
   if (s.is_on(EffectKind::followed_springs) && s.dynamic() && !s.contacts.points.empty()) {
-    StepResidual::EffectWork& work = s.work_of(EffectKind::followed_springs);
-    const Stopwatch watch(work.seconds);
-    ++work.evaluations;
+    const EffectTimer timer(s.work_of(EffectKind::followed_springs));
     s.followed_springs.limit(s.project, s.adaptive() ? length : s.clock.next_length(), s.dynamic_penetration(),
                              s.contacts);
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/stopwatch.hpp"
 #include "solve/contact_search.hpp"
 #include "solve/simulation_state.hpp"
 #include "solve/stage_start.hpp"
@@ -244,9 +243,7 @@ void move_bodies(SimulationState& s, StepReport& report) {
 }
 
 void put_to_sleep(SimulationState& s) {
-  StepResidual::EffectWork& work = s.work_of(EffectKind::sleep);
-  const Stopwatch watch(work.seconds);
-  ++work.evaluations;
+  const EffectTimer timer(s.work_of(EffectKind::sleep));
   s.falls_asleep = s.sleep.after_step(s.bodies, s.contacts, s.context.length);
 }
 

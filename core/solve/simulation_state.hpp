@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/stopwatch.hpp"
 #include "contact/detection/contact_detector.hpp"
 #include "contact/detection/missed_contacts.hpp"
 #include "mesh/surface.hpp"
@@ -26,6 +27,15 @@
 #include "solve/trouble_log.hpp"
 
 namespace talus {
+
+/// Times and counts, as long as it lives, the work of an effect that is no term of the potential.
+class EffectTimer {
+ public:
+  explicit EffectTimer(StepResidual::EffectWork& work) : watch_(work.seconds) { ++work.evaluations; }
+
+ private:
+  Stopwatch watch_;
+};
 
 /// What a simulation is made of, and where it stands. Only the files that carry out its steps see it.
 struct SimulationState {

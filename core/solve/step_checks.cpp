@@ -23,17 +23,10 @@ std::optional<ContactDetector::MissedContact> missed_contact(SimulationState& s)
       s.context.length < s.tolerances.step.shortest_recheck * longest)
     return {};
   const double tolerance = s.dynamic_penetration();
-  StepResidual::EffectWork& work = s.work_of(EffectKind::missed_contacts);
-  const double before = s.detect_seconds;
-  ++work.evaluations;
-  std::optional<ContactDetector::MissedContact> missed;
-  {
-    const Stopwatch watch(s.detect_seconds);
-    missed = s.missed_contacts.seek(s.detector, s.links, s.increment, s.reach, tolerance, tolerance * s.smallest_size,
-                                    s.company.alone());
-  }
-  work.seconds += s.detect_seconds - before;
-  return missed;
+  const Stopwatch watch(s.detect_seconds);
+  const EffectTimer timer(s.work_of(EffectKind::missed_contacts));
+  return s.missed_contacts.seek(s.detector, s.links, s.increment, s.reach, tolerance, tolerance * s.smallest_size,
+                                s.company.alone());
 }
 
 }  // namespace talus

@@ -1,6 +1,5 @@
 #include "solve/step_corrections.hpp"
 
-#include "base/stopwatch.hpp"
 #include "contact/detection/normal_update.hpp"
 #include "solve/simulation_state.hpp"
 
@@ -10,9 +9,7 @@ namespace {
 
 bool update_normals(SimulationState& s, double tolerance) {
   if (!s.is_on(EffectKind::updated_normals)) return false;
-  StepResidual::EffectWork& work = s.work_of(EffectKind::updated_normals);
-  const Stopwatch watch(work.seconds);
-  ++work.evaluations;
+  const EffectTimer timer(s.work_of(EffectKind::updated_normals));
   const auto start = [&](int node) { return s.bodies.nodes.position[node]; };
   const auto end = [&](int node) { return Vec3(start(node) + s.bodies.node_increment(node, s.increment)); };
   const auto updated = [&](int point) { return s.detector.updated_normal(point, start, end); };
@@ -21,9 +18,7 @@ bool update_normals(SimulationState& s, double tolerance) {
 
 bool scale_penalty(SimulationState& s, double tolerance) {
   if (!s.is_on(EffectKind::penalty_scaling)) return false;
-  StepResidual::EffectWork& work = s.work_of(EffectKind::penalty_scaling);
-  const Stopwatch watch(work.seconds);
-  ++work.evaluations;
+  const EffectTimer timer(s.work_of(EffectKind::penalty_scaling));
   const auto as_given =
       s.project.solver.penetration_tolerance ? std::span<const Joint>() : std::span<const Joint>(s.project.joints);
   return scale_penalty(s.contacts, s.links, s.increment, tolerance, as_given, s.tolerances.contact_outcome);
@@ -47,10 +42,8 @@ bool correct_contacts(SimulationState& s) {
 /// Bodies after a blow begin the step with the acceleration that they end it with. Whether any do.
 bool correct_accelerations(SimulationState& s) {
   if (!s.resets_accelerations()) return false;
-  StepResidual::EffectWork& work = s.work_of(EffectKind::acceleration_reset);
   {
-    const Stopwatch watch(work.seconds);
-    ++work.evaluations;
+    const EffectTimer timer(s.work_of(EffectKind::acceleration_reset));
     if (!s.acceleration_reset.correct(s.bodies, s.context, s.increment)) return false;
   }
   s.open_close.begin_step(s.context);  // inertia is another one

@@ -58,8 +58,9 @@ void BoxTree::refit(int item, std::span<const Box> boxes) {
   for (int n = leaf_of_[item]; n >= 0; n = nodes_[n].parent) refit_node(n, boxes);
 }
 
-void BoxTree::within(const Box& box, double distance, std::span<const Box> boxes, std::vector<int>& stack,
-                     std::vector<int>& items) const {
+template <class Take>
+void BoxTree::visit_within(const Box& box, double distance, std::span<const Box> boxes, std::vector<int>& stack,
+                           Take take) const {
   stack.assign(1, 0);
   while (!stack.empty()) {
     const int n = stack.back();
@@ -71,29 +72,26 @@ void BoxTree::within(const Box& box, double distance, std::span<const Box> boxes
       stack.push_back(node.right);
       continue;
     }
-    for (int i = node.begin; i < node.end; ++i) {
-      if (boxes[order_[i]].within(box, distance)) items.push_back(order_[i]);
-    }
+    for (int i = node.begin; i < node.end; ++i)
+      if (boxes[order_[i]].within(box, distance) && !take(order_[i])) return;
   }
 }
 
+void BoxTree::within(const Box& box, double distance, std::span<const Box> boxes, std::vector<int>& stack,
+                     std::vector<int>& items) const {
+  visit_within(box, distance, boxes, stack, [&](int item) {
+    items.push_back(item);
+    return true;
+  });
+}
+
 bool BoxTree::any_other_within(int item, std::span<const Box> boxes, std::vector<int>& stack) const {
-  const Box& own = boxes[item];
-  stack.assign(1, 0);
-  while (!stack.empty()) {
-    const int n = stack.back();
-    const Node& node = nodes_[n];
-    stack.pop_back();
-    if (!node.box.within(own, 0)) continue;
-    if (node.right) {
-      stack.push_back(n + 1);
-      stack.push_back(node.right);
-      continue;
-    }
-    for (int i = node.begin; i < node.end; ++i)
-      if (order_[i] != item && boxes[order_[i]].within(own, 0)) return true;
-  }
-  return false;
+  bool any = false;
+  visit_within(boxes[item], 0, boxes, stack, [&](int other) {
+    any = other != item;
+    return !any;
+  });
+  return any;
 }
 
 void BoxTree::pairs_within(const BoxTree& other, double distance, std::span<const Box> boxes,

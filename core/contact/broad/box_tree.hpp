@@ -39,6 +39,10 @@ class BoxTree {
     int right;       // child; the left one follows its parent; 0: a leaf
     int parent;      // of the root: −1
   };
+  /// Gives every item whose box is within `distance` of this one to `take`, until that is false.
+  template <class Take>
+  void visit_within(const Box& box, double distance, std::span<const Box> boxes, std::vector<int>& stack,
+                    Take take) const;
   int split(std::span<const Box> boxes, int begin, int end, int parent);
   void refit_node(int node, std::span<const Box> boxes);
 

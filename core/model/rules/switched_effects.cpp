@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "model/joint_names.hpp"
 #include "model/number_text.hpp"
 #include "model/place.hpp"
 
@@ -11,14 +12,6 @@ namespace talus {
 namespace {
 
 using Kind = ProjectProblem::Kind;
-
-/// Names of the joints that give a restitution; empty: none does.
-std::string joints_with_restitution(const Project& project) {
-  std::string all;
-  for (const Joint& joint : project.joints)
-    if (joint.restitution) all += (all.empty() ? "" : ", ") + joint.name;
-  return all;
-}
 
 class Look {
  public:
@@ -56,7 +49,7 @@ class Look {
   }
 
   void look_at_impacts() {
-    const std::string given = joints_with_restitution(project_);
+    const std::string given = joints_where(project_, [](const Joint& joint) { return joint.restitution.has_value(); });
     const bool none = solver_.extras == Extras::none && switches_.restitution != Switch::on;
     const bool no_law = switches_.rebound == Switch::off || (none && switches_.rebound == Switch::called_for);
     if (!given.empty() && no_law)

@@ -254,12 +254,14 @@ void StepResidual::assemble_without_contacts(const Increment& d, SymmetricBlocks
 
 double StepResidual::longest_step_fraction(const Increment& d, const Eigen::VectorXd& change) {
   double longest = 0;
-  const auto look_at = [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) longest = std::max(longest, change.segment<3>(3 * k).squaredNorm());
+  const auto note_longest = [&](int begin, int end) {
+    for (int n = begin; n < end; ++n) longest = std::max(longest, change.segment<3>(3 * n).squaredNorm());
   };
-  if (step_.unlimited.empty()) look_at(0, static_cast<int>(change.size() / 3));
-  for (int b = 0; b < bodies() && !step_.unlimited.empty(); ++b)
-    if (!step_.unlimited[composition_->bodies->moving[b]]) look_at(body_begins_[b], body_begins_[b + 1]);
+  if (step_.unlimited.empty())
+    note_longest(0, static_cast<int>(change.size() / 3));
+  else
+    for (int b = 0; b < bodies(); ++b)
+      if (!step_.unlimited[composition_->bodies->moving[b]]) note_longest(body_begins_[b], body_begins_[b + 1]);
   double fraction = longest > step_.reach * step_.reach ? step_.reach / std::sqrt(longest) : 1;
   scaled_ = smooth_fraction_ * d;
   part_ = smooth_fraction_ * change;

@@ -82,26 +82,22 @@ QWidget* MeshPanel::makeHead() {
   auto* head = makePlane("header");
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(12, 3, 12, 3);
-  auto* refine =
-      makeAction(QStringLiteral("point"), tr("Refine near a place"),
-                 tr("A click in the view says where the mesh becomes finer; the form of the mesh says how far "
-                    "and how much"));
-  refine->setObjectName(QStringLiteral("refine"));
-  connect(refine, &QToolButton::clicked, this, [this] {
-    session_.picking.ask(tr("Click the place near which the mesh shall be finer"), 1,
-                         [this](const auto& places) { refineAt(places.front(), false); });
-  });
-  row->addWidget(refine);
-  auto* refineFace =
+  const auto addRefining = [&](QToolButton* button, const QString& name, const QString& question, bool wholeFace) {
+    button->setObjectName(name);
+    connect(button, &QToolButton::clicked, this, [=, this] {
+      session_.picking.ask(question, 1, [=, this](const auto& places) { refineAt(places.front(), wholeFace); });
+    });
+    row->addWidget(button);
+  };
+  addRefining(makeAction(QStringLiteral("point"), tr("Refine near a place"),
+                         tr("A click in the view says where the mesh becomes finer; the form of the mesh says how far "
+                            "and how much")),
+              QStringLiteral("refine"), tr("Click the place near which the mesh shall be finer"), false);
+  addRefining(
       makeAction(QStringLiteral("section"), tr("Refine near a face"),
                  tr("A click on a flat face says along which the mesh becomes finer; the form of the mesh says how far "
-                    "and how much"));
-  refineFace->setObjectName(QStringLiteral("refine face"));
-  connect(refineFace, &QToolButton::clicked, this, [this] {
-    session_.picking.ask(tr("Click the face near which the mesh shall be finer"), 1,
-                         [this](const auto& places) { refineAt(places.front(), true); });
-  });
-  row->addWidget(refineFace);
+                    "and how much")),
+      QStringLiteral("refine face"), tr("Click the face near which the mesh shall be finer"), true);
   row->addSpacing(8);
   ahead_ = new ElidedLabel({}, "small");
   ahead_->setObjectName(QStringLiteral("ahead"));
