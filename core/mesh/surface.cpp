@@ -123,6 +123,8 @@ Surface make_surface(std::span<const Vec3> nodes, std::vector<SurfaceTriangle> t
   if (!(volume > 0)) throw std::invalid_argument("surface is inside out, or it encloses nothing");
   surface.size = mesh_size(nodes, surface.triangles);
   flood_smooth_faces(normals, surface);
+  surface.faces = plane_faces(nodes, surface);
+  surface.is_convex = no_edge_is_concave(nodes, surface);
   find_rings_and_corners(nodes, surface);
   return surface;
 }

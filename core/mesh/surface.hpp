@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/plane_faces.hpp"
 #include "mesh/tet_mesh.hpp"
 
 namespace talus {
@@ -22,6 +23,8 @@ struct Surface {
   std::vector<SurfaceEdge> edges;
   std::vector<int> smooth_face;  ///< a triangle: the one it belongs to; they end at edges of 2° and more
   int smooth_face_count = 0;
+  std::vector<PlaneFace> faces;        ///< every triangle is part of one
+  bool is_convex = false;              ///< no edge is concave, but for rounding
   std::vector<std::vector<int>> ring;  ///< a node: its neighbours along surface edges
   std::vector<bool> corner;            ///< a node where sharp edges do not pass straight through
   double size = 0;                     ///< m, √(2 · mean triangle area)

@@ -69,7 +69,7 @@ struct ContactTolerances {
 
   /// Of h². A smaller overlap is none. Rounding. Larger: slivers do not bear. Smaller: normals of nothing.
   double least_overlap_area = 1e-14;
-  /// Of barycentric coordinates. A corner of an overlap that is nearer to a vertex is that vertex's, and so is its
+  /// Of the shorter side there. A corner of an overlap that is nearer to a vertex is that vertex's, and so is its
   /// history. Chosen. Larger: corners change names early. Smaller: two corners beside each vertex.
   double at_vertex = 1e-3;
   /// rad. Facets that are tilted less are parallel. Rounding. Larger: halfway normals push sideways. Smaller: which

@@ -8,8 +8,8 @@
 
 namespace talus {
 
-/// A tree of boxes: over the facets of one body, or over bodies. As they move, the boxes are refitted and the tree
-/// stays: a block's facets keep their neighbours. Items are numbered by the place of their boxes.
+/// A tree of boxes: over the faces of one body, or over bodies. As they move, the boxes are refitted and the tree
+/// stays: a block's faces keep their neighbours. Items are numbered by the place of their boxes.
 class BoxTree {
  public:
   /// Builds the tree anew: items are split at the median of the longest side.

@@ -10,12 +10,12 @@
 namespace talus {
 namespace {
 
-// The margin of a search for facets lasts so many steps at the pace of both bodies, within these fractions of the
+// The margin of a search for faces lasts so many steps at the pace of both bodies, within these fractions of the
 // mesh size. Wider: fewer searches, but more pairs to filter in every step.
 constexpr double steps_ahead = 20, least_margin = 0.05, most_margin = 0.2;
 // Of what a pair has gone and is away: left for the rounding of sums.
 constexpr double rounding = 1e-12;
-constexpr std::size_t part_size = 8192;  // pairs of facets that are filtered in a tenth of a millisecond
+constexpr std::size_t part_size = 8192;  // pairs of faces that are filtered in a tenth of a millisecond
 
 }  // namespace
 
@@ -25,9 +25,9 @@ BroadPhase::BroadPhase(const ContactFeatures& features, std::span<const ContactB
       asleep_(bodies.size(), 0),
       settings_(settings),
       odometers_(bodies.size()),
-      facets_(features, odometers_),
+      faces_(features, odometers_),
       neighbours_(bodies.size()),
-      is_taken_(features.facets.size(), 0),
+      is_taken_(features.faces.size(), 0),
       work_(work) {
   set_bodies(bodies);
 }
@@ -57,7 +57,7 @@ void BroadPhase::stand(int body) {
 
 void BroadPhase::moved(int body, double displacement) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  odometers_.add(body, displacement + epsilon * facets_.farthest_coordinate(body));
+  odometers_.add(body, displacement + epsilon * faces_.farthest_coordinate(body));
 }
 
 void BroadPhase::read_motion(std::span<const Vec3> x) {
@@ -118,11 +118,11 @@ void BroadPhase::list_neighbours() {
 /// How far apart the bodies' boxes are, or at the least are if that is more than `worthwhile`.
 double BroadPhase::distance_of(const BodyPair& pair, double worthwhile, std::span<const Vec3> x) {
   ++work_.body_pairs;
-  const auto apart = [&] { return facets_.box_of(pair.a).apart(facets_.box_of(pair.b)); };
-  const double least = apart() - facets_.gone_since(pair.a) - facets_.gone_since(pair.b);
+  const auto apart = [&] { return faces_.box_of(pair.a).apart(faces_.box_of(pair.b)); };
+  const double least = apart() - faces_.gone_since(pair.a) - faces_.gone_since(pair.b);
   if (least > worthwhile) return least;
-  facets_.refit(pair.a, x);
-  facets_.refit(pair.b, x);
+  faces_.refit(pair.a, x);
+  faces_.refit(pair.b, x);
   return apart();
 }
 
@@ -132,13 +132,13 @@ void BroadPhase::search(BodyPair& pair, std::span<const Vec3> x, double distance
   const double apart = distance_of(pair, distance + margin, x);
   const auto when_within = [&](double d) { return (gone(pair) + d) * (1 - rounding); };
   pair.candidates.clear();
-  pair.facets.clear();
+  pair.faces.clear();
   if (apart > distance + margin) {
     pair.search_at = pair.filter_at = when_within(apart);
     return;
   }
   found_.clear();
-  facets_.pairs_within(pair.a, pair.b, distance + margin, found_);
+  faces_.pairs_within(pair.a, pair.b, distance + margin, found_);
   std::sort(found_.begin(), found_.end());
   take_candidates(pair);
   pair.search_at = when_within(distance + margin);
@@ -149,26 +149,26 @@ void BroadPhase::search(BodyPair& pair, std::span<const Vec3> x, double distance
 
 void BroadPhase::take_candidates(BodyPair& pair) {
   if (pair.candidates.capacity() < found_.size()) pair.candidates.reserve(2 * found_.size());  // once, as they slide on
-  if (pair.facets.capacity() < found_.size()) pair.facets.reserve(2 * found_.size());
+  if (pair.faces.capacity() < found_.size()) pair.faces.reserve(2 * found_.size());
   for (const auto& [f, g] : found_) {
     pair.candidates.push_back({f, g});
-    for (int facet : {f, g}) {
-      if (!is_taken_[facet]) pair.facets.push_back(facet);
-      is_taken_[facet] = 1;
+    for (int face : {f, g}) {
+      if (!is_taken_[face]) pair.faces.push_back(face);
+      is_taken_[face] = 1;
     }
   }
-  for (int facet : pair.facets) is_taken_[facet] = 0;
+  for (int face : pair.faces) is_taken_[face] = 0;
 }
 
-void BroadPhase::filter(BodyPair& pair, std::span<const Vec3> x, double distance, std::vector<FacetPair>& near) {
-  for (int f : pair.facets) facets_.refresh(f, x);
+void BroadPhase::filter(BodyPair& pair, std::span<const Vec3> x, double distance, std::vector<FacePair>& near) {
+  for (int f : pair.faces) faces_.refresh(f, x);
   const std::size_t first = near.size();
-  for (const FacetPair& f : pair.candidates) {
-    if (facets_.box(f.a).within(facets_.box(f.b), distance)) near.push_back(f);
+  for (const FacePair& f : pair.candidates) {
+    if (faces_.box(f.a).within(faces_.box(f.b), distance)) near.push_back(f);
   }
   if (near.size() > first) return;
   double apart = std::numeric_limits<double>::infinity();
-  for (const FacetPair& f : pair.candidates) apart = std::min(apart, facets_.box(f.a).apart(facets_.box(f.b)));
+  for (const FacePair& f : pair.candidates) apart = std::min(apart, faces_.box(f.a).apart(faces_.box(f.b)));
   pair.filter_at = std::min(pair.search_at, (gone(pair) + apart) * (1 - rounding));
 }
 
@@ -191,8 +191,8 @@ void BroadPhase::filter_due(std::span<const Vec3> x, const std::function<double(
       part.near.clear();
       for (int i = part.first; i < part.last; ++i) {
         BodyPair& pair = pairs_[due_[i].pair];
-        const double distance = due_[i].distance;
-        filter(pair, x, nearer ? std::min(distance, nearer(pair.a, pair.b)) : distance, part.near);
+        const double distance = nearer ? std::min(due_[i].distance, nearer(pair.a, pair.b)) : due_[i].distance;
+        if (distance >= 0) filter(pair, x, distance, part.near);
       }
     }
   };
@@ -201,9 +201,9 @@ void BroadPhase::filter_due(std::span<const Vec3> x, const std::function<double(
   for (const Part& part : std::span(parts_).first(count)) near_.insert(near_.end(), part.near.begin(), part.near.end());
 }
 
-std::span<const FacetPair> BroadPhase::find(std::span<const Vec3> x, double reach,
-                                            const std::function<double(int, int)>& nearer) {
-  if (neighbours_.follow(x, reach, odometers_, facets_)) list_neighbours();
+std::span<const FacePair> BroadPhase::find(std::span<const Vec3> x, double reach,
+                                           const std::function<double(int, int)>& nearer) {
+  if (neighbours_.follow(x, reach, odometers_, faces_)) list_neighbours();
   due_.clear();
   for (int p : listed_) {
     BodyPair& pair = pairs_[p];

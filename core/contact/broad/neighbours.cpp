@@ -31,12 +31,12 @@ void Neighbours::plan_for(double reach) {
   }
 }
 
-void Neighbours::give_box(int body, std::span<const Vec3> x, const Odometers& odometers, FacetBoxes& facets) {
+void Neighbours::give_box(int body, std::span<const Vec3> x, const Odometers& odometers, FaceBoxes& faces) {
   Body& b = bodies_[body];
   if (odometers.travelled(body) <= b.leaves_at) return;
-  facets.refit(body, x);
+  faces.refit(body, x);
   const double margin = std::max(least_box_margin * b.stance.size, steps_in_box * odometers.pace(body));
-  boxes_[body] = facets.box_of(body);
+  boxes_[body] = faces.box_of(body);
   boxes_[body].widen(margin);
   b.leaves_at = odometers.travelled(body) + spared * margin;
   reboxed_.push_back(body);
@@ -69,7 +69,7 @@ void Neighbours::find_pairs() {
   std::sort(pairs_.begin(), pairs_.end());
 }
 
-bool Neighbours::follow(std::span<const Vec3> x, double reach, const Odometers& odometers, FacetBoxes& facets) {
+bool Neighbours::follow(std::span<const Vec3> x, double reach, const Odometers& odometers, FaceBoxes& faces) {
   boxes_.resize(bodies_.size());
   plan_for(reach);
   for (int b : odometers.moved()) {
@@ -77,7 +77,7 @@ bool Neighbours::follow(std::span<const Vec3> x, double reach, const Odometers& 
   }
   if (due_.empty()) return false;
   reboxed_.clear();
-  for (int b : due_) give_box(b, x, odometers, facets);
+  for (int b : due_) give_box(b, x, odometers, faces);
   rebuild_or_refit();
   find_pairs();
   for (int b : due_) bodies_[b].is_due = false;

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/broad/facet_boxes.hpp"
+#include "contact/broad/face_boxes.hpp"
 
 namespace talus {
 
@@ -25,7 +25,7 @@ class Neighbours {
 
   /// Follows what has moved, for search distances up to `reach` [m] or what a body has as its least. Returns whether
   /// pairs() changed.
-  bool follow(std::span<const Vec3> x, double reach, const Odometers& odometers, FacetBoxes& facets);
+  bool follow(std::span<const Vec3> x, double reach, const Odometers& odometers, FaceBoxes& faces);
 
   /// Sorted, the lower number first.
   std::span<const std::pair<int, int>> pairs() const { return pairs_; }
@@ -38,7 +38,7 @@ class Neighbours {
   };
   void make_due(int body);
   void plan_for(double reach);
-  void give_box(int body, std::span<const Vec3> x, const Odometers& odometers, FacetBoxes& facets);
+  void give_box(int body, std::span<const Vec3> x, const Odometers& odometers, FaceBoxes& faces);
   void rebuild_or_refit();
   void find_pairs();
 

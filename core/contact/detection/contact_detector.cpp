@@ -26,7 +26,7 @@ struct ContactDetector::State {
         laws(std::move(l)),
         pair_joints(std::move(joints)),
         settings(s),
-        features(bodies),
+        features(bodies, s.model == ContactModel::facet_wise),
         broad(features, bodies, settings, work),
         shapes(features, broad.odometers(), settings.tolerances),
         search(settings),
@@ -43,7 +43,6 @@ struct ContactDetector::State {
   double bond_reach() const;
   void measure_bodies(std::span<const Vec3> x);
   StepGeometry look(std::span<const Vec3> x, double reach);
-  std::span<const FacetPair> near(const StepGeometry& step);
   void find_points(std::span<const Vec3> x, double reach);
   bool is_given(std::uint64_t key) const;
   double initial_interference(const FoundPoint& found, double normal_stiffness) const;
@@ -124,13 +123,8 @@ StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach)
 void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
   if (widths.empty()) measure_bodies(x);
   const StepGeometry step = look(x, reach);
-  search.find(step, near(step), found);
-}
-
-/// Pairs of facets that may touch, by their boxes.
-std::span<const FacetPair> ContactDetector::State::near(const StepGeometry& step) {
   const auto distance = [&](int a, int b) { return search.distance(step, a, b); };
-  return broad.find(step.x, step.reach, std::ref(distance));
+  search.find(step, broad.find(x, reach, std::ref(distance)), found);
 }
 
 /// A contact that is found deep was there before and was missed, where one feature takes over from another. It goes on
@@ -270,13 +264,18 @@ bool ContactDetector::State::is_given(std::uint64_t key) const {
 
 std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts(std::span<const Vec3> start,
                                                                                  std::span<const Vec3> end,
+                                                                                 std::span<const double> rotations,
                                                                                  double reach, double tolerance) {
   State& s = *state_;
   s.missed.clear();
   if (s.settings.model == ContactModel::facet_wise) return {};
   if (!s.settings.motion_told) s.broad.read_motion(end);
   const StepGeometry step = s.look(end, reach);
-  s.search.find_ahead(step, s.near(step), s.ahead);
+  const auto distance = [&](int a, int b) {
+    const bool rotates = std::max(rotations[a], rotations[b]) >= tolerance * s.broad.size(a, b);
+    return rotates ? s.search.distance(step, a, b) : -1.0;
+  };
+  s.search.find_ahead(step, s.broad.find(end, reach, std::ref(distance)), s.ahead);
   for (const FoundPoint& point : s.ahead.points) {
     const double size = s.broad.size(point.bodies[0], point.bodies[1]), depth = -point.gap / size;
     if (point.dropped || depth < tolerance || s.is_given(point.key)) continue;

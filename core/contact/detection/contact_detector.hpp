@@ -50,10 +50,11 @@ class ContactDetector {
     double size;      ///< m, the mesh size
   };
   /// Contacts deeper than `tolerance` of their mesh size once the nodes have gone from `start` to `end` [m], other than
-  /// those that detect() gave last; vertex–vertex contacts are not looked for, nor is anything in the facet-wise model.
-  /// Motion must be told of before, with settings for that, and again if the nodes go back.
-  std::span<const MissedContact> missed_contacts(std::span<const Vec3> start, std::span<const Vec3> end, double reach,
-                                                 double tolerance);
+  /// those that detect() gave last, of two bodies of which one rotates by as much: `rotations` [m] are how far nodes go
+  /// against the mean of their body. Vertex–vertex contacts are not looked for, nor is anything in the facet-wise
+  /// model. Motion must be told of before, with settings for that, and again if the nodes go back.
+  std::span<const MissedContact> missed_contacts(std::span<const Vec3> start, std::span<const Vec3> end,
+                                                 std::span<const double> rotations, double reach, double tolerance);
 
   /// No node of the body moved by more than `displacement` [m] since this was said last, or since the start: for
   /// settings with `motion_told`, once for every body that moved at all before detect() sees its new positions. Fixed

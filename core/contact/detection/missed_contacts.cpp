@@ -10,17 +10,17 @@ bool is_alone(int body, std::span<const char> alone) { return !alone.empty() && 
 
 }  // namespace
 
-bool MissedContacts::rotates(const Increment& d, double least_rotation, std::span<const char> alone) const {
-  return std::any_of(set_.moving.begin(), set_.moving.end(), [&](int b) {
-    if (is_alone(b, alone)) return false;
+void MissedContacts::measure_rotations(const Increment& d, std::span<const char> alone) {
+  std::fill(rotations_.begin(), rotations_.end(), 0.0);
+  for (const int b : set_.moving) {
+    if (is_alone(b, alone)) continue;
     const Body& body = set_.bodies[b];
     const int nodes_end = body.first_node + body.node_count;
     Vec3 mean = Vec3::Zero();
     for (int n = body.first_node; n < nodes_end; ++n) mean += set_.node_increment(n, d) / body.node_count;
     for (int n = body.first_node; n < nodes_end; ++n)
-      if ((set_.node_increment(n, d) - mean).norm() >= least_rotation) return true;
-    return false;
-  });
+      rotations_[b] = std::max(rotations_[b], (set_.node_increment(n, d) - mean).norm());
+  }
 }
 
 void MissedContacts::place_nodes(const Increment& d, std::span<const char> alone) {
@@ -57,12 +57,13 @@ double MissedContacts::known_depth(const ContactDetector::MissedContact& contact
 std::optional<ContactDetector::MissedContact> MissedContacts::seek(ContactDetector& detector, const ContactLinks& links,
                                                                    const Increment& d, double reach, double tolerance,
                                                                    double least_rotation, std::span<const char> alone) {
-  if (!rotates(d, least_rotation, alone)) return std::nullopt;
+  measure_rotations(d, alone);
+  if (*std::max_element(rotations_.begin(), rotations_.end()) < least_rotation) return std::nullopt;
   place_nodes(d, alone);
   tell(detector);
   std::optional<ContactDetector::MissedContact> deepest;
   for (const ContactDetector::MissedContact& contact :
-       detector.missed_contacts(set_.nodes.position, end_, reach, tolerance)) {
+       detector.missed_contacts(set_.nodes.position, end_, rotations_, reach, tolerance)) {
     if (deepest && contact.depth <= deepest->depth) continue;
     const double known = known_depth(contact, links, d);
     // However deep others lie, one that is twice as deep as they may be was missed. What is deeper than the bodies have

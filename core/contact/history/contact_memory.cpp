@@ -112,16 +112,20 @@ std::optional<ContactMemory::TransferredHistory> ContactMemory::transferred_to(c
   return all;
 }
 
+ContactMemory::Hold ContactMemory::hold_of(const History& history, int body) {
+  const bool first = history.bodies[0] == body;
+  return {first ? history.normal : Vec3(-history.normal), history.initial_interference - history.gap,
+          history.bodies[first ? 1 : 0]};
+}
+
 double ContactMemory::depth_along(int body, const Vec3& direction, int but) const {
   const double flush = std::cos(radians(tolerances_.flush_angle));
   double deepest = 0;
-  const auto look = [&](const History& history) {
-    const bool first = history.bodies[0] == body;
-    if (history.bodies[first ? 1 : 0] == but || !((first ? 1 : -1) * history.normal.dot(direction) > flush)) return;
-    deepest = std::max(deepest, history.initial_interference - history.gap);
+  const auto look = [&](const Hold& hold) {
+    if (hold.by != but && hold.normal.dot(direction) > flush) deepest = std::max(deepest, hold.depth);
   };
-  for (int i = of_body_begin_[body]; i < of_body_begin_[body + 1]; ++i) look(histories_[of_body_[i]]);
-  resting_.visit(body, look);
+  for (int i = of_body_begin_[body]; i < of_body_begin_[body + 1]; ++i) look(holds_[i]);
+  resting_.visit(body, [&](const History& history) { look(hold_of(history, body)); });
   return deepest;
 }
 
@@ -200,8 +204,13 @@ void ContactMemory::sort_by_body() {
     for (const int body : history.bodies) ++of_body_begin_[body];
   std::partial_sum(of_body_begin_.begin(), of_body_begin_.end(), of_body_begin_.begin());  // where each body's end
   of_body_.resize(2 * histories_.size());
+  holds_.resize(of_body_.size());
   for (int m = static_cast<int>(histories_.size()) - 1; m >= 0; --m)
-    for (const int body : histories_[m].bodies) of_body_[--of_body_begin_[body]] = m;
+    for (const int body : histories_[m].bodies) {
+      const int place = --of_body_begin_[body];
+      of_body_[place] = m;
+      holds_[place] = hold_of(histories_[m], body);
+    }
 }
 
 void ContactMemory::rest(std::span<const int> changed, const std::function<bool(int)>& rests) {

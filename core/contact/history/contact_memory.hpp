@@ -75,6 +75,13 @@ class ContactMemory {
 
  private:
   using History = ContactHistory;
+  /// What a body was held by: all that is asked of it in every search, side by side.
+  struct Hold {
+    Vec3 normal;   // towards the body
+    double depth;  // m
+    int by;        // the other body
+  };
+  static Hold hold_of(const History& history, int body);
   const History* with_key(std::uint64_t key) const;
   const History* nearest_face_face(const FoundPoint& point, double distance) const;
   const FoundPoint* successor_of(const History& history, std::span<const FoundPoint> points) const;
@@ -90,6 +97,7 @@ class ContactMemory {
   std::vector<int> by_family_;                            // numbers of histories_, sorted by family and then along x
   std::vector<int> of_body_;                              // numbers of histories_: those of body b from …
   std::vector<int> of_body_begin_;                        // … of_body_begin_[b] to of_body_begin_[b + 1]
+  std::vector<Hold> holds_;                               // as of_body_
   PointsByBodies by_bodies_;                              // those that histories may go on in
   std::vector<std::uint64_t> face_face_families_;         // families with an area, sorted
   std::vector<std::pair<std::uint64_t, int>> transfers_;  // key of a point, number of a history; sorted

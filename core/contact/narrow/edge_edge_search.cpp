@@ -56,17 +56,6 @@ bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactE
   return middle_is_inside();
 }
 
-/// Whether the boxes about two edges are farther apart than `distance`: most are.
-bool are_apart(const StepGeometry& step, const ContactEdge& a, const ContactEdge& b, double distance) {
-  const Vec3 &a0 = step.x[a.nodes[0]], &a1 = step.x[a.nodes[1]], &b0 = step.x[b.nodes[0]], &b1 = step.x[b.nodes[1]];
-  for (int k = 0; k < 3; ++k) {
-    const double between =
-        std::max(std::min(a0[k], a1[k]) - std::max(b0[k], b1[k]), std::min(b0[k], b1[k]) - std::max(a0[k], a1[k]));
-    if (between > distance) return true;
-  }
-  return false;
-}
-
 /// Where two edges cross, seen along a normal into whose cones both bodies' facets let them.
 struct Crossing {
   const ContactEdge &a, &b;
@@ -151,38 +140,19 @@ FoundPoint point_at(const StepGeometry& step, const Crossing& c, std::uint64_t k
 
 }  // namespace
 
-void EdgeEdgeSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexFaceSearch& vertices,
+void EdgeEdgeSearch::find(const StepGeometry& step, const NearFeatures& near, const VertexFaceSearch& vertices,
                           FoundPoints& found) {
   vertices_.sort(found.points, [](const FoundPoint& p) { return p.kind != PointKind::face_face; });
-  visit_body_pairs(step.features, pairs, [&](std::span<const FacetPair> of_bodies) {
+  near.visit_bodies([&](const NearFeatures::OfBodies& of_bodies) {
     first_ = found.points.size();
-    find_of_bodies(step, of_bodies, vertices, found);
+    for (const auto& [a, b] : of_bodies.edges)
+      if (step.shapes.edge(a).is_clearly_convex && step.shapes.edge(b).is_clearly_convex)
+        cross(step, a, b, vertices, found);
   });
-}
-
-void EdgeEdgeSearch::find_of_bodies(const StepGeometry& step, std::span<const FacetPair> pairs,
-                                    const VertexFaceSearch& vertices, FoundPoints& found) {
-  const auto& facets = step.features.facets;
-  farthest_ = step.search_distance(facets[pairs[0].a].body, facets[pairs[0].b].body);
-  const auto convex_edge = [&](const ContactFacet& facet, int k) {
-    return facet.owns_edge[k] && step.shapes.edge(facet.edges[k]).is_clearly_convex;
-  };
-  for (const FacetPair& pair : pairs) {
-    const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
-    const std::array<bool, 3> of_b = {convex_edge(b, 0), convex_edge(b, 1), convex_edge(b, 2)};
-    if (!of_b[0] && !of_b[1] && !of_b[2]) continue;
-    for (int i = 0; i < 3; ++i) {
-      if (!convex_edge(a, i)) continue;
-      for (int j = 0; j < 3; ++j) {
-        if (of_b[j]) cross(step, a.edges[i], b.edges[j], vertices, found);
-      }
-    }
-  }
 }
 
 void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const VertexFaceSearch& vertices,
                            FoundPoints& found) {
-  if (are_apart(step, step.features.edges[edge_a], step.features.edges[edge_b], farthest_)) return;
   const std::optional<Crossing> crossing = crossing_of(step, edge_a, edge_b);
   if (!crossing) return;
   const Crossing& c = *crossing;

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "contact/narrow/step_geometry.hpp"
+#include "contact/narrow/near_features.hpp"
 #include "contact/points_by_bodies.hpp"
 
 namespace talus {
@@ -12,19 +12,14 @@ class VertexFaceSearch;
 /// Convex edges that cross. Face–face points and vertices on faces must be there already.
 class EdgeEdgeSearch {
  public:
-  void find(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexFaceSearch& vertices,
-            FoundPoints& found);
+  void find(const StepGeometry& step, const NearFeatures& near, const VertexFaceSearch& vertices, FoundPoints& found);
 
  private:
-  void find_of_bodies(const StepGeometry& step, std::span<const FacetPair> pairs, const VertexFaceSearch& vertices,
-                      FoundPoints& found);
   void cross(const StepGeometry& step, int edge_a, int edge_b, const VertexFaceSearch& vertices, FoundPoints& found);
   bool found_before(const FoundPoint& p, double near, const StepGeometry& step, const FoundPoints& found) const;
 
   PointsByBodies vertices_;  // of the vertices on faces
-  // Of the two bodies that are looked at:
-  std::size_t first_ = 0;  // point
-  double farthest_ = 0;    // m, that edges may be apart
+  std::size_t first_ = 0;    // point of the two bodies that are looked at
 };
 
 }  // namespace talus

@@ -10,49 +10,29 @@
 namespace talus {
 namespace {
 
-/// A facet in the common plane, counter-clockwise there.
-struct Projected {
-  Triangle2 points;
-  std::array<int, 3> local;  // which node of the facet each point is
-  double twice_area = 0;
-
-  Projected(const StepGeometry& step, int facet, const Vec3& origin, const Vec3& e1, const Vec3& e2,
-            bool seen_from_behind) {
-    const auto& nodes = step.features.facets[facet].nodes;
-    local = seen_from_behind ? std::array{2, 1, 0} : std::array{0, 1, 2};
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 r = step.x[nodes[local[k]]] - origin;
-      points[k] = {r.dot(e1), r.dot(e2)};
-    }
-    twice_area = cross(points[1] - points[0], points[2] - points[0]);
-  }
-  double side(int k) const { return (points[(k + 2) % 3] - points[(k + 1) % 3]).norm(); }
-  bool has_area(double least) const { return twice_area > least * std::pow(std::max({side(0), side(1), side(2)}), 2); }
-  double barycentric(const Vec2& p, int k) const {
-    return cross(points[(k + 1) % 3] - p, points[(k + 2) % 3] - p) / twice_area;
-  }
-};
-
-/// Area of the finer of two facets over what it was before bodies deformed. Contact is measured by the latter: one that
+/// Area of the finer of two faces over what it was before bodies deformed. Contact is measured by the latter: one that
 /// got stiffer because what it presses spreads would hold energy that nobody gave.
-double spread(const StepGeometry& step, const FacetPair& pair) {
-  const int finer = step.first_areas[pair.a] < step.first_areas[pair.b] ? pair.a : pair.b;
+double spread(const StepGeometry& step, const FacePair& pair) {
+  const int a = step.features.faces[pair.a].facet, b = step.features.faces[pair.b].facet;
+  const int finer = step.first_areas[a] < step.first_areas[b] ? a : b;
   const double ratio = facet_area(step.features.facets[finer], step.x) / step.first_areas[finer];
   return std::abs(ratio - 1) < step.tolerances.noticeable_spread ? 1 : ratio;
 }
 
-/// The convex sharp edges of a facet that a whole overlap lies along: the directions, in the common plane, in which
-/// they look out of the facet.
+/// The convex sharp edges of a face that a whole overlap lies along: the directions, in the common plane, in which they
+/// look out of the face.
 class SharpEdgesAlong {
  public:
-  SharpEdgesAlong(const StepGeometry& step, int facet, int other_body, const Projected& t, const OverlapPolygon& p,
-                  const Vec3& e1, const Vec3& e2) {
-    const ContactFacet& f = step.features.facets[facet];
+  SharpEdgesAlong(const StepGeometry& step, int face, int other_body, const ProjectedFace& flat,
+                  const OverlapPolygon& p, const Vec3& e1, const Vec3& e2) {
+    const ContactFeatures& features = step.features;
+    const ContactFace& f = features.faces[face];
     const double widest = step.largest_edge_tolerance(f.body, other_body);
-    const auto add_across = [&](int across, const Vec3& on_edge, const Vec3& inside, double distance) {
-      if (step.features.facets[across].smooth_face == f.smooth_face) return;
+    const Vec3 centre = step.centre(face);
+    const auto add_across = [&](int across, const Vec3& on_edge, double distance) {
+      if (features.facets[across].smooth_face == f.smooth_face) return;
       const Vec3& n = step.normal(across);
-      const bool convex = n.dot(inside - on_edge) < 0;
+      const bool convex = n.dot(centre - on_edge) < 0;
       if (!convex || !step.within_edge_tolerance(distance, f.body, other_body, n)) return;
       if (count_ < outward_.size())
         outward_[count_++] = Vec2(n.dot(e1), n.dot(e2)).normalized();
@@ -61,23 +41,19 @@ class SharpEdgesAlong {
     };
     const auto farthest = [&](const auto& distance) {
       double most = 0;
-      for (int i = 0; i < p.count; ++i) most = std::max(most, distance(p.corners[i]));
+      for (const Vec2& corner : p.corners) most = std::max(most, distance(corner));
       return most;
     };
-    const Vec3 centre = step.centre(facet);
-    for (int k = 0; k < 3; ++k) {
-      const int node = t.local[k];
-      const double height = t.twice_area / t.side(k);
-      const double from_edge = farthest([&](const Vec2& c) { return t.barycentric(c, k) * height; });
+    for (std::size_t k = 0; k < flat.points.size(); ++k) {
+      const double from_side = farthest([&](const Vec2& c) { return flat.distance(c, k); });
       const double from_node =
-          farthest([&](const Vec2& c) { return (c - t.points[k]).norm() / step.tolerances.beside_edge_at_node; });
-      if (from_edge < widest) {
-        const ContactEdge& e = step.features.edges[f.edges[node]];
-        add_across(e.facets[0] + e.facets[1] - facet, step.x[e.nodes[0]], centre, from_edge);
+          farthest([&](const Vec2& c) { return (c - flat.points[k]).norm() / step.tolerances.beside_edge_at_node; });
+      if (from_side < widest) {
+        const int edge = flat.sides[k];
+        add_across(features.across(edge, face), step.x[features.edges[edge].nodes[0]], from_side);
       }
       if (!(from_node < widest)) continue;
-      for (const int across : step.features.facets_at(f.nodes[node]))
-        add_across(across, step.x[f.nodes[node]], centre, from_node);
+      for (const int across : features.facets_at(flat.nodes[k])) add_across(across, step.x[flat.nodes[k]], from_node);
     }
   }
 
@@ -98,11 +74,89 @@ class SharpEdgesAlong {
 
 }  // namespace
 
-void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+void ProjectedFace::project(const StepGeometry& step, int face, const FlatPlane& plane, bool seen_from_behind) {
+  const auto outline = step.features.outline(face), edges = step.features.sides(face);
+  const std::size_t count = outline.size();
+  points.resize(count);
+  nodes.resize(count);
+  sides.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t at = seen_from_behind ? count - 1 - k : k;
+    nodes[k] = outline[at];
+    sides[k] = edges[seen_from_behind ? (at + count - 1) % count : at];
+    points[k] = plane.at(step.x[nodes[k]]);
+  }
+  facets.clear();
+}
+
+bool ProjectedFace::has_area(double least) const {
+  double twice_area = 0, longest = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vec2 &p = points[k], &next = points[(k + 1) % points.size()];
+    twice_area += cross(p - points[0], next - points[0]);
+    longest = std::max(longest, (next - p).squaredNorm());
+  }
+  return twice_area > least * longest;
+}
+
+double ProjectedFace::distance(const Vec2& p, std::size_t side) const {
+  const Vec2 &from = points[side], along = points[(side + 1) % points.size()] - from;
+  return cross(along, p - from) / along.norm();
+}
+
+int ProjectedFace::node_at(const Vec2& p, double at_vertex) const {
+  const std::size_t count = points.size();
+  double least = at_vertex;
+  int node = -1;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double before = (points[(k + count - 1) % count] - points[k]).norm(),
+                 after = (points[(k + 1) % count] - points[k]).norm();
+    const double apart = (p - points[k]).norm() / std::min(before, after);
+    if (apart < least) least = apart, node = nodes[k];
+  }
+  return node;
+}
+
+int ProjectedFace::nearest_side(const Vec2& p) const {
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vec2 &from = points[k], along = points[(k + 1) % points.size()] - from;
+    const Vec2 beside = p - from - along * std::clamp(along.dot(p - from) / along.squaredNorm(), 0.0, 1.0);
+    if (beside.squaredNorm() < least) least = beside.squaredNorm(), nearest = sides[k];
+  }
+  return nearest;
+}
+
+void ProjectedFace::project_facets(const StepGeometry& step, int face, const FlatPlane& plane) {
+  for (const int number : step.features.facets_of(face)) {
+    const auto& n = step.features.facets[number].nodes;
+    facets.push_back({number, {plane.at(step.x[n[0]]), plane.at(step.x[n[1]]), plane.at(step.x[n[2]])}});
+  }
+}
+
+int ProjectedFace::locate(const Vec2& p, double* at) const {
+  int facet = -1;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const FlatFacet& f : facets) {
+    const auto& q = f.points;
+    const double twice_area = cross(q[1] - q[0], q[2] - q[0]);
+    const std::array<double, 3> here = {cross(q[1] - p, q[2] - p) / twice_area, cross(q[2] - p, q[0] - p) / twice_area,
+                                        cross(q[0] - p, q[1] - p) / twice_area};
+    const double inside = std::min({here[0], here[1], here[2]});
+    if (!(inside > most)) continue;
+    most = inside;
+    facet = f.facet;
+    std::copy(here.begin(), here.end(), at);
+  }
+  return facet;
+}
+
+void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found) {
   corners_.clear();
   const double most_cosine = -step.face_face_cosine();
-  for (const FacetPair& pair : pairs) {
-    if (step.normal(pair.a).dot(step.normal(pair.b)) < most_cosine) overlap(step, pair, found);
+  for (const FacePair& pair : pairs) {
+    if (step.face_normal(pair.a).dot(step.face_normal(pair.b)) < most_cosine) overlap(step, pair, found);
   }
   by_key_.clear();
   for (std::size_t i = 0; i < corners_.size(); ++i) by_key_.emplace_back(corners_[i].key, static_cast<int>(i));
@@ -110,37 +164,41 @@ void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacetPair> p
   merge(step, found);
 }
 
-void FaceFaceSearch::overlap(const StepGeometry& step, const FacetPair& pair, FoundPoints& found) {
-  // Both facets are nearly parallel to the common plane: of its four types the two parallel to a facet remain, and the
+void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, FoundPoints& found) {
+  // Both faces are nearly parallel to the common plane: of its four types the two parallel to a face remain, and the
   // plane halfway between them treats both bodies alike.
-  const Vec3 n = (step.normal(pair.b) - step.normal(pair.a)).normalized();
+  const Vec3 n = (step.face_normal(pair.b) - step.face_normal(pair.a)).normalized();
   const Vec3 e1 = n.unitOrthogonal(), e2 = n.cross(e1);
-  const ContactFacet &fa = step.features.facets[pair.a], &fb = step.features.facets[pair.b];
-  const Vec3& origin = step.x[fa.nodes[0]];
-  const Projected a(step, pair.a, origin, e1, e2, true), b(step, pair.b, origin, e1, e2, false);
-  const double least_facet = step.tolerances.least_facet_area;
-  if (!a.has_area(least_facet) || !b.has_area(least_facet)) return;
-  const OverlapPolygon polygon = talus::overlap(a.points, b.points, step.tolerances);
-  if (polygon.count == 0) return;
+  const ContactFace &fa = step.features.faces[pair.a], &fb = step.features.faces[pair.b];
+  const Vec3& origin = step.x[step.features.outline(pair.a)[0]];
+  const FlatPlane plane{origin, e1, e2};
+  ProjectedFace &a = flat_[0], &b = flat_[1];
+  a.project(step, pair.a, plane, true);
+  b.project(step, pair.b, plane, false);
+  const double least_face = step.tolerances.least_facet_area;
+  if (!a.has_area(least_face) || !b.has_area(least_face)) return;
+  const OverlapPolygon& polygon = polygon_;
+  talus::overlap(a.points, b.points, step.tolerances, polygon_);
+  if (polygon.corners.empty()) return;
   const double size = step.broad.size(fa.body, fb.body);
   if (!(polygon.area > step.tolerances.least_overlap_area * size * size)) return;
 
   const double spread_by = spread(step, pair);
   const std::size_t first = corners_.size(), first_covered = found.covered.size();
   double least_gap = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < polygon.count; ++i) {
-    if (!(polygon.weights[i] > 0)) continue;  // one of three corners in one place
-    Corner c{0, pair, polygon.weights[i] / spread_by, {}, n};
+  a.project_facets(step, pair.a, plane);
+  b.project_facets(step, pair.b, plane);
+  for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+    // The outline runs straight on there, but for rounding.
+    if (!(polygon.weights[i] > step.tolerances.least_sector * polygon.area)) continue;
+    Corner c{0, {}, polygon.weights[i] / spread_by, {}, n};
+    c.facets = {a.locate(polygon.corners[i], c.at.data()), b.locate(polygon.corners[i], c.at.data() + 3)};
+    const auto &of_a = step.features.facets[c.facets[0]].nodes, &of_b = step.features.facets[c.facets[1]].nodes;
     Vec3 apart = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-      c.at[a.local[k]] = a.barycentric(polygon.corners[i], k);
-      c.at[3 + b.local[k]] = b.barycentric(polygon.corners[i], k);
-    }
-    for (int k = 0; k < 3; ++k) {
-      apart += c.at[k] * (step.x[fa.nodes[k]] - origin) - c.at[3 + k] * (step.x[fb.nodes[k]] - origin);
-    }
+    for (int k = 0; k < 3; ++k)
+      apart += c.at[k] * (step.x[of_a[k]] - origin) - c.at[3 + k] * (step.x[of_b[k]] - origin);
     least_gap = std::min(least_gap, n.dot(apart));
-    name(step, c, found);
+    name(step, polygon.corners[i], c, found);
     corners_.push_back(c);
   }
   // A strip between a sharp edge of one body and one of the other that has just passed it: two bodies lie flush, or one
@@ -170,8 +228,8 @@ void FaceFaceSearch::place_corners(const StepGeometry& step, std::size_t first) 
     const Corner& c = corners_[i];
     Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
-      on_a += c.at[k] * step.x[step.features.facets[c.facets.a].nodes[k]];
-      on_b += c.at[3 + k] * step.x[step.features.facets[c.facets.b].nodes[k]];
+      on_a += c.at[k] * step.x[step.features.facets[c.facets[0]].nodes[k]];
+      on_b += c.at[3 + k] * step.x[step.features.facets[c.facets[1]].nodes[k]];
     }
     places_[0].push_back(on_a);
     places_[1].push_back(on_b);
@@ -180,30 +238,27 @@ void FaceFaceSearch::place_corners(const StepGeometry& step, std::size_t first) 
 
 /// Which features cross at the corner. A vertex that lies amid a facet slides along it, and so does a sharp edge that
 /// crosses an edge of the mesh: along the plane halfway they would rise or sink by half the angle between both facets.
-void FaceFaceSearch::name(const StepGeometry& step, Corner& c, FoundPoints& found) {
-  const ContactFacet &fa = step.features.facets[c.facets.a], &fb = step.features.facets[c.facets.b];
-  const auto a = c.at.begin(), b = a + 3, end = c.at.end();
-  const auto va = std::max_element(a, b) - a, vb = std::max_element(b, end) - b;
-  const double at_vertex = 1 - step.tolerances.at_vertex;
-  const bool at_a = a[va] > at_vertex, at_b = b[vb] > at_vertex;
-  const bool tilted = (step.normal(c.facets.a) + step.normal(c.facets.b)).norm() > step.tolerances.noticeable_tilt;
-  if (at_a) {
-    c.key = vertex_key(fa.nodes[va], fb.smooth_face);
-    if (at_b)
-      found.covered.push_back({vertex_key(fb.nodes[vb], fa.smooth_face), fb.nodes[vb], c.facets.a, -c.normal});
+void FaceFaceSearch::name(const StepGeometry& step, const Vec2& corner, Corner& c, FoundPoints& found) {
+  const ContactFacet &fa = step.features.facets[c.facets[0]], &fb = step.features.facets[c.facets[1]];
+  const int at_a = flat_[0].node_at(corner, step.tolerances.at_vertex),
+            at_b = flat_[1].node_at(corner, step.tolerances.at_vertex);
+  const bool tilted = (step.normal(c.facets[0]) + step.normal(c.facets[1])).norm() > step.tolerances.noticeable_tilt;
+  if (at_a >= 0) {
+    c.key = vertex_key(at_a, fb.smooth_face);
+    if (at_b >= 0)
+      found.covered.push_back({vertex_key(at_b, fa.smooth_face), at_b, c.facets[0], -c.normal});
     else
       c.along = 1;
-  } else if (at_b) {
-    c.key = vertex_key(fb.nodes[vb], fa.smooth_face);
+  } else if (at_b >= 0) {
+    c.key = vertex_key(at_b, fa.smooth_face);
     c.along = 0;
   } else {
-    const auto ea = std::min_element(a, b) - a, eb = std::min_element(b, end) - b;
-    c.key = crossing_key(step.features, fa.edges[ea], fa.smooth_face, fb.edges[eb], fb.smooth_face);
-    const bool sharp_a = step.features.edges[fa.edges[ea]].is_sharp,
-               sharp_b = step.features.edges[fb.edges[eb]].is_sharp;
+    const int ea = flat_[0].nearest_side(corner), eb = flat_[1].nearest_side(corner);
+    c.key = crossing_key(step.features, ea, fa.smooth_face, eb, fb.smooth_face);
+    const bool sharp_a = step.features.edges[ea].is_sharp, sharp_b = step.features.edges[eb].is_sharp;
     if (sharp_a != sharp_b) c.along = sharp_a ? 1 : 0;
   }
-  if (c.along >= 0 && tilted) c.normal = c.along == 1 ? step.normal(c.facets.b) : Vec3(-step.normal(c.facets.a));
+  if (c.along >= 0 && tilted) c.normal = c.along == 1 ? step.normal(c.facets[1]) : Vec3(-step.normal(c.facets[0]));
 }
 
 void FaceFaceSearch::merge(const StepGeometry& step, FoundPoints& found) {
@@ -223,7 +278,7 @@ void FaceFaceSearch::merge(const StepGeometry& step, FoundPoints& found) {
       if (c.weight > heaviest || end == i) {
         heaviest = c.weight;
         p.along = c.along;
-        p.facets = {c.facets.a, c.facets.b};
+        p.facets = c.facets;
       }
     }
     int of_first = 0;
@@ -231,7 +286,7 @@ void FaceFaceSearch::merge(const StepGeometry& step, FoundPoints& found) {
       const int begin = static_cast<int>(found.nodes.size());
       for (std::size_t j = i; j < end; ++j) {
         const Corner& c = corners_[by_key_[j].second];
-        const auto& nodes = facets[side ? c.facets.b : c.facets.a].nodes;
+        const auto& nodes = facets[c.facets[side]].nodes;
         for (int k = 0; k < 3; ++k) {
           const double weight = (side ? -c.weight : c.weight) * c.at[3 * side + k] / p.area;
           const auto at = std::find(found.nodes.begin() + begin, found.nodes.end(), nodes[k]);

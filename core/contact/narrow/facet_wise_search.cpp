@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "contact/narrow/common_plane.hpp"
-#include "contact/narrow/polygon_overlap.hpp"
 
 namespace talus {
 namespace {
@@ -15,19 +14,12 @@ Triangle corners(const StepGeometry& step, int facet) {
   return {step.x[n[0]], step.x[n[1]], step.x[n[2]]};
 }
 
-/// Area that two facets have in common, seen along n. [m²]
-double common_area(const StepGeometry& step, const FacetPair& pair, const Vec3& n) {
-  const Vec3 e1 = n.unitOrthogonal(), e2 = n.cross(e1);
-  const Triangle a = corners(step, pair.a), b = corners(step, pair.b);
-  const auto flat = [&](const Vec3& p) { return Vec2((p - a[0]).dot(e1), (p - a[0]).dot(e2)); };
-  return overlap({flat(a[2]), flat(a[1]), flat(a[0])}, {flat(b[0]), flat(b[1]), flat(b[2])}, step.tolerances).area;
-}
-
 }  // namespace
 
-void FacetWiseSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+void FacetWiseSearch::find(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found) {
   touches_.clear();
-  for (const FacetPair& pair : pairs) touch(step, pair);
+  for (const FacePair& pair : pairs)
+    touch(step, {step.features.faces[pair.a].facet, step.features.faces[pair.b].facet});
   // Two facets at a vertex or an edge find the same contact: one spring. Facets that overlap have the best normal, else
   // those with the widest gap, as among the candidate planes.
   std::sort(touches_.begin(), touches_.end(), [](const Touch& p, const Touch& q) {
@@ -75,6 +67,16 @@ void FacetWiseSearch::touch(const StepGeometry& step, const FacetPair& pair) {
   if (first == touches_.size() || plane.normal.dot(nb) < least_cosine || -plane.normal.dot(na) < least_cosine) return;
   const double each = common_area(step, pair, plane.normal) / static_cast<double>(touches_.size() - first);
   for (std::size_t i = first; i < touches_.size(); ++i) touches_[i].area = each;
+}
+
+/// Area that two facets have in common, seen along n. [m²]
+double FacetWiseSearch::common_area(const StepGeometry& step, const FacetPair& pair, const Vec3& n) {
+  const Vec3 e1 = n.unitOrthogonal(), e2 = n.cross(e1);
+  const Triangle a = corners(step, pair.a), b = corners(step, pair.b);
+  const auto flat = [&](const Vec3& p) { return Vec2((p - a[0]).dot(e1), (p - a[0]).dot(e2)); };
+  const std::array flat_a{flat(a[2]), flat(a[1]), flat(a[0])}, flat_b{flat(b[0]), flat(b[1]), flat(b[2])};
+  overlap(flat_a, flat_b, step.tolerances, overlap_);
+  return overlap_.area;
 }
 
 void FacetWiseSearch::keep(const StepGeometry& step, Touch touch) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/narrow/polygon_overlap.hpp"
 #include "contact/narrow/step_geometry.hpp"
 
 namespace talus {
@@ -13,9 +14,12 @@ namespace talus {
 /// alone gives. Nothing is known of the facets around.
 class FacetWiseSearch {
  public:
-  void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+  void find(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found);
 
  private:
+  struct FacetPair {
+    int a, b;
+  };
   struct Touch {
     std::uint64_t key;
     int order;
@@ -30,7 +34,10 @@ class FacetWiseSearch {
   void vertices_on(const StepGeometry& step, const FacetPair& pair, bool node_is_first, const Vec3& n);
   void crossings(const StepGeometry& step, const FacetPair& pair, const Vec3& n);
   void keep(const StepGeometry& step, Touch touch);
+  double common_area(const StepGeometry& step, const FacetPair& pair, const Vec3& n);
+
   std::vector<Touch> touches_;
+  OverlapPolygon overlap_;
 };
 
 }  // namespace talus

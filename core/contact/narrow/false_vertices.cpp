@@ -11,30 +11,31 @@
 namespace talus {
 namespace {
 
-/// Of a point with a vertex: the facet of the other body.
-int facet_below(const StepGeometry& step, const FoundPoint& p) {
+/// Of a point with a vertex: the face of the other body.
+int face_below(const StepGeometry& step, const FoundPoint& p) {
   const int own = step.features.body_of(p.node);
-  return p.facets[step.features.facets[p.facets[0]].body == own ? 1 : 0];
+  return step.features.facets[p.facets[p.bodies[0] == own ? 1 : 0]].face;
 }
 
-/// Calls `visit` with the normals of the facets across those convex sharp edges of `facet` that its point `p` is nearer
+/// Calls `visit` with the normals of the facets across those convex sharp edges of `face` that its point `p` is nearer
 /// to than `near` [m], and how far it is from them [m].
 template <class Visit>
-void visit_across_sharp_edges(const StepGeometry& step, int facet, const Vec3& p, double near, const Visit& visit) {
-  const ContactFacet& f = step.features.facets[facet];
+void visit_across_sharp_edges(const StepGeometry& step, int face, const Vec3& p, double near, const Visit& visit) {
+  const ContactFeatures& features = step.features;
   const auto visit_if_convex = [&](int across, const Vec3& on_edge, double distance) {
-    if (!(distance < near) || step.features.facets[across].smooth_face == f.smooth_face) return;
-    const Vec3 &n = step.normal(across), inwards = step.centre(facet) - on_edge;
+    if (!(distance < near) || features.facets[across].smooth_face == features.faces[face].smooth_face) return;
+    const Vec3 &n = step.normal(across), inwards = step.centre(face) - on_edge;
     if (n.dot(inwards) < -step.cone_tolerance() * inwards.norm()) visit(n, distance);
   };
-  for (int k = 0; k < 3; ++k) {
-    const ContactEdge& e = step.features.edges[f.edges[k]];
+  for (const int edge : features.sides(face)) {
+    const ContactEdge& e = features.edges[edge];
     const Vec3 from = step.x[e.nodes[0]], along = (step.x[e.nodes[1]] - from).stableNormalized(), r = p - from;
-    visit_if_convex(e.facets[0] + e.facets[1] - facet, from, (r - along * along.dot(r)).norm());
-    const Vec3& node = step.x[f.nodes[k]];
-    const double from_node = (p - node).norm();
+    visit_if_convex(features.across(edge, face), from, (r - along * along.dot(r)).norm());
+  }
+  for (const int node : features.outline(face)) {
+    const double from_node = (p - step.x[node]).norm();
     if (!(from_node < near)) continue;
-    for (int other : step.features.facets_at(f.nodes[k])) visit_if_convex(other, node, from_node);
+    for (const int other : features.facets_at(node)) visit_if_convex(other, step.x[node], from_node);
   }
 }
 
@@ -45,9 +46,8 @@ constexpr int vertices_worth_a_thread = 256;
 void FalseVertices::add(const StepGeometry& step, FoundPoints& found) {
   for (FoundPoint& p : found.points) {
     if (p.node < 0) continue;
-    const int below = facet_below(step, p);
-    const bool first = below == p.facets[1];
-    held_.push_back({p.node, step.features.facets[below].body, &p, first ? p.normal : Vec3(-p.normal)});
+    const bool first = p.bodies[0] == step.features.body_of(p.node);
+    held_.push_back({p.node, p.bodies[first ? 1 : 0], &p, first ? p.normal : Vec3(-p.normal)});
   }
   for (const FoundPoints::Covered& c : found.covered)
     held_.push_back({c.node, step.features.facets[c.facet].body, nullptr, c.normal});
@@ -81,13 +81,13 @@ void FalseVertices::drop_false_at(const StepGeometry& step, int begin) {
 /// though it ends at the sharp edge.
 bool FalseVertices::past_sharp_edge(const StepGeometry& step, const Held& h, std::span<const Held> group) const {
   const FoundPoint& p = *h.point;
-  const int facet = facet_below(step, p), own = step.features.body_of(p.node);
+  const int face = face_below(step, p), own = step.features.body_of(p.node);
   const Vec3 projection = step.x[p.node] - p.gap * h.normal;
   const bool points_at_it = rise(step, p.node, h.normal) > step.cone_tolerance();
   const double flush = std::cos(radians(step.tolerances.flush_angle));
   bool drop = false;
   visit_across_sharp_edges(
-      step, facet, projection, step.largest_edge_tolerance(h.body, own), [&](const Vec3& across, double distance) {
+      step, face, projection, step.largest_edge_tolerance(h.body, own), [&](const Vec3& across, double distance) {
         const bool passes = !points_at_it && rise(step, p.node, across) >= -step.cone_tolerance();
         if (passes && step.within_edge_tolerance(distance, h.body, own, across)) drop = true;
         if (!(distance < step.edge_tolerance(h.body, own))) return;
@@ -104,13 +104,13 @@ bool FalseVertices::past_sharp_edge(const StepGeometry& step, const Held& h, std
 bool FalseVertices::deeper(const StepGeometry& step, const Held& h, std::span<const Held> group) const {
   const FoundPoint& p = *h.point;
   if (!(p.gap < 0) || rise(step, p.node, h.normal) < -step.cone_tolerance()) return false;
-  const int facet = facet_below(step, p);
+  const int face = face_below(step, p);
   for (const Held& other : group) {
     if (!other.point || other.point == h.point || other.body != h.body) continue;
     const FoundPoint& q = *other.point;
     if (!(q.gap < 0)) continue;
-    const int neighbour = facet_below(step, q);
-    const Vec3 across = step.centre(facet) - step.centre(neighbour);
+    const int neighbour = face_below(step, q);
+    const Vec3 across = step.centre(face) - step.centre(neighbour);
     const bool convex = other.normal.dot(across) < 0 && h.normal.dot(across) > 0;
     const bool tie = p.gap == q.gap && p.key > q.key && q.kind == PointKind::vertex_face;
     if (convex && (p.gap < q.gap || tie)) return true;
@@ -127,16 +127,15 @@ void FalseVertices::drop_doubled(const StepGeometry& step) {
   };
   const auto stands_for = [&](const Held& other, const Held& h) {
     const FoundPoint &p = *h.point, &q = *other.point;
-    const auto& nodes = step.features.facets[facet_below(step, q)].nodes;
+    const auto nodes = step.features.outline(face_below(step, q));
     return std::find(nodes.begin(), nodes.end(), h.node) != nodes.end() &&
            (q.gap != p.gap ? q.gap > p.gap : q.key < p.key);
   };
   for (const Held& h : held_) {
     if (!pushes(h)) continue;
     FoundPoint& p = *h.point;
-    const ContactFacet& below = step.features.facets[facet_below(step, p)];
-    const double edge_tolerance = step.edge_tolerance(below.body, step.features.body_of(h.node));
-    for (const int corner : below.nodes) {
+    const double edge_tolerance = step.edge_tolerance(p.bodies[0], p.bodies[1]);
+    for (const int corner : step.features.outline(face_below(step, p))) {
       if ((step.x[corner] - step.x[h.node]).norm() > edge_tolerance) continue;
       const auto [begin, end] = std::equal_range(held_.begin(), held_.end(), Held{corner, 0, nullptr, {}},
                                                  [](const Held& a, const Held& b) { return a.node < b.node; });

@@ -10,24 +10,24 @@ FeatureShapes::FeatureShapes(const ContactFeatures& features, const Odometers& o
     : features_(features),
       odometers_(odometers),
       tolerances_(tolerances),
-      normals_(features.facets.size()),
+      normals_(features.faces.size()),
       towards_core_(features.node_count()),
       edges_(features.edges.size()),
       normal_at_(normals_.size()),
       core_at_(towards_core_.size()),
       edge_at_(edges_.size()) {}
 
-void FeatureShapes::measure_normal(int facet) {
-  const ContactFacet& f = features_.facets[facet];
+void FeatureShapes::measure_normal(int face) {
+  const ContactFacet& f = features_.facets[features_.faces[face].facet];
   const Vec3& origin = x_[f.nodes[0]];
-  normals_[facet] = (x_[f.nodes[1]] - origin).cross(x_[f.nodes[2]] - origin).stableNormalized();
+  normals_[face] = (x_[f.nodes[1]] - origin).cross(x_[f.nodes[2]] - origin).stableNormalized();
 }
 
 void FeatureShapes::measure_core(int node) {
   Mat3 matrix = tolerances_.core_regularization * Mat3::Identity();
   Vec3 right = Vec3::Zero();
   for (const int facet : features_.facets_at(node)) {
-    const Vec3& n = normal(facet);
+    const Vec3& n = normal(features_.facets[facet].face);
     matrix += n * n.transpose();
     right -= n;
   }
@@ -41,7 +41,7 @@ void FeatureShapes::measure_edge(int number) {
   const ContactEdge& e = features_.edges[number];
   Edge& edge = edges_[number];
   const Vec3 &origin = x_[e.nodes[0]], u = x_[e.nodes[1]] - origin, r = x_[e.opposite[1]] - origin;
-  const double below = normal(e.facets[0]).dot(r), along_u = r.dot(u), length = u.squaredNorm();
+  const double below = normal(features_.facets[e.facets[0]].face).dot(r), along_u = r.dot(u), length = u.squaredNorm();
   const double least = tolerances_.convex_edge_angle;
   edge.is_convex = below < 0;
   edge.is_clearly_convex =

@@ -23,9 +23,9 @@ class FeatureShapes {
   void look(std::span<const Vec3> x) { x_ = x; }
 
   /// Unit, outwards.
-  const Vec3& normal(int facet) {
-    normal_at_[facet].bring_to(odometers_.moves(features_.facets[facet].body), [&] { measure_normal(facet); });
-    return normals_[facet];
+  const Vec3& normal(int face) {
+    normal_at_[face].bring_to(odometers_.moves(features_.faces[face].body), [&] { measure_normal(face); });
+    return normals_[face];
   }
   /// From a node to its core, for an edge tolerance of 1: all facets around, moved inwards by 1, meet there as nearly
   /// as they can.
@@ -46,7 +46,7 @@ class FeatureShapes {
   }
 
  private:
-  void measure_normal(int facet);
+  void measure_normal(int face);
   void measure_core(int node);
   void measure_edge(int number);
 

@@ -16,16 +16,14 @@ double rise(const StepGeometry& step, int node, const Vec3& normal) {
 }
 
 bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal, double tolerance) {
-  for (const int facet : step.features.facets_at(node))
-    for (const int number : step.features.facets[facet].edges) {
-      const ContactEdge& e = step.features.edges[number];
-      if (!e.is_sharp || (e.nodes[0] != node && e.nodes[1] != node)) continue;
-      const Vec3 along = (step.x[e.nodes[1]] - step.x[e.nodes[0]]).stableNormalized();
-      if (std::abs(along.dot(normal)) > tolerance) continue;
-      const FeatureShapes::Edge& edge = step.shapes.edge(number);
-      if (edge.is_convex && edge.into[0].dot(normal) >= -tolerance && edge.into[1].dot(normal) >= -tolerance)
-        return true;
-    }
+  for (const int number : step.features.edges_at(node)) {
+    const ContactEdge& e = step.features.edges[number];
+    if (!e.is_sharp) continue;
+    const Vec3 along = (step.x[e.nodes[1]] - step.x[e.nodes[0]]).stableNormalized();
+    if (std::abs(along.dot(normal)) > tolerance) continue;
+    const FeatureShapes::Edge& edge = step.shapes.edge(number);
+    if (edge.is_convex && edge.into[0].dot(normal) >= -tolerance && edge.into[1].dot(normal) >= -tolerance) return true;
+  }
   return false;
 }
 

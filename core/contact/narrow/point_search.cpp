@@ -25,9 +25,9 @@ double PointSearch::distance(const StepGeometry& step, int body_a, int body_b) c
   return most + reach_slack * step.broad.size(body_a, body_b);
 }
 
-void PointSearch::divide(const ContactFeatures& features, std::span<const FacetPair> pairs) {
+void PointSearch::divide(const ContactFeatures& features, std::span<const FacePair> pairs) {
   const auto bodies = [&](std::size_t i) {
-    return std::pair(features.facets[pairs[i].a].body, features.facets[pairs[i].b].body);
+    return std::pair(features.faces[pairs[i].a].body, features.faces[pairs[i].b].body);
   };
   part_count_ = 0;
   for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
@@ -46,36 +46,17 @@ void PointSearch::each_part(const Work& work) {
   in_parallel(part_count_, 1, std::ref(of_range));
 }
 
-/// The planes of both facets tell most of the pairs that are apart; the boxes know it only along the axes.
-void PointSearch::keep_near(const StepGeometry& step, Part& part) const {
-  const std::vector<ContactFacet>& facets = step.features.facets;
-  const auto apart = [&](int facet, int from, double distance) {
-    const auto &n = facets[facet].nodes, &m = facets[from].nodes;
-    const Vec3 &normal = step.normal(from), &origin = step.x[m[0]];
-    const double h0 = normal.dot(step.x[n[0]] - origin), h1 = normal.dot(step.x[n[1]] - origin),
-                 h2 = normal.dot(step.x[n[2]] - origin);
-    return std::min({h0, h1, h2}) > distance || std::max({h0, h1, h2}) < -distance;
-  };
-  part.near.clear();
-  int body_a = -1, body_b = -1;
-  double most = 0;
-  for (const FacetPair& pair : part.pairs) {
-    const int a = facets[pair.a].body, b = facets[pair.b].body;
-    if (a != body_a || b != body_b) {
-      body_a = a, body_b = b;
-      most = distance(step, a, b);
-    }
-    if (!apart(pair.a, pair.b, most) && !apart(pair.b, pair.a, most)) part.near.push_back(pair);
-  }
+void PointSearch::find_near(const StepGeometry& step, Part& part) const {
+  part.near.find(step, part.pairs, [&](int a, int b) { return distance(step, a, b); });
 }
 
-void PointSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+void PointSearch::find(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found) {
   divide(step.features, pairs);
   if (settings_.model == ContactModel::facet_wise) {
     each_part([&](Part& part) {
-      keep_near(step, part);
+      find_near(step, part);
       part.found.clear();
-      part.facet_wise.find(step, part.near, part.found);
+      part.facet_wise.find(step, part.near.faces(), part.found);
     });
   } else {
     search_features(step);
@@ -84,7 +65,7 @@ void PointSearch::find(const StepGeometry& step, std::span<const FacetPair> pair
   join(found);
 }
 
-void PointSearch::find_ahead(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+void PointSearch::find_ahead(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found) {
   divide(step.features, pairs);
   search_features(step);
   join(found);
@@ -93,10 +74,10 @@ void PointSearch::find_ahead(const StepGeometry& step, std::span<const FacetPair
 /// Face–face contact, vertices on faces and edges that cross.
 void PointSearch::search_features(const StepGeometry& step) {
   each_part([&](Part& part) {
-    keep_near(step, part);
+    find_near(step, part);
     part.found.clear();
-    part.face_face.find(step, part.near, part.found);
-    part.vertex_face.find(step, part.near, part.found);
+    part.face_face.find(step, part.near.faces(), part.found);
+    part.vertex_face.find(step, part.near.vertices(), part.found);
   });
   false_vertices_.clear();
   for (int i = 0; i < part_count_; ++i) false_vertices_.add(step, parts_[i].found);

@@ -26,9 +26,9 @@ class PointSearch {
   double distance(const StepGeometry& step, int body_a, int body_b) const;
 
   /// The points of pairs of facets, which are sorted by bodies. Those found are sorted by key.
-  void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+  void find(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found);
   /// The same without vertex–vertex contact, of a step that is not to be accepted.
-  void find_ahead(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+  void find_ahead(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found);
 
   /// The step was accepted whose features find() saw last.
   void accept() { former_.swap(seen_); }
@@ -36,8 +36,8 @@ class PointSearch {
  private:
   struct Part {
     explicit Part(const ContactTolerances& tolerances) : found(tolerances.least_stencil_weight) {}
-    std::span<const FacetPair> pairs;
-    std::vector<FacetPair> near;
+    std::span<const FacePair> pairs;
+    NearFeatures near;
     FacetWiseSearch facet_wise;
     FaceFaceSearch face_face;
     VertexFaceSearch vertex_face;
@@ -50,10 +50,10 @@ class PointSearch {
     int part, point;
     int stencil_begin;  // once joined
   };
-  void divide(const ContactFeatures& features, std::span<const FacetPair> pairs);
+  void divide(const ContactFeatures& features, std::span<const FacePair> pairs);
   template <class Work>
   void each_part(const Work& work);
-  void keep_near(const StepGeometry& step, Part& part) const;
+  void find_near(const StepGeometry& step, Part& part) const;
   void search_features(const StepGeometry& step);
   void search_corners(const StepGeometry& step);
   void join(FoundPoints& found);

@@ -1,27 +1,30 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <span>
+#include <vector>
 
 #include "model/tolerances.hpp"
 
 namespace talus {
 
 using Vec2 = Eigen::Vector2d;
-using Triangle2 = std::array<Vec2, 3>;
 
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// A convex polygon, counter-clockwise, and the part of its area that each corner carries.
 struct OverlapPolygon {
-  std::array<Vec2, 9> corners;
-  std::array<double, 9> weights;
-  int count = 0;
+  std::vector<Vec2> corners;
+  std::vector<double> weights;  ///< a corner
   double area = 0;
+
+  std::vector<Vec2> cut;        ///< scratch …
+  std::vector<double> sectors;  ///< … that keeps its room
 };
 
-/// Overlap of two counter-clockwise triangles.
-OverlapPolygon overlap(const Triangle2& a, const Triangle2& b, const ContactTolerances& tolerances);
+/// Overlap of two convex polygons, both counter-clockwise.
+void overlap(std::span<const Vec2> a, std::span<const Vec2> b, const ContactTolerances& tolerances,
+             OverlapPolygon& polygon);
 
 /// Gives the corners their weights, parts of the area: Σ wᵢ f(Pᵢ) is the integral of f for every linear f. They are the
 /// barycentric coordinates of the centroid (Wachspress 1975): a corner where the outline runs straight on has no

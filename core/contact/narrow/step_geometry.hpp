@@ -62,8 +62,8 @@ struct StepGeometry {
   }
   /// Penetration that is certainly more than rounding. [m]
   double noticeable_depth(int body_a, int body_b) const;
-  /// Of `points` of the body `other` some lie below a facet. Whether they came there from outside, past a convex sharp
-  /// edge of the facet: then the contact is false. At an edge whose facet across has the normal `across`, and
+  /// Of `points` of the body `other` some lie below a face. Whether they came there from outside, past a convex sharp
+  /// edge of the face: then the contact is false. At an edge whose facet across has the normal `across`, and
   /// `counts(across)` holds, they did so if
   /// - none is deeper below the facet across than the edge tolerance, or
   /// - they are less wide, from the edge, than the deepest is deep, and none is deeper below the facet across:
@@ -72,13 +72,17 @@ struct StepGeometry {
   /// - the edge is sharper than 90° and they are clearly less deep below the facet across. (There the width says
   ///   nothing: what is below both facets is always wider than deep.)
   template <class Counts>
-  bool came_past_sharp_edge(int facet, std::span<const Vec3> points, int other, const Counts& counts) const;
+  bool came_past_sharp_edge(int face, std::span<const Vec3> points, int other, const Counts& counts) const;
   /// Joint that both facets carry, or −1.
   int common_joint(int facet_a, int facet_b) const;
-  const Vec3& normal(int facet) const { return shapes.normal(facet); }
-  Vec3 centre(int facet) const {
-    const auto& n = features.facets[facet].nodes;
-    return (x[n[0]] + x[n[1]] + x[n[2]]) / 3;
+  /// Of a facet: that of its face.
+  const Vec3& normal(int facet) const { return shapes.normal(features.facets[facet].face); }
+  const Vec3& face_normal(int face) const { return shapes.normal(face); }
+  Vec3 centre(int face) const {
+    const auto nodes = features.outline(face);
+    Vec3 sum = x[nodes[0]];
+    for (const int node : nodes.subspan(1)) sum += x[node];
+    return sum / static_cast<double>(nodes.size());
   }
   /// Sine of the angle by which normals may leave the normal cone of a feature.
   double cone_tolerance() const;
@@ -87,20 +91,19 @@ struct StepGeometry {
 };
 
 template <class Counts>
-bool StepGeometry::came_past_sharp_edge(int facet, std::span<const Vec3> points, int other,
-                                        const Counts& counts) const {
-  const ContactFacet& f = features.facets[facet];
-  const Vec3 centre = this->centre(facet);
+bool StepGeometry::came_past_sharp_edge(int face, std::span<const Vec3> points, int other, const Counts& counts) const {
+  const ContactFace& f = features.faces[face];
+  const Vec3 centre = this->centre(face);
   const auto depth_below = [&](const Vec3& normal, int node, const Vec3& p) { return normal.dot(x[node] - p); };
-  for (const int node : f.nodes)
+  for (const int node : features.outline(face))
     for (const int across : features.facets_at(node)) {
       if (features.facets[across].smooth_face == f.smooth_face) continue;
       const Vec3& n = normal(across);
       if (!(depth_below(n, node, centre) > edge_tolerance(f.body, other)) || !counts(n)) continue;
-      const double cosine = n.dot(normal(facet)), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+      const double cosine = n.dot(face_normal(face)), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
       double width = 0, deepest = 0, below = 0;
       for (const Vec3& p : points) {
-        const double here = depth_below(normal(facet), node, p), there = depth_below(n, node, p);
+        const double here = depth_below(face_normal(face), node, p), there = depth_below(n, node, p);
         deepest = std::max(deepest, here);
         below = std::max(below, there);
         width = std::max(width, (there - here * cosine) / sine);

@@ -7,8 +7,9 @@ namespace {
 
 using Positions = std::function<Vec3(int)>;
 
+/// That of its face.
 Vec3 facet_normal(const ContactFeatures& features, int facet, const Positions& at) {
-  const auto& n = features.facets[facet].nodes;
+  const auto& n = features.facets[features.faces[features.facets[facet].face].facet].nodes;
   const Vec3 origin = at(n[0]);
   return (at(n[1]) - origin).cross(at(n[2]) - origin).stableNormalized();
 }

@@ -9,16 +9,17 @@
 namespace talus {
 namespace {
 
-/// Is a point that lies below a facet outside the body all the same, past a convex sharp edge of the facet? Where that
-/// edge is acute, the point still projects onto the facet. Where it is square, a point counts as past it only if it
-/// would miss the facet by projection, too.
-bool beside_the_body(const StepGeometry& step, int facet, const Vec3& p) {
-  const ContactFacet& f = step.features.facets[facet];
-  return std::any_of(f.edges.begin(), f.edges.end(), [&](int edge) {
+/// Is a point that lies below a face outside the body all the same, past a convex sharp edge of the face? Where that
+/// edge is acute, the point still projects onto the face. Where it is square, a point counts as past it only if it
+/// would miss the face by projection, too.
+bool beside_the_body(const StepGeometry& step, int face, const Vec3& p) {
+  const Vec3 centre = step.centre(face);
+  const auto sides = step.features.sides(face);
+  return std::any_of(sides.begin(), sides.end(), [&](int edge) {
     const ContactEdge& e = step.features.edges[edge];
-    const int across = e.facets[0] + e.facets[1] - facet;
-    if (step.features.facets[across].smooth_face == f.smooth_face) return false;
-    const Vec3 &n = step.normal(across), &on_edge = step.x[e.nodes[0]], inwards = step.centre(facet) - on_edge;
+    if (!e.is_sharp) return false;
+    const Vec3 &n = step.normal(step.features.across(edge, face)), &on_edge = step.x[e.nodes[0]],
+               inwards = centre - on_edge;
     const double below = -n.dot(inwards);
     return below > step.cone_tolerance() * inwards.norm() &&
            n.dot(p - on_edge) > step.tolerances.outside_facet * 3 * below;
@@ -56,20 +57,15 @@ OwnSide own_side(const StepGeometry& step, int node, int facet, const Vec3& norm
 
 }  // namespace
 
-void VertexFaceSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found) {
+void VertexFaceSearch::find(const StepGeometry& step, std::span<const NearFeatures::VertexAtFace> near,
+                            FoundPoints& found) {
   taken_.clear();
   for (const FoundPoint& p : found.points) taken_.push_back(p.key);
   for (const FoundPoints::Covered& c : found.covered) taken_.push_back(c.key);
   std::sort(taken_.begin(), taken_.end());
 
   touches_.clear();
-  for (const FacetPair& pair : pairs) {
-    const ContactFacet &a = step.features.facets[pair.a], &b = step.features.facets[pair.b];
-    for (int k = 0; k < 3; ++k) {
-      if (a.owns_node[k]) touch(step, a.nodes[k], pair.b, true);
-      if (b.owns_node[k]) touch(step, b.nodes[k], pair.a, false);
-    }
-  }
+  for (const auto& [node, face, node_is_first] : near) touch(step, node, face, node_is_first);
   std::sort(touches_.begin(), touches_.end(), [](const Touch& p, const Touch& q) {
     if (p.key != q.key) return p.key < q.key;
     return p.inside != q.inside ? p.inside > q.inside : p.facet < q.facet;
@@ -85,32 +81,40 @@ bool VertexFaceSearch::has(int node, int smooth_face) const {
   return std::binary_search(taken_.begin(), taken_.end(), vertex_key(node, smooth_face));
 }
 
-void VertexFaceSearch::touch(const StepGeometry& step, int node, int facet, bool node_is_first) {
-  const ContactFacet& f = step.features.facets[facet];
-  const Vec3 &n = step.normal(facet), &origin = step.x[f.nodes[0]];
-  const Vec3 r = step.x[node] - origin;
-  const double gap = n.dot(r);
+void VertexFaceSearch::touch(const StepGeometry& step, int node, int face, bool node_is_first) {
+  const ContactFace& f = step.features.faces[face];
+  const Vec3& n = step.face_normal(face);
+  const double gap = n.dot(step.x[node] - step.x[step.features.facets[f.facet].nodes[0]]);
   if (!(gap <= step.reach)) return;
   const int other = step.features.body_of(node);
   if (gap < 0 && gap < -step.depth(f.body, other)) return;
+  Touch t{vertex_key(node, f.smooth_face), node, -1, node_is_first, {}, -step.tolerances.outside_facet};
+  if (std::binary_search(taken_.begin(), taken_.end(), t.key)) return;
+  for (const int facet : step.features.facets_of(face)) locate(step, facet, t);
+  if (t.facet < 0) return;
+  if (!may_touch(step, node, n) || !looks_against(step, node, n)) return;
+  if (gap < 0 && beside_the_body(step, face, step.x[node])) return;
+  // An edge that reaches back over the facet lies on it, though it ends at the sharp edge.
+  const auto lies_across = [&](const Vec3& across) { return rise(step, node, across) >= -step.cone_tolerance(); };
+  if (gap < -step.noticeable_depth(f.body, other) &&
+      step.came_past_sharp_edge(face, {&step.x[node], 1}, other, lies_across))
+    return;
+  touches_.push_back(t);
+}
 
-  const Vec3 e1 = step.x[f.nodes[1]] - origin, e2 = step.x[f.nodes[2]] - origin, twice = e1.cross(e2);
+/// Whether the vertex lies on this facet, farther inside than it is known to lie on others of the same face.
+void VertexFaceSearch::locate(const StepGeometry& step, int facet, Touch& t) {
+  const auto& nodes = step.features.facets[facet].nodes;
+  const Vec3 &origin = step.x[nodes[0]], r = step.x[t.node] - origin;
+  const Vec3 e1 = step.x[nodes[1]] - origin, e2 = step.x[nodes[2]] - origin, twice = e1.cross(e2);
   const double squared = twice.squaredNorm();
   if (!(squared > 0)) return;
   const double s1 = r.cross(e2).dot(twice) / squared, s2 = e1.cross(r).dot(twice) / squared, s0 = 1 - s1 - s2;
   const double inside = std::min({s0, s1, s2});
-  if (!(inside >= -step.tolerances.outside_facet)) return;
-
-  const std::uint64_t key = vertex_key(node, f.smooth_face);
-  if (std::binary_search(taken_.begin(), taken_.end(), key)) return;
-  if (!may_touch(step, node, n) || !looks_against(step, node, n)) return;
-  if (gap < 0 && beside_the_body(step, facet, step.x[node])) return;
-  // An edge that reaches back over the facet lies on it, though it ends at the sharp edge.
-  const auto lies_across = [&](const Vec3& across) { return rise(step, node, across) >= -step.cone_tolerance(); };
-  if (gap < -step.noticeable_depth(f.body, other) &&
-      step.came_past_sharp_edge(facet, {&step.x[node], 1}, other, lies_across))
-    return;
-  touches_.push_back({key, node, facet, node_is_first, {s0, s1, s2}, inside});
+  if (!(inside >= t.inside)) return;
+  t.facet = facet;
+  t.at = {s0, s1, s2};
+  t.inside = inside;
 }
 
 void VertexFaceSearch::add(const StepGeometry& step, const Touch& t, FoundPoints& found) {

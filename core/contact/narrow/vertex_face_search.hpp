@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/narrow/step_geometry.hpp"
+#include "contact/narrow/near_features.hpp"
 
 namespace talus {
 
@@ -13,7 +13,7 @@ namespace talus {
 /// is seen when those of all bodies are there (FalseVertices).
 class VertexFaceSearch {
  public:
-  void find(const StepGeometry& step, std::span<const FacetPair> pairs, FoundPoints& found);
+  void find(const StepGeometry& step, std::span<const NearFeatures::VertexAtFace> near, FoundPoints& found);
   /// Whether the last search, or the face–face search before it, found the vertex on the smooth face; even if the
   /// contact was false.
   bool has(int node, int smooth_face) const;
@@ -26,7 +26,8 @@ class VertexFaceSearch {
     std::array<double, 3> at;  // barycentric coordinates on the facet
     double inside;             // the smallest of them: of a smooth face's facets the one where it is largest is taken
   };
-  void touch(const StepGeometry& step, int node, int facet, bool node_is_first);
+  void touch(const StepGeometry& step, int node, int face, bool node_is_first);
+  static void locate(const StepGeometry& step, int facet, Touch& touch);
   void add(const StepGeometry& step, const Touch& touch, FoundPoints& found);
 
   std::vector<Touch> touches_;

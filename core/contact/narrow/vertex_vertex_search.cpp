@@ -18,13 +18,6 @@ std::uint64_t vertex_vertex_key(int node, int other) {
   return static_cast<std::uint64_t>(node) << 31 | static_cast<std::uint64_t>(other);
 }
 
-/// Whether a point is within a distance of the box about a segment: most are not.
-bool lies_beside(const Vec3& p, const Vec3& a, const Vec3& b, double distance) {
-  for (int k = 0; k < 3; ++k)
-    if (std::min(a[k], b[k]) - p[k] > distance || p[k] - std::max(a[k], b[k]) > distance) return false;
-  return true;
-}
-
 void add_faces(const StepGeometry& step, std::span<const int> facets, std::vector<std::pair<int, Vec3>>& faces) {
   for (const int facet : facets) {
     const int smooth_face = step.features.facets[facet].smooth_face;
@@ -48,14 +41,14 @@ VertexVertexSearch::VertexVertexSearch() {
   other_.faces.reserve(usual_faces);
 }
 
-void VertexVertexSearch::find(const StepGeometry& step, std::span<const FacetPair> pairs,
-                              std::span<const Pressure> pressures, std::span<const Sight> former, FoundPoints& found) {
+void VertexVertexSearch::find(const StepGeometry& step, const NearFeatures& near, std::span<const Pressure> pressures,
+                              std::span<const Sight> former, FoundPoints& found) {
   pressures_ = pressures;
   former_ = former;
   seen_.clear();
   others_.sort(found.points, [](const FoundPoint&) { return true; });
-  visit_body_pairs(step.features, pairs, [&](std::span<const FacetPair> of_bodies) {
-    list_face_face(step, of_bodies.front(), found);
+  near.visit_bodies([&](const NearFeatures::OfBodies& of_bodies) {
+    list_face_face(of_bodies.bodies, found);
     find_candidates(step, of_bodies);
     first_ = found.points.size();
     for (std::size_t i = 0; i < candidates_.size(); ++i)
@@ -64,33 +57,13 @@ void VertexVertexSearch::find(const StepGeometry& step, std::span<const FacetPai
 }
 
 /// All of two bodies.
-void VertexVertexSearch::find_candidates(const StepGeometry& step, std::span<const FacetPair> pairs) {
+void VertexVertexSearch::find_candidates(const StepGeometry& step, const NearFeatures::OfBodies& near) {
   candidates_.clear();
-  const ContactFeatures& features = step.features;
-  const int body_a = features.facets[pairs[0].a].body, body_b = features.facets[pairs[0].b].body;
-  edge_tolerance_ = step.edge_tolerance(body_a, body_b);
-  far_ = step.farthest_cores(body_a, body_b);
-  const auto corner = [&](const ContactFacet& f, int k) { return f.owns_node[k] && features.corner[f.nodes[k]]; };
-  const auto sharp_edge = [&](const ContactFacet& f, int k) {
-    return f.owns_edge[k] && features.edges[f.edges[k]].is_sharp;
-  };
-  const auto add_all = [&](const ContactFacet& with_vertices, const ContactFacet& with_edges, bool is_first) {
-    for (int i = 0; i < 3; ++i) {
-      if (!corner(with_vertices, i)) continue;
-      for (int j = 0; j < 3; ++j)
-        if (sharp_edge(with_edges, j)) add_vertex_at_edge(step, with_vertices.nodes[i], with_edges.edges[j], is_first);
-    }
-  };
-  for (const FacetPair& pair : pairs) {
-    const ContactFacet &a = features.facets[pair.a], &b = features.facets[pair.b];
-    add_all(a, b, true);
-    add_all(b, a, false);
-    for (int i = 0; i < 3; ++i) {
-      if (!sharp_edge(a, i)) continue;
-      for (int j = 0; j < 3; ++j)
-        if (sharp_edge(b, j)) add_edge_along_edge(step, a.edges[i], b.edges[j]);
-    }
-  }
+  edge_tolerance_ = step.edge_tolerance(near.bodies[0], near.bodies[1]);
+  far_ = step.farthest_cores(near.bodies[0], near.bodies[1]);
+  for (const auto& [node, edge, node_is_first] : near.corners) add_vertex_at_edge(step, node, edge, node_is_first);
+  for (const auto& [a, b] : near.edges)
+    if (step.features.edges[a].is_sharp && step.features.edges[b].is_sharp) add_edge_along_edge(step, a, b);
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& p, const Candidate& q) {
     return p.key != q.key ? p.key < q.key : p.apart != q.apart ? p.apart < q.apart : p.other.edge < q.other.edge;
   });
@@ -101,7 +74,6 @@ void VertexVertexSearch::add_vertex_at_edge(const StepGeometry& step, int node, 
   const ContactFeatures& features = step.features;
   const ContactEdge& e = features.edges[edge];
   const Vec3 &v = step.x[node], &p = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - p;
-  if (!lies_beside(v, p, step.x[e.nodes[1]], far_)) return;
   const double r = edge_tolerance_;
   const double nearest = std::clamp((v - p).dot(along) / along.squaredNorm(), 0.0, 1.0);
   if (!((v - p - nearest * along).squaredNorm() < far_ * far_) || !step.shapes.edge(edge).is_convex) return;
@@ -147,11 +119,9 @@ void VertexVertexSearch::add_edge_along_edge(const StepGeometry& step, int edge_
   candidates_.push_back({edge_key(edge_a, edge_b), {-1, edge_a, s}, {-1, edge_b, t}, apart, true});
 }
 
-void VertexVertexSearch::list_face_face(const StepGeometry& step, const FacetPair& of_bodies,
-                                        const FoundPoints& found) {
-  const auto body = [&](int facet) { return step.features.facets[facet].body; };
+void VertexVertexSearch::list_face_face(const std::array<int, 2>& of_bodies, const FoundPoints& found) {
   face_face_families_.clear();
-  for (const auto& [bodies, number] : others_.of({body(of_bodies.a), body(of_bodies.b)})) {
+  for (const auto& [bodies, number] : others_.of(of_bodies)) {
     const FoundPoint& p = found.points[number];
     if (p.kind == PointKind::face_face && (face_face_families_.empty() || face_face_families_.back() != p.family))
       face_face_families_.push_back(p.family);

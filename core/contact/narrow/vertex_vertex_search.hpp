@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/narrow/step_geometry.hpp"
+#include "contact/narrow/near_features.hpp"
 #include "contact/points_by_bodies.hpp"
 
 namespace talus {
@@ -41,7 +41,7 @@ class VertexVertexSearch {
 
   /// `pressures` on all bodies, sorted; `former`: what searches had seen() when the last step was accepted, sorted by
   /// key.
-  void find(const StepGeometry& step, std::span<const FacetPair> pairs, std::span<const Pressure> pressures,
+  void find(const StepGeometry& step, const NearFeatures& near, std::span<const Pressure> pressures,
             std::span<const Sight> former, FoundPoints& found);
   /// In this search.
   std::span<const Sight> seen() const { return seen_; }
@@ -70,10 +70,10 @@ class VertexVertexSearch {
   static std::array<int, 2> ends_of(const ContactFeatures& features, const Place& place);
   static bool in_cone(const StepGeometry& step, const Place& place, const Vec3& inwards);
   void take(const StepGeometry& step, const Place& place, Feature& feature) const;
-  void find_candidates(const StepGeometry& step, std::span<const FacetPair> pairs);
+  void find_candidates(const StepGeometry& step, const NearFeatures::OfBodies& near);
   void add_vertex_at_edge(const StepGeometry& step, int node, int edge, bool node_is_first);
   void add_edge_along_edge(const StepGeometry& step, int edge_a, int edge_b);
-  void list_face_face(const StepGeometry& step, const FacetPair& of_bodies, const FoundPoints& found);
+  void list_face_face(const std::array<int, 2>& of_bodies, const FoundPoints& found);
   void add(const StepGeometry& step, const Candidate& m, FoundPoints& found);
   std::optional<Vec3> normal_of(const StepGeometry& step, const Candidate& m) const;
   bool face_face_holds(const StepGeometry& step, std::span<const int> facets, std::span<const int> others,

@@ -28,21 +28,21 @@ Scene heap(int n, double apart, const Vec3& at = Vec3::Zero()) {
   return scene;
 }
 
-/// Every pair of facets of bodies of which one is `awake`, asked one by one.
-std::vector<FacetPair> all_near(const BroadPhase& broad, const ContactFeatures& features, std::span<const Vec3> x,
-                                double reach, const std::vector<char>& awake) {
-  std::vector<Box> boxes(features.facets.size());
+/// Every pair of faces of bodies of which one is `awake`, asked one by one.
+std::vector<FacePair> all_near(const BroadPhase& broad, const ContactFeatures& features, std::span<const Vec3> x,
+                               double reach, const std::vector<char>& awake) {
+  std::vector<Box> boxes(features.faces.size());
   for (std::size_t f = 0; f < boxes.size(); ++f) {
-    for (int node : features.facets[f].nodes) boxes[f].add(x[node]);
+    for (int node : features.outline(f)) boxes[f].add(x[node]);
   }
-  std::vector<FacetPair> pairs;
+  std::vector<FacePair> pairs;
   const int bodies = static_cast<int>(awake.size());
   for (int a = 0; a < bodies; ++a) {
     for (int b = a + 1; b < bodies; ++b) {
       if (!awake[a] && !awake[b]) continue;
       const double distance = broad.search_distance(a, b, reach);
-      for (int f = features.facet_begin[a]; f < features.facet_begin[a + 1]; ++f) {
-        for (int g = features.facet_begin[b]; g < features.facet_begin[b + 1]; ++g) {
+      for (int f = features.face_begin[a]; f < features.face_begin[a + 1]; ++f) {
+        for (int g = features.face_begin[b]; g < features.face_begin[b + 1]; ++g) {
           if (boxes[f].within(boxes[g], distance)) pairs.push_back({f, g});
         }
       }
@@ -51,8 +51,8 @@ std::vector<FacetPair> all_near(const BroadPhase& broad, const ContactFeatures& 
   return pairs;
 }
 
-void expect_same(std::span<const FacetPair> found, std::span<const FacetPair> all, int step) {
-  const auto same = [](const FacetPair& p, const FacetPair& q) { return p.a == q.a && p.b == q.b; };
+void expect_same(std::span<const FacePair> found, std::span<const FacePair> all, int step) {
+  const auto same = [](const FacePair& p, const FacePair& q) { return p.a == q.a && p.b == q.b; };
   ASSERT_EQ(found.size(), all.size()) << step;
   EXPECT_TRUE(std::equal(found.begin(), found.end(), all.begin(), same)) << step;
 }
@@ -122,12 +122,12 @@ TEST(BroadPhase, ALesserDistanceLeavesOutWhatIsFartherForOnceOnly) {
     for (int b = 1; b < static_cast<int>(awake.size()); ++b) disturb(scene, b, 0.01, random);
     broad.read_motion(scene.x);
     const double lesser = 0.05 * step / 20;
-    std::vector<FacetPair> within = all_near(broad, features, scene.x, 0.3, awake);
-    const std::vector<FacetPair> all = within;
-    std::erase_if(within, [&](const FacetPair& pair) {
+    std::vector<FacePair> within = all_near(broad, features, scene.x, 0.3, awake);
+    const std::vector<FacePair> all = within;
+    std::erase_if(within, [&](const FacePair& pair) {
       Box a, b;
-      for (int node : features.facets[pair.a].nodes) a.add(scene.x[node]);
-      for (int node : features.facets[pair.b].nodes) b.add(scene.x[node]);
+      for (int node : features.outline(pair.a)) a.add(scene.x[node]);
+      for (int node : features.outline(pair.b)) b.add(scene.x[node]);
       return !a.within(b, lesser);
     });
     EXPECT_LT(within.size(), all.size());

@@ -24,7 +24,7 @@ struct Swarm {
       scene.add(box(lower, lower + Vec3(1, 1, 1)));
     }
     features = std::make_unique<ContactFeatures>(scene.bodies());
-    facets = std::make_unique<FacetBoxes>(*features, odometers);
+    facets = std::make_unique<FaceBoxes>(*features, odometers);
     for (int b = 0; b < count; ++b) set(b, false);
   }
   void set(int body, bool rests) {
@@ -56,7 +56,7 @@ struct Swarm {
   Scene scene;
   std::unique_ptr<ContactFeatures> features;
   Odometers odometers{count};
-  std::unique_ptr<FacetBoxes> facets;
+  std::unique_ptr<FaceBoxes> facets;
   Neighbours neighbours{count};
   std::array<bool, count> resting{};
 };

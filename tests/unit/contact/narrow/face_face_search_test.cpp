@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
 namespace talus {
@@ -85,6 +86,49 @@ TEST(FaceFaceSearch, AreaWeightsCarryALinearPressureAndTheMomentOfAUniformOne) {
   }
   EXPECT_NEAR(force, 3, 1e-12);
   EXPECT_LT(moment.norm(), 1e-12);
+}
+
+TEST(FaceFaceSearch, PlaneFacesOfSingleBodiesTouchAtTheCornersOfTheirOverlapAlone) {
+  for (const bool single : {true, false}) {
+    Scene scene;
+    scene.single_body = single;
+    scene.add(box({0, 0, 0}, {2, 2, 1}));
+    scene.add(box({0.75, 1.5, 1 - 1e-6}, {1.75, 2.5, 2 - 1e-6}));
+    const ContactSet& contacts = scene.detect(reach);
+    EXPECT_NEAR(total_area(contacts), 0.5, 1e-12);
+    expect_sound(contacts);
+    Vec3 moment = Vec3::Zero();
+    for (const ContactPoint& p : contacts.points) moment += p.area * (p.position - Vec3(1.25, 1.75, 1));
+    EXPECT_LT(moment.head<2>().norm(), 1e-12);
+    if (!single) {
+      EXPECT_GT(contacts.points.size(), 4U) << "edges of the mesh cross";
+      continue;
+    }
+    ASSERT_EQ(contacts.points.size(), 4U);
+    for (const ContactPoint& p : contacts.points) EXPECT_NEAR(p.area, 0.125, 1e-12);
+  }
+}
+
+TEST(FaceFaceSearch, NodesAmidAStraightEdgeOfASingleBodyTouchNothing) {
+  for (int degrees = 0; degrees < 90; degrees += 7) {
+    Scene scene;
+    scene.single_body = true;
+    scene.add(box({-2, -2, -1}, {2, 2, 0}, {2, 1, 1}));
+    scene.add(box({-0.5, -0.5, -1e-6}, {0.5, 0.5, 1}, {2, 1, 1}));
+    const Eigen::AngleAxisd turn(radians(degrees), Vec3::UnitZ());
+    for (int i = 0; i < scene.node_count(1); ++i) {
+      Vec3& node = scene.x[scene.first_node(1) + i];
+      node = turn * node + Vec3(0.3, 0.1, 0);
+    }
+    const ContactSet& contacts = scene.detect(reach);
+    expect_sound(contacts);
+    EXPECT_EQ(contacts.points.size(), 4U) << "turned by " << degrees << "°";
+    for (const ContactPoint& p : contacts.points) {
+      EXPECT_NEAR(p.area, 0.25, 1e-9);
+      const Vec3 own = turn.inverse() * (p.position - Vec3(0.3, 0.1, 0));
+      EXPECT_LT((own.head<2>().cwiseAbs() - Eigen::Vector2d(0.5, 0.5)).norm(), 1e-9);
+    }
+  }
 }
 
 TEST(FaceFaceSearch, PlatesThinnerThanTheDepthTouchOnOneSide) {

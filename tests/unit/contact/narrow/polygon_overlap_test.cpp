@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 namespace talus {
@@ -9,20 +10,20 @@ namespace {
 
 OverlapPolygon polygon(const std::vector<Vec2>& corners) {
   OverlapPolygon p;
-  for (const Vec2& corner : corners) p.corners[p.count++] = corner;
+  for (const Vec2& corner : corners) p.corners.push_back(corner);
   distribute_area(p, {});
   return p;
 }
 
 Vec2 first_moment(const OverlapPolygon& p) {
   Vec2 sum = Vec2::Zero();
-  for (int i = 0; i < p.count; ++i) sum += p.weights[i] * p.corners[i];
+  for (std::size_t i = 0; i < p.corners.size(); ++i) sum += p.weights[i] * p.corners[i];
   return sum;
 }
 
 double weight_near(const OverlapPolygon& p, const Vec2& place, double distance) {
   double sum = 0;
-  for (int i = 0; i < p.count; ++i)
+  for (std::size_t i = 0; i < p.corners.size(); ++i)
     if ((p.corners[i] - place).norm() < distance) sum += p.weights[i];
   return sum;
 }
@@ -33,23 +34,24 @@ TEST(PolygonOverlap, WeightsCarryLinearFunctionsExactly) {
   int overlaps = 0;
   for (int i = 0; i < 2000; ++i) {
     const auto triangle = [&] {
-      Triangle2 t;
+      std::array<Vec2, 3> t;
       for (Vec2& p : t) p = Vec2(any(random), any(random));
       if (cross(t[1] - t[0], t[2] - t[0]) < 0) std::swap(t[1], t[2]);
       return t;
     };
-    const OverlapPolygon p = overlap(triangle(), triangle(), {});
-    if (p.count == 0) continue;
+    OverlapPolygon p;
+    overlap(triangle(), triangle(), {}, p);
+    if (p.corners.empty()) continue;
     ++overlaps;
     // The same over a fan of triangles: the area, and the area times its centroid.
     double area = 0, sum = 0;
     Vec2 moment = Vec2::Zero();
-    for (int k = 1; k + 1 < p.count; ++k) {
+    for (std::size_t k = 1; k + 1 < p.corners.size(); ++k) {
       const double part = cross(p.corners[k] - p.corners[0], p.corners[k + 1] - p.corners[0]) / 2;
       area += part;
       moment += part / 3 * (p.corners[0] + p.corners[k] + p.corners[k + 1]);
     }
-    for (int k = 0; k < p.count; ++k) {
+    for (std::size_t k = 0; k < p.corners.size(); ++k) {
       EXPECT_GE(p.weights[k], 0);
       sum += p.weights[k];
     }
@@ -76,6 +78,17 @@ TEST(PolygonOverlap, ASliverCutOffChangesWeightsByNoMoreThanItIsWide) {
     const OverlapPolygon cut = polygon({{hair, 0}, {1, 0}, {1, 1}, {0, 1}, {0, hair}});
     EXPECT_NEAR(weight_near(cut, {0, 0}, 0.1), 0.25, 3 * hair + 1e-7) << hair;
   }
+}
+
+TEST(PolygonOverlap, TwoSquaresShareARectangle) {
+  const std::array<Vec2, 4> a = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+  const std::array<Vec2, 4> b = {Vec2(0.25, 0.5), Vec2(1.25, 0.5), Vec2(1.25, 1.5), Vec2(0.25, 1.5)};
+  OverlapPolygon p;
+  overlap(a, b, {}, p);
+  EXPECT_EQ(p.corners.size(), 4U);
+  EXPECT_NEAR(p.area, 0.75 * 0.5, 1e-15);
+  for (const Vec2& corner : {Vec2(0.25, 0.5), Vec2(1, 0.5), Vec2(1, 1), Vec2(0.25, 1)})
+    EXPECT_NEAR(weight_near(p, corner, 1e-9), 0.75 * 0.5 / 4, 1e-15) << corner.transpose();
 }
 
 }  // namespace
