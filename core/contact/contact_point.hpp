@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -45,6 +46,7 @@ struct ContactPoint {
   double tension = 0;                   ///< N, σ_t·A while bonded, else 0
   bool bonded = false;
   bool is_new = true;               ///< goes on from no former contact
+  bool stiffened = false;           ///< its spring was made stiffer in this step, as it went too deep
   bool let_go = false;              ///< it stopped a landing, and pushes nothing out from the end of the step on
   Vec3 shear_start = Vec3::Zero();  ///< N, shear force on the first body at the start of the step, in the contact plane
   double slip_start = 0;            ///< m, path slipped so far
@@ -53,6 +55,8 @@ struct ContactPoint {
   // Of the current iterate; begins as what it was at the end of the last step.
   ContactMode mode = ContactMode::open;
 };
+
+inline std::pair<int, int> bodies_of(const ContactPoint& point) { return {point.bodies[0], point.bodies[1]}; }
 
 /// All contact points of a step, and lists of them by what their law calls for.
 struct ContactSet {

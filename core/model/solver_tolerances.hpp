@@ -26,6 +26,10 @@ struct StepTolerances {
   /// stiffness, so three or four suffice. Smaller: contacts stay deeper than asked. Reaching it is counted in the
   /// report.
   int correction_limit = 10;
+  /// Of the forces on each body. A step is corrected as soon as no body is further out of balance than this, and goes
+  /// on to its tolerance when nothing is left to correct. Chosen. Larger: what small forces do is not seen yet.
+  /// Smaller: more iterations on contacts that are changed anyway.
+  double corrected_residual = 1e-3;
   /// Of h. In dynamic stages contacts whose stiffness nobody has given penetrate no deeper, where the project has no
   /// penetration_tolerance. Chosen: half of what published bodies keep apart. Larger: softer contacts, deeper. Smaller:
   /// more corrections and stiffer contacts.
@@ -90,10 +94,11 @@ struct ConvergenceTolerances {
 
   /// Iterations after which a step is hard, and listed as trouble; most take two to six. Reports alone hang on it.
   int hard_step = 25;
-  /// Newton iterations before friction strengths are frozen. Chosen from the hard cases, as are the next four. Larger:
-  /// circles are left later. Smaller: quick steps take the slow way.
+  /// Newton iterations since the residual last came down to `stalled_fraction`, after which friction strengths are
+  /// frozen. Chosen from the hard cases, as are the next four. Larger: circles are left later. Smaller: quick steps take
+  /// the slow way.
   int newton_iterations = 6;
-  /// Of these, the first ones that may close contacts together. Later ones mostly go round in circles.
+  /// The first iterations, which may close contacts together. Later ones mostly go round in circles.
   int closing_iterations = 2;
   /// Iterations of a step after which the interior-point method tries. Smaller: its dear factors are paid for sooner.
   int interior_point_after = 20;
@@ -184,18 +189,25 @@ struct InteriorPointTolerances {
   double least_gap = 1e-3;
 };
 
-/// How contacts are made stiffer, and what they are told to be after a step.
+/// What contacts are told to be after a step.
 struct ContactOutcomeTolerances {
   /// Of h. A bond that has opened by more is broken. Chosen, below the penetration that dynamic stages allow. Larger:
   /// bonds hold across gaps.
   double bond_opening = 2e-4;
+};
+
+/// How contacts are made stiffer.
+struct PenaltyScalingTolerances {
   /// –. A contact that penetrates too deep gets a spring this many times as stiff, as in Shi's programs. Larger: fewer
   /// rounds, stiffer contacts than needed.
-  double penalty_factor = 10;
+  double factor = 10;
+  /// –. The same where that has been done in the step, and did not do. Chosen: a chip of 10⁻⁹ of the mass of the blocks
+  /// that squeeze it needs springs 10⁷ times as stiff as it could follow alone. As above.
+  double repeated_factor = 100;
   /// Of the tolerance of penetration. A spring that gives by less is not what makes a contact deep. Chosen.
   double least_compression = 0.02;
   /// –. No contact gets stiffer than by this. Beyond it, the rounding of a gap would be a force.
-  double largest_penalty_scaling = 1e6;
+  double largest = 1e6;
 };
 
 /// When a body goes on without the acceleration that it had.
@@ -316,6 +328,7 @@ struct SolverTolerances {
   InteriorPointTolerances interior_point;
   EliminationTolerances elimination;
   ContactOutcomeTolerances contact_outcome;
+  PenaltyScalingTolerances penalty_scaling;
   AccelerationResetTolerances acceleration_reset;
   ImpactTolerances impact;
   FollowedSpringTolerances followed_spring;

@@ -45,29 +45,6 @@ void ContactOutcomes::add_to(StepReport& report) const {
   report.max_relative_penetration = std::max(report.max_relative_penetration, max_relative_penetration_);
 }
 
-bool scale_penalty(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance,
-                   std::span<const Joint> as_given, const ContactOutcomeTolerances& tolerances) {
-  bool any = false;
-  for (int i = 0; i < links.moves().size(); ++i) {
-    ContactPoint& point = contacts.points[i];
-    const double gap = links.gap(i, d), limit = tolerance * point.size;
-    const bool too_deep =
-        point.initial_interference - gap > limit && gap < point.gap && -gap > tolerances.least_compression * limit;
-    if (!too_deep || point.bonded || point.penalty_scaling >= tolerances.largest_penalty_scaling) continue;
-    if (!as_given.empty() && as_given[point.joint].normal_stiffness) continue;
-    if (point.gap < 0) {
-      const double left = point.gap / tolerances.penalty_factor;  // at which the stiffer spring pushes as much
-      point.initial_interference += left - point.gap;
-      point.gap = left;
-    }
-    point.penalty_scaling *= tolerances.penalty_factor;
-    point.normal_stiffness *= tolerances.penalty_factor;
-    point.shear_stiffness *= tolerances.penalty_factor;
-    any = true;
-  }
-  return any;
-}
-
 ContactSample sample_of(const RestingContact& contact) {
   return {contact.position,
           contact.normal,

@@ -42,13 +42,4 @@ double multiplier_error(const ContactLinks& links, const Increment& d);
 /// that it is borne without penetration, λ ← max(0, λ − k_n gap).
 void adapt_multipliers(ContactSet& contacts, const ContactLinks& links, const Increment& d);
 
-/// Penalty scaling: springs of points that penetrate by more than `tolerance` of their mesh size at D, and by more than
-/// at the start of the step, become ten times as stiff, in shear too (as in Shi's programs). The force at the start of
-/// the step stays as it is; the penetration that this force no longer needs becomes initial interference, which bears
-/// nothing. Left alone are bonded points, and points that are deep by initial interference alone, whose spring hardly
-/// gives. Where `as_given` has joints, points of a joint with a normal stiffness of its own keep that. Whether any
-/// spring was scaled.
-bool scale_penalty(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance,
-                   std::span<const Joint> as_given, const ContactOutcomeTolerances& tolerances = {});
-
 }  // namespace talus

@@ -75,6 +75,7 @@ SimulationState::SimulationState(const Project& p, const BlockSystem& s, const T
       smallest_size(smallest_mesh_size(bodies, surfaces)),
       detector(contact_bodies(bodies, surfaces), joint_laws(p), pair_joints(p, s), contact_settings(p, t.contact)),
       outcomes(tolerances.contact_outcome),
+      penalty_scaling(tolerances.penalty_scaling),
       company(s.blocks.size(), tolerances.step, company_choice(*this)),
       clock(p.stages, tolerances.step.time_rounding),
       control(p.solver.adaptive, half_height(bodies), smallest_size, tolerances.step_control),

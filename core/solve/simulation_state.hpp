@@ -23,6 +23,7 @@
 #include "solve/energy_balance.hpp"
 #include "solve/equilibrium/first_guess.hpp"
 #include "solve/equilibrium/open_close.hpp"
+#include "solve/penalty_scaling.hpp"
 #include "solve/stress_recovery.hpp"
 #include "solve/trouble_log.hpp"
 
@@ -70,6 +71,7 @@ struct SimulationState {
   ContactSet contacts;
   ContactLinks links{bodies, contacts};
   ContactOutcomes outcomes;
+  PenaltyScaling penalty_scaling;
   Company company;
   std::vector<RestingContact> resting;       ///< contacts of sleepers
   std::uint64_t pattern_generation = ~0ull;  ///< of the contacts that the equations' pattern was made for

@@ -21,7 +21,7 @@ bool scale_penalty(SimulationState& s, double tolerance) {
   const EffectTimer timer(s.work_of(EffectKind::penalty_scaling));
   const auto as_given =
       s.project.solver.penetration_tolerance ? std::span<const Joint>() : std::span<const Joint>(s.project.joints);
-  return scale_penalty(s.contacts, s.links, s.increment, tolerance, as_given, s.tolerances.contact_outcome);
+  return s.penalty_scaling.scale(s.contacts, s.links, s.increment, tolerance, as_given);
 }
 
 /// Contacts that go deeper than the tolerance get the normal that their features have at the end of the step, a stiffer

@@ -116,6 +116,7 @@ std::vector<Entry> entries() {
             {"reach_factor", &G::reach_factor},
             {"least_reach", &G::least_reach},
             {"correction_limit", &G::correction_limit},
+            {"corrected_residual", &G::corrected_residual},
             {"dynamic_penetration", &G::dynamic_penetration},
             {"shortest_recheck", &G::shortest_recheck},
             {"fewest_static_steps", &G::fewest_static_steps},
@@ -180,10 +181,15 @@ std::vector<Entry> entries() {
   {
     using G = ContactOutcomeTolerances;
     add<G>(all, "solver.contact_outcome.", [](Tolerances& t) -> G& { return t.solver.contact_outcome; },
-           {{"bond_opening", &G::bond_opening},
-            {"penalty_factor", &G::penalty_factor},
+           {{"bond_opening", &G::bond_opening}});
+  }
+  {
+    using G = PenaltyScalingTolerances;
+    add<G>(all, "solver.penalty_scaling.", [](Tolerances& t) -> G& { return t.solver.penalty_scaling; },
+           {{"factor", &G::factor},
+            {"repeated_factor", &G::repeated_factor},
             {"least_compression", &G::least_compression},
-            {"largest_penalty_scaling", &G::largest_penalty_scaling}});
+            {"largest", &G::largest}});
   }
   {
     using G = AccelerationResetTolerances;

@@ -10,9 +10,7 @@ bool deforms(const Body& body) { return !body.fixed && !body.single_body(); }
 
 double inverse_mass(const Body& body) { return body.fixed ? 0 : 1 / body.mass(); }
 
-std::pair<int, int> pair_of(const ContactPoint& point) { return {point.bodies[0], point.bodies[1]}; }
-
-void soften(ContactPoint& point, double scaling) {
+void scale(ContactPoint& point, double scaling) {
   point.penalty_scaling = scaling;
   point.normal_stiffness *= scaling;
   point.shear_stiffness *= scaling;
@@ -38,16 +36,19 @@ void FollowedSprings::limit(const Project& project, double length, double penetr
     if (!project.joints[p.joint].normal_stiffness) by_pair_.push_back(i);
   }
   std::sort(by_pair_.begin(), by_pair_.end(), [&](int i, int j) {
-    return pair_of(points[i]) != pair_of(points[j]) ? pair_of(points[i]) < pair_of(points[j]) : i < j;
+    return bodies_of(points[i]) != bodies_of(points[j]) ? bodies_of(points[i]) < bodies_of(points[j]) : i < j;
   });
   for (auto first = by_pair_.begin(); first != by_pair_.end();) {
     const auto last =
-        std::find_if(first, by_pair_.end(), [&](int i) { return pair_of(points[i]) != pair_of(points[*first]); });
-    double stiffness = 0;  // N/m, as they would be
-    for (auto i = first; i != last; ++i) stiffness += points[*i].normal_stiffness / points[*i].penalty_scaling;
-    const double scaling = limit_of(points[*first], length, project.gravity.norm(), penetration) / stiffness;
-    for (auto i = first; i != last && scaling < 1; ++i)
-      if (points[*i].is_new) soften(points[*i], scaling);
+        std::find_if(first, by_pair_.end(), [&](int i) { return bodies_of(points[i]) != bodies_of(points[*first]); });
+    double stiffness = 0, stiffest = 0;  // N/m, as they would be; scaling of one that goes on
+    for (auto i = first; i != last; ++i) {
+      stiffness += points[*i].normal_stiffness / points[*i].penalty_scaling;
+      if (!points[*i].is_new) stiffest = std::max(stiffest, points[*i].penalty_scaling);
+    }
+    const double followed = limit_of(points[*first], length, project.gravity.norm(), penetration) / stiffness;
+    for (auto i = first; i != last; ++i)
+      if (points[*i].is_new) scale(points[*i], std::max(std::min(followed, 1.0), stiffest));
     first = last;
   }
 }

@@ -13,8 +13,9 @@ namespace talus {
 /// Springs of new contacts between rigid and affine bodies in dynamic steps: no stiffer than the step can follow. Those
 /// between two bodies of masses m₁ and m₂ are together at most (ωΔ/Δ)² / (1/m₁ + 1/m₂): stiffer ones give the same
 /// motion in many more iterations ("near-rigid" contact, Castro, Permenter & Han 2022). Nor are they so soft that the
-/// lighter body's weight would press them deeper than is allowed. Contacts that go on keep their springs, for softened
-/// ones would sink, and so do joints that have a stiffness of their own.
+/// lighter body's weight would press them deeper than is allowed; nor softer than the stiffest that goes on between the
+/// same bodies, which has shown what they need. Contacts that go on keep their springs, for softened ones would sink,
+/// and so do joints that have a stiffness of their own.
 class FollowedSprings {
  public:
   /// `bodies` outlive them.
