@@ -144,23 +144,27 @@ void set_up(SimulationState& s) {
   s.accelerations_wanted = false;
 }
 
-/// Converges, corrects what that shows to be wrong, and converges again, until nothing is.
+/// Converges as far as contacts can be judged, corrects what that shows to be wrong, and goes on so until nothing is,
+/// to the tolerance of the step.
 OpenCloseResult converge(SimulationState& s) {
-  OpenCloseResult result = s.open_close.converge(s.increment);
-  for (int round = 0; result.converged; ++round) {
-    if (round == s.tolerances.step.correction_limit) {
-      ++s.correction_limits;
-      break;
-    }
-    if (!correct(s)) break;
-    const OpenCloseResult last = s.open_close.converge(s.increment);
+  OpenCloseResult result;
+  // Multipliers of static stages converge no further than the rounds that they are taken from.
+  const bool early = s.dynamic() && s.project.solver.open_close == OpenCloseMethod::newton;
+  const double loosely = early ? s.tolerances.step.corrected_residual : 0;
+  double enough = loosely;
+  for (int round = 0;; ++round) {
+    const OpenCloseResult last = s.open_close.converge(s.increment, enough);
     result = {.converged = last.converged,
               .iterations = result.iterations + last.iterations,
               .residual = last.residual,
               .force_scale = last.force_scale,
               .worst_dof_block = std::max(result.worst_dof_block, last.worst_dof_block)};
+    if (!result.converged) return result;
+    const bool corrected = round < s.tolerances.step.correction_limit && correct(s);
+    if (round == s.tolerances.step.correction_limit) ++s.correction_limits;
+    if (!corrected && enough == 0) return result;
+    enough = corrected ? loosely : 0;
   }
-  return result;
 }
 
 /// Whether the step has converged to something that may be accepted. Notes trouble.

@@ -15,12 +15,14 @@ class Progress {
  public:
   explicit Progress(const ConvergenceTolerances& tolerances) : tolerances_(tolerances) {}
 
-  /// Takes the residual of the next iteration [N]; whether it no longer falls.
-  bool has_stalled(double residual) {
+  /// Takes the residual of the next iteration [N].
+  void note(double residual) {
     iterations_ = residual > tolerances_.stalled_fraction * lowest_ ? iterations_ + 1 : 0;
     if (iterations_ == 0) lowest_ = residual;
-    return iterations_ >= tolerances_.stalled_iterations;
   }
+  bool has_stalled() const { return iterations_ >= tolerances_.stalled_iterations; }
+  bool goes_in_circles() const { return iterations_ >= tolerances_.newton_iterations; }
+  void begin_anew() { lowest_ = 1e300; }
 
  private:
   const ConvergenceTolerances& tolerances_;
@@ -121,7 +123,8 @@ OpenCloseResult OpenClose::converge_by_states(Increment& d) {
   return result;
 }
 
-OpenCloseResult OpenClose::converge(Increment& d) {
+OpenCloseResult OpenClose::converge(Increment& d, double enough) {
+  enough_ = enough;
   if (method_ == OpenCloseMethod::states) return converge_by_states(d);
   first_guess_ = d;
   residual_.evaluate(d, Friction::coupled);
@@ -136,12 +139,14 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
     result.residual = residual_.norm();
     result.force_scale = residual_.force_scale();
     if (!std::isfinite(result.residual)) return result;
-    result.converged = has_converged(result, progress.has_stalled(result.residual), d);
+    progress.note(result.residual);
+    result.converged = has_converged(result, progress.has_stalled(), d);
     if (result.converged) return result;
     if (result.iterations >= limit) break;
     if (result.iterations >= tolerances_.hard_step && result.worst_dof_block < 0)
       result.worst_dof_block = worst_dof_block();
-    if (newton_iterations == tolerances_.newton_iterations) {
+    if (progress.goes_in_circles()) {
+      progress.begin_anew();
       newton_iterations = 0;
       if (!converge_with_fallbacks(d, limit, result.iterations, interior_point_left)) break;
     } else {
@@ -174,6 +179,7 @@ void OpenClose::balance_alone(Increment& d) {
 
 bool OpenClose::has_converged(const OpenCloseResult& now, bool stalled, const Increment& d) const {
   if (now.residual <= tolerance_ * now.force_scale || each_body_balances()) return true;
+  if (enough_ > 0 && !elimination_.is_active() && residual_.each_body_within(enough_)) return true;
   const double rounding =
       std::max(tolerances_.rounding_residual * now.force_scale, tolerances_.rounding_factor * residual_.rounding());
   const bool is_rounding = stalled && now.residual <= rounding;
@@ -197,6 +203,9 @@ void OpenClose::find_direction(const Increment& d, Friction friction) {
     linear_.solve(residual_.matrix(), unsymmetric_, part_,
                   tolerances_.negligible_system * tolerance_ * residual_.force_scale(), direction_);
   }
+  // A chip that flies off must not hold all others back. But with frozen friction the direction leads downhill, and is
+  // sure to do so as a whole only.
+  if (friction == Friction::coupled) residual_.keep_within_reach(direction_);
   part_ = -direction_;
   direction_ *= residual_.longest_step_fraction(d, part_);
 }

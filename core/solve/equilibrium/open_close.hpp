@@ -60,8 +60,9 @@ class OpenClose {
   void begin_step(const StepContext& step);
 
   /// Iterates from the first guess `d` to the increment, which it leaves there. The bodies and contacts stand at the
-  /// start of a step.
-  OpenCloseResult converge(Increment& d);
+  /// start of a step. It ends as converged, too, once no body is out of balance by more than `enough` of the forces on
+  /// it.
+  OpenCloseResult converge(Increment& d, double enough = 0);
   /// Contacts are about to be found anew: none is held in a state any more.
   void release_states();
   /// Norm of the gradient at D [N].
@@ -142,6 +143,7 @@ class OpenClose {
   Increment scaled_, start_, second_start_, first_guess_, before_alone_;
   double tolerance_ = 0;      ///< relative residual of all bodies together at which this step has converged …
   double body_residual_ = 0;  ///< … and of each alone
+  double enough_ = 0;         ///< of the forces on each body, that may be out of balance this time
   double pattern_seconds_ = 0, elimination_seconds_ = 0;
   StepResidual::EffectWork alone_;
 };

@@ -77,9 +77,13 @@ bool StepResidual::each_body_balances(double tolerance) const {
     all_work += std::abs(of_effect);
   }
   if (std::abs(work) > tolerances_.work_of_residual * tolerance * all_work) return false;
-  Eigen::VectorXd left;
-  norms_by_body(gradient_, left);
-  return (left.array() <= tolerance * body_forces_.array()).all();
+  return each_body_within(tolerance);
+}
+
+bool StepResidual::each_body_within(double fraction) const {
+  for (int b = 0; b < bodies(); ++b)
+    if (norm_of_body(gradient_, b) > fraction * body_forces_[b]) return false;
+  return true;
 }
 
 void StepResidual::list_unbalanced(double fraction, std::vector<int>& bodies) const {
@@ -252,17 +256,31 @@ void StepResidual::assemble_without_contacts(const Increment& d, SymmetricBlocks
   add_unsymmetric(d, Contacts::left_out, unsymmetric);
 }
 
-double StepResidual::longest_step_fraction(const Increment& d, const Eigen::VectorXd& change) {
+namespace {
+
+double longest_of(const Eigen::VectorXd& change, int begin, int end) {
   double longest = 0;
-  const auto note_longest = [&](int begin, int end) {
-    for (int n = begin; n < end; ++n) longest = std::max(longest, change.segment<3>(3 * n).squaredNorm());
-  };
-  if (step_.unlimited.empty())
-    note_longest(0, static_cast<int>(change.size() / 3));
-  else
-    for (int b = 0; b < bodies(); ++b)
-      if (!step_.unlimited[composition_->bodies->moving[b]]) note_longest(body_begins_[b], body_begins_[b + 1]);
-  double fraction = longest > step_.reach * step_.reach ? step_.reach / std::sqrt(longest) : 1;
+  for (int n = begin; n < end; ++n) longest = std::max(longest, change.segment<3>(3 * n).squaredNorm());
+  return std::sqrt(longest);
+}
+
+}  // namespace
+
+double StepResidual::fraction_within_reach(const Eigen::VectorXd& change, int body) const {
+  if (!step_.unlimited.empty() && step_.unlimited[composition_->bodies->moving[body]]) return 1;
+  const double longest = longest_of(change, body_begins_[body], body_begins_[body + 1]);
+  return longest > step_.reach ? step_.reach / longest : 1;
+}
+
+void StepResidual::keep_within_reach(Eigen::VectorXd& change) const {
+  for (int b = 0; b < bodies(); ++b)
+    if (const double fraction = fraction_within_reach(change, b); fraction < 1)
+      change.segment(3 * body_begins_[b], 3 * (body_begins_[b + 1] - body_begins_[b])) *= fraction;
+}
+
+double StepResidual::longest_step_fraction(const Increment& d, const Eigen::VectorXd& change) {
+  double fraction = 1;
+  for (int b = 0; b < bodies(); ++b) fraction = std::min(fraction, fraction_within_reach(change, b));
   scaled_ = smooth_fraction_ * d;
   part_ = smooth_fraction_ * change;
   for (const auto& effect : composition_->effects)

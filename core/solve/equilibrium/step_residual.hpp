@@ -45,6 +45,8 @@ class StepResidual {
   /// Whether on each body alone so much of the forces on it is out of balance at most, a grain beside a mountain being
   /// no rounding, and what is left does next to no work, which the ledger would add up.
   bool each_body_balances(double tolerance) const;
+  /// Whether on each body no more than this fraction of the forces on it is out of balance.
+  bool each_body_within(double fraction) const;
   /// Bodies with more than `fraction` of the forces on them out of balance, by their places in BodySet::moving.
   void list_unbalanced(double fraction, std::vector<int>& bodies) const;
   /// From the next D on all forces but those on these degree-of-freedom blocks, ascending, are left out; none: all
@@ -79,6 +81,8 @@ class StepResidual {
   /// The largest fraction, at most 1, of a change of D after which smooth effects are still finite and no node has gone
   /// further than contacts were sought.
   double longest_step_fraction(const Increment& d, const Eigen::VectorXd& change);
+  /// Shortens a change of D, body by body, to what takes none of its nodes further than that.
+  void keep_within_reach(Eigen::VectorXd& change) const;
 
   /// What an effect has cost in all stages.
   struct EffectWork {
@@ -92,6 +96,8 @@ class StepResidual {
   enum class Contacts { included, left_out };
   void assemble_constant();
   void leave_out_others(Eigen::VectorXd& forces);
+  /// The largest fraction, at most 1, of a change that takes no node of a body farther than contacts were sought.
+  double fraction_within_reach(const Eigen::VectorXd& change, int body) const;
   /// Norm of the part of a vector that belongs to a moving body, and to each of them.
   double norm_of_body(const Eigen::VectorXd& vector, int body) const;
   void norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const;

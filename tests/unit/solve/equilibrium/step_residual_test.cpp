@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <memory>
 
+#include "effects/compose.hpp"
+#include "mesh/structured_mesh.hpp"
+#include "support/solver_scenes.hpp"
 #include "support/spring_chain.hpp"
 
 namespace talus {
@@ -166,15 +169,47 @@ TEST_F(PulledSprings, AreComparedWithInertiaAndEvaluatedWithoutIt) {
   EXPECT_EQ(residual.norm(), 0) << "springs that nothing has stretched";
 }
 
-TEST_F(PulledSprings, GoNoFurtherAtOnceThanContactsWereSought) {
-  begin();
-  StepContext step = test::step_of(0.01);
-  step.reach = 0.5;
-  residual.begin_step(step);
-  Eigen::VectorXd change = Eigen::VectorXd::Zero(d.size());
-  change.segment<3>(6) = Vec3(0, 1.2, -1.6);
-  EXPECT_DOUBLE_EQ(residual.longest_step_fraction(d, change), 0.25);
-  EXPECT_EQ(residual.longest_step_fraction(d, 0.1 * change), 1);
+/// Two cubes that fall side by side, in a step in which contacts were sought up to 0.5 m.
+class FallingCubes : public testing::Test {
+ protected:
+  FallingCubes() {
+    residual_.begin_stage(composition_);
+    residual_.set_pattern(bodies_.nodes.movable, no_contacts);
+    StepContext step = test::step_of(0.01);
+    step.reach = 0.5;
+    residual_.begin_step(step);
+    first_ = 3 * (residual_.dof_blocks_of(0).second - residual_.dof_blocks_of(0).first);
+    change_.segment<3>(3) = Vec3(0, 1.2, -1.6);
+  }
+  static Block cube_at(double x) {
+    Block block;
+    block.mesh = box_mesh(Vec3(x, 0, 0), Vec3(x + 1, 1, 1), 1, 1, 1);
+    block.surface = boundary(block.mesh);
+    return block;
+  }
+
+  const Project project_ = test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 1, {}}});
+  const BlockSystem system_ = test::block_system({cube_at(0), cube_at(3)});
+  BodySet bodies_{project_, system_};
+  const ContactSet contacts_;
+  const ContactLinks links_{bodies_, contacts_};
+  Composition composition_ = compose(project_, system_, 0, bodies_, links_);
+  StepResidual residual_;
+  Eigen::VectorXd change_ = Eigen::VectorXd::Constant(bodies_.unknowns(), 0.01);  // one node of the first goes 2 m
+  Eigen::Index first_ = 0;                                                        // unknowns of the first
+};
+
+TEST_F(FallingCubes, GoNoFurtherAtOnceThanContactsWereSought) {
+  const Increment rest = Increment::Zero(bodies_.unknowns());
+  EXPECT_DOUBLE_EQ(residual_.longest_step_fraction(rest, change_), 0.25);
+  EXPECT_EQ(residual_.longest_step_fraction(rest, 0.1 * change_), 1);
+}
+
+TEST_F(FallingCubes, OfWhichOneGoesFartherAreHeldBackEachByItself) {
+  const Eigen::VectorXd before = change_;
+  residual_.keep_within_reach(change_);
+  EXPECT_EQ(change_.head(first_), 0.25 * before.head(first_));
+  EXPECT_EQ(change_.tail(change_.size() - first_), before.tail(change_.size() - first_));
 }
 
 }  // namespace
