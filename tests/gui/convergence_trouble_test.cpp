@@ -44,7 +44,7 @@ TroublePanel* panelInView(const MainWindow& window) {
 }
 
 TEST_F(DrivenWindow, ARunThatDoesNotConvergeIsShownWhereItHasTrouble) {
-  openAndMesh(write("dropped.talus", droppedCube(2, 150)));
+  openAndMesh(write("dropped.talus", droppedCube(1, 150)));
   EXPECT_EQ(panelInView(*window), nullptr) << "nothing to say before the run";
   session->solve();
   ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
@@ -87,7 +87,7 @@ TEST_F(DrivenWindow, ARunThatDoesNotConvergeIsShownWhereItHasTrouble) {
 }
 
 TEST_F(DrivenWindow, ANewRunBeginsWithoutTheTroublesOfTheOneBefore) {
-  openAndMesh(write("dropped.talus", droppedCube(2, 150)));
+  openAndMesh(write("dropped.talus", droppedCube(1, 150)));
   session->solve();
   ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
   auto* strip = window->findChild<QWidget*>(QStringLiteral("problem-strip"));
