@@ -17,8 +17,8 @@ class DenseSolver {
   /// third of a new sparse factor; at 36 it costs twice as much as GMRES.
   static constexpr int largest = 24;
 
-  /// Factors the equations of some nodes, ascending; others that they are coupled to are held. Throws NotPositiveDefinite, with
-  /// the node, if the symmetric matrix is not.
+  /// Factors the equations of some nodes, ascending; others that they are coupled to are held. Throws
+  /// NotPositiveDefinite, with the node, if the symmetric matrix is not.
   void factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric,
               std::span<const int> nodes);
   /// x = T⁻¹ b with the last factor.

@@ -95,8 +95,8 @@ struct ConvergenceTolerances {
   /// Iterations after which a step is hard, and listed as trouble; most take two to six. Reports alone hang on it.
   int hard_step = 25;
   /// Newton iterations since the residual last came down to `stalled_fraction`, after which friction strengths are
-  /// frozen. Chosen from the hard cases, as are the next four. Larger: circles are left later. Smaller: quick steps take
-  /// the slow way.
+  /// frozen. Chosen from the hard cases, as are the next four. Larger: circles are left later. Smaller: quick steps
+  /// take the slow way.
   int newton_iterations = 6;
   /// The first iterations, which may close contacts together. Later ones mostly go round in circles.
   int closing_iterations = 2;

@@ -13,7 +13,6 @@ namespace talus {
 
 namespace {
 
-
 /// The arrays of a file: their declarations, and their bytes, each behind its length, for the end of the file.
 class AppendedData {
  public:

@@ -22,7 +22,9 @@ TEST(RemovabilityOfWedges, IsThatOfLimitEquilibriumInAll65Tests) {
 
     const bool falls = known.kinematic == WedgeMode::free_fall;
     const bool on_line = known.kinematic == WedgeMode::line_1 || known.kinematic == WedgeMode::line_2;
-    EXPECT_EQ(facts.leaving.leaving, falls ? Leaving::falls : on_line ? Leaving::slides_on_two : Leaving::slides_on_one);
+    EXPECT_EQ(facts.leaving.leaving, falls     ? Leaving::falls
+                                     : on_line ? Leaving::slides_on_two
+                                               : Leaving::slides_on_one);
     const Vec3 down = scene.project.gravity.normalized();
     EXPECT_NEAR(facts.leaving.direction.dot(down), known.driving, 1e-9);
     ASSERT_TRUE(facts.leaving.factor);

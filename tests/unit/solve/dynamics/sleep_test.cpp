@@ -9,10 +9,10 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double step_length = 0.01;     // s, of a step
-constexpr double tolerance = 1e-6;  // 1/s
-constexpr double slow = 1e-9;       // m in a step: a tenth of what a block of 1 m may go
-constexpr double fast = 1e-7;       // m in a step
+constexpr double step_length = 0.01;  // s, of a step
+constexpr double tolerance = 1e-6;    // 1/s
+constexpr double slow = 1e-9;         // m in a step: a tenth of what a block of 1 m may go
+constexpr double fast = 1e-7;         // m in a step
 const int slow_steps = SleepTolerances{}.slow_steps;
 
 /// A fixed ground, body 0, and three blocks of 1 m that stand still until they are told to go.
