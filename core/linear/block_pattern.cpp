@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/disjoint_sets.hpp"
+
 namespace talus {
 
 BlockPattern::BlockPattern(int nodes, std::vector<std::pair<int, int>> couplings) : column_begin_(nodes + 1, 0) {
@@ -27,6 +29,24 @@ BlockPattern BlockPattern::part(std::span<const int> nodes, std::span<const int>
     part.column_begin_.push_back(static_cast<int>(part.rows_.size()));
   }
   return part;
+}
+
+std::vector<std::vector<int>> BlockPattern::connected_parts() const {
+  DisjointSets sets;
+  sets.reset(nodes());
+  for (int column = 0; column < nodes(); ++column)
+    for (int slot = column_begin_[column]; slot < column_begin_[column + 1]; ++slot) sets.join(column, rows_[slot]);
+  std::vector<std::vector<int>> parts;
+  std::vector<int> part_of(nodes());
+  for (int node = 0; node < nodes(); ++node) {
+    const int first = sets.first_of(node);
+    if (first == node) {
+      part_of[node] = static_cast<int>(parts.size());
+      parts.emplace_back();
+    }
+    parts[part_of[first]].push_back(node);
+  }
+  return parts;
 }
 
 int BlockPattern::slot(int i, int j) const {

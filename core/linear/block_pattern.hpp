@@ -18,6 +18,9 @@ class BlockPattern {
   /// number that each of them gets, by its number here.
   BlockPattern part(std::span<const int> nodes, std::span<const int> local) const;
 
+  /// The nodes of each connected part, ascending; the parts by their first nodes.
+  std::vector<std::vector<int>> connected_parts() const;
+
   int nodes() const { return static_cast<int>(column_begin_.size()) - 1; }
   int slots() const { return static_cast<int>(rows_.size()); }
   /// Slot of a pair of coupled nodes, in whichever order.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "linear/independent_system.hpp"
@@ -19,10 +20,11 @@ class LinearSystem {
   void outdate();
 
   /// Solves for x: to the tolerance of the settings, or exactly where there is no unsymmetric part and the factors are
-  /// current. Systems whose right-hand sides are, all together in norm, no larger than `negligible` are not solved: x
-  /// is zero there. Throws NotPositiveDefinite.
+  /// current. A system whose right-hand side is no larger in norm than what is `negligible` in it is not solved: x is
+  /// zero there. One number a system, in the order of BlockPattern::connected_parts; none: 0. Throws
+  /// NotPositiveDefinite.
   void solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks& unsymmetric, const Eigen::VectorXd& b,
-             double negligible, Eigen::VectorXd& x);
+             std::span<const double> negligible, Eigen::VectorXd& x);
   const LinearWork& work() const { return work_; }
 
  private:

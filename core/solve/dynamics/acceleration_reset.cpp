@@ -72,7 +72,7 @@ void AccelerationReset::find_blows(const BodySet& set, const StepContext& step, 
     const double change = (forces_[b] - before_[b]).norm();
     was_hit_[b] = change > tolerances_.sudden_change * std::max(forces_[b].norm(), before_[b].norm());
     goes_on_[b] = was_hit_[b] && set.bodies[b].rigid >= 0 &&
-                  is_visible(change_over_step(set, set.bodies[b], step, d).after, step);
+                  is_visible(b, change_over_step(set, set.bodies[b], step, d).after, step);
   }
 }
 
@@ -95,25 +95,24 @@ void AccelerationReset::drop_after_blows(BodySet& set) const {
     if (was_hit_[b]) set_to_zero(set, set.bodies[b]);
 }
 
-bool AccelerationReset::is_visible(double square, const StepContext& step) const {
-  const double least = tolerances_.visible_displacement * step.mesh_size / (step.length * step.length);
+bool AccelerationReset::is_visible(int body, double square, const StepContext& step) const {
+  const double least = tolerances_.visible_displacement * sizes_[body] / (step.length * step.length);
   return square > least * least;
 }
 
-bool AccelerationReset::is_constant(const Body& body, bool was_hit, const AccelerationChange& a,
+bool AccelerationReset::is_constant(int body, bool is_constant_now, const AccelerationChange& a,
                                     const StepContext& step) const {
   const AccelerationResetTolerances& t = tolerances_;
-  if (was_hit) {
+  if (was_hit_[body]) {
     const bool turns_back = a.motion + step.length * a.along < 0;  // the rest of the blow would throw it back
-    return !turns_back && (body.constant_acceleration || is_visible(a.after, step));
+    return !turns_back && (is_constant_now || is_visible(body, a.after, step));
   }
-  const double square = step.length * step.length, least = t.least_displacement * step.mesh_size / square,
+  const double square = step.length * step.length, least = t.least_displacement * sizes_[body] / square,
                rounding = least * least;
   const bool has_ended = a.before > rounding && a.after < t.acceleration_left * t.acceleration_left * a.before;
   const bool ends_at_once = a.change > t.sudden_change * t.sudden_change * a.before;
   const bool dies_away = square / 8 * a.returned > t.returned_energy * a.motion;
-  return body.constant_acceleration || has_ended ||
-         (a.change > rounding && a.returned > 0 && (ends_at_once || dies_away));
+  return is_constant_now || has_ended || (a.change > rounding && a.returned > 0 && (ends_at_once || dies_away));
 }
 
 bool AccelerationReset::correct(BodySet& set, const StepContext& step, const Increment& d) {
@@ -121,7 +120,7 @@ bool AccelerationReset::correct(BodySet& set, const StepContext& step, const Inc
   for (const int b : set.moving) {
     Body& body = set.bodies[b];
     if (was_changed_[b]) continue;
-    const bool constant = is_constant(body, was_hit_[b], change_over_step(set, body, step, d), step);
+    const bool constant = is_constant(b, body.constant_acceleration, change_over_step(set, body, step, d), step);
     if (constant == body.constant_acceleration) continue;
     was_changed_[b] = any = true;
     if (body.rigid >= 0)

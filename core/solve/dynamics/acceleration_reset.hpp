@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "bodies/body_set.hpp"
@@ -24,8 +25,10 @@ namespace talus {
 /// to first, which is less than a ninth of the change away from it.
 class AccelerationReset {
  public:
-  explicit AccelerationReset(const BodySet& set, const AccelerationResetTolerances& tolerances = {})
+  /// `sizes`: mesh sizes of the bodies [m].
+  AccelerationReset(const BodySet& set, std::vector<double> sizes, const AccelerationResetTolerances& tolerances = {})
       : tolerances_(tolerances),
+        sizes_(std::move(sizes)),
         forces_(set.bodies.size(), Vec3::Zero()),
         before_(forces_),
         was_hit_(set.bodies.size(), false),
@@ -60,10 +63,11 @@ class AccelerationReset {
 
  private:
   /// Whether an acceleration of this square [m²/s⁴] moves a body in a step.
-  bool is_visible(double square, const StepContext& step) const;
-  bool is_constant(const Body& body, bool was_hit, const AccelerationChange& a, const StepContext& step) const;
+  bool is_visible(int body, double square, const StepContext& step) const;
+  bool is_constant(int body, bool is_constant_now, const AccelerationChange& a, const StepContext& step) const;
 
   AccelerationResetTolerances tolerances_;
+  std::vector<double> sizes_;
   std::vector<Vec3> forces_, before_;  // N, all normal forces on a body; of one asleep as it fell asleep
   std::vector<bool> was_hit_;          // a body: in the step before, and goes on without an acceleration
   std::vector<bool> goes_on_;          // a body: was hit, and moves by what it ended that step with

@@ -90,9 +90,10 @@ double Impacts::let_go_landed(ContactSet& contacts, const StepContext& step,
   return energy;
 }
 
-bool Impacts::gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {
+void Impacts::gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {
   struck_.clear();
-  bool as_it_should = true;
+  groups_.reset(static_cast<int>(set_.bodies.size()));
+  wrong_.clear();
   add_up_springs(contacts, outcomes);
   for (std::size_t k = 0; k < contacts.loose.size(); ++k) {
     const int i = contacts.loose[k];
@@ -100,13 +101,19 @@ bool Impacts::gather(const ContactSet& contacts, double step, const std::vector<
     if (!(outcomes[i].normal_force > 0) || left_to_springs(point, step)) continue;
     const double speed = speed_of(set_, contacts, point, step);
     if (point.restitution) ++restitutions_;
-    struck_.push_back({i, range(point, closing_[k], speed, outcomes[i], step)});
+    const auto& [a, b] = point.bodies;
+    struck_.push_back({i, range(point, closing_[k], speed, outcomes[i], step), set_.bodies[a].fixed ? b : a, 0});
+    if (!set_.bodies[a].fixed && !set_.bodies[b].fixed) groups_.join(a, b);
     const auto& [lowest, highest] = struck_.back().range;
-    const double lighter = std::min(mass_of(set_.bodies[point.bodies[0]]), mass_of(set_.bodies[point.bodies[1]]));
+    const double lighter = std::min(mass_of(set_.bodies[a]), mass_of(set_.bodies[b]));
     const double rounding = tolerances_.negligible_speed * outcomes[i].normal_force * step / lighter;
-    as_it_should = as_it_should && speed > lowest - rounding && speed < highest + rounding;
+    if (!(speed > lowest - rounding && speed < highest + rounding)) wrong_.push_back(struck_.back().body);
   }
-  return !as_it_should;
+  is_wrong_.assign(set_.bodies.size(), false);
+  for (const int body : wrong_) is_wrong_[groups_.first_of(body)] = true;
+  for (Struck& struck : struck_) struck.group = groups_.first_of(struck.body);
+  std::erase_if(struck_, [&](const Struck& struck) { return !is_wrong_[struck.group]; });
+  std::stable_sort(struck_.begin(), struck_.end(), [](const Struck& p, const Struck& q) { return p.group < q.group; });
 }
 
 double Impacts::update(Hit& hit) {
@@ -129,7 +136,9 @@ double Impacts::update(Hit& hit) {
   return change.norm();
 }
 
-void Impacts::find_impulses(double largest_push) {
+void Impacts::find_impulses(std::span<Hit> hits) {
+  double largest_push = 0;
+  for (const Hit& hit : hits) largest_push = std::max(largest_push, hit.push);
   double change = largest_push;
   for (int sweep = 0; change > tolerances_.impulse_accuracy * largest_push; ++sweep) {
     if (sweep == tolerances_.sweep_limit) {
@@ -137,7 +146,24 @@ void Impacts::find_impulses(double largest_push) {
       return;
     }
     change = 0;
-    for (Hit& hit : hits_) change = std::max(change, update(hit));
+    for (Hit& hit : hits) change = std::max(change, update(hit));
+  }
+}
+
+void Impacts::add_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {
+  hits_.clear();
+  for (const Struck& struck : struck_) {
+    const int i = struck.point;
+    const ContactPoint& point = contacts.points[i];
+    const auto [nodes, weights] = stencil(contacts, point);
+    hits_.push_back({.where = {set_, masses_, nodes, weights, step},
+                     .normal = point.normal,
+                     .range = struck.range,
+                     .friction = point.friction,
+                     .sideways = 0,
+                     .push = outcomes[i].normal_force * step,
+                     .shear = outcomes[i].shear_force * step});
+    hits_.back().sideways = mobility_across(hits_.back().where.mobility(), point.normal);
   }
 }
 
@@ -145,24 +171,14 @@ double Impacts::apply(const ContactSet& contacts, const StepContext& step,
                       const std::vector<ContactOutcome>& outcomes) {
   const Stopwatch watch(seconds_);
   ++evaluations_;
-  if (!gather(contacts, step.length, outcomes)) return 0;
-  hits_.clear();
-  double largest = 0;
-  for (const auto& [i, range] : struck_) {
-    const ContactPoint& point = contacts.points[i];
-    const auto [nodes, weights] = stencil(contacts, point);
-    hits_.push_back({.where = {set_, masses_, nodes, weights, step.length},
-                     .normal = point.normal,
-                     .range = range,
-                     .friction = point.friction,
-                     .sideways = 0,
-                     .push = outcomes[i].normal_force * step.length,
-                     .shear = outcomes[i].shear_force * step.length});
-    hits_.back().sideways = mobility_across(hits_.back().where.mobility(), point.normal);
-    largest = std::max(largest, hits_.back().push);
-  }
+  gather(contacts, step.length, outcomes);
+  if (struck_.empty()) return 0;
+  add_hits(contacts, step.length, outcomes);
   const double before = Inertia::kinetic_energy(set_);
-  find_impulses(largest);
+  for (std::size_t begin = 0, end = 0; begin < struck_.size(); begin = end) {
+    while (end < struck_.size() && struck_[end].group == struck_[begin].group) ++end;
+    find_impulses(std::span(hits_).subspan(begin, end - begin));
+  }
   set_.carry_velocities();
   return before - Inertia::kinetic_energy(set_);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "bodies/impulse.hpp"
 #include "contact/contact_point.hpp"
 #include "effects/effect.hpp"
@@ -33,7 +35,9 @@ class Impacts {
   double seconds() const { return seconds_; }
   long evaluations() const { return evaluations_; }
   long restitutions() const { return restitutions_; }  ///< contacts that pushed and whose joint gives a restitution
-  long sweep_limits() const { return sweep_limits_; }  ///< steps whose impulses were not found within the sweep limit
+  long sweep_limits() const {
+    return sweep_limits_;
+  }  ///< groups of a step whose impulses were not found within the sweep limit
 
  private:
   /// Speeds of parting that are left as they are [m/s].
@@ -43,6 +47,8 @@ class Impacts {
   struct Struck {
     int point;
     Range range;
+    int body;  // one of its two that moves
+    int group;
   };
   /// A contact that pushed at the end of the step.
   struct Hit {
@@ -61,10 +67,12 @@ class Impacts {
   /// Whether the springs of a contact that pushes decide its rebound.
   bool left_to_springs(const ContactPoint& point, double step) const;
   Range range(const ContactPoint& point, double closing, double speed, const ContactOutcome& end, double step) const;
-  /// Collects the contacts that pushed. Whether some of them do not part as they should.
-  bool gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
-  /// Finds the impulses of all hits, contact by contact.
-  void find_impulses(double largest_push);
+  /// Collects the contacts that pushed, of those groups of bodies which push each other where some do not part as they
+  /// should: group by group, so that no blow elsewhere changes what a group comes to.
+  void gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
+  void add_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
+  /// Finds the impulses of the hits of a group, contact by contact.
+  void find_impulses(std::span<Hit> hits);
   /// The impulse of one contact while the others stay; returns by how much it changed [N s].
   double update(Hit& hit);
 
@@ -73,7 +81,10 @@ class Impacts {
   InverseMasses masses_;
   std::vector<double> closing_;  // m/s, of ContactSet::loose at the start of the step
   std::vector<double> springs_;  // N/m, of all contacts that push a body
-  std::vector<Struck> struck_;
+  std::vector<Struck> struck_;   // group by group
+  DisjointSets groups_;          // bodies
+  std::vector<int> wrong_;       // bodies that do not part as they should
+  std::vector<char> is_wrong_;   // a body that is the first of its group
   std::vector<Hit> hits_;
   double seconds_ = 0;
   long evaluations_ = 0, restitutions_ = 0, sweep_limits_ = 0;

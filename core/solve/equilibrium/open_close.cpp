@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/stopwatch.hpp"
@@ -71,7 +72,7 @@ void OpenClose::solve_at_step_start(Friction friction) {
   linear_.outdate();  // solved exactly
   unsymmetric_.set_zero();
   if (friction == Friction::coupled) residual_.add_unsymmetric(zero_, unsymmetric_);
-  linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), 0, direction_);
+  linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), {}, direction_);
 }
 
 const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
@@ -100,7 +101,7 @@ OpenCloseResult OpenClose::converge_by_states(Increment& d) {
     linear_.outdate();  // solved exactly
     unsymmetric_.set_zero();
     residual_.add_unsymmetric(d, unsymmetric_);
-    linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), 0, direction_);
+    linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), {}, direction_);
     start_ = d;
     part_ = -direction_;
     composition_->bodies->advance(start_, part_, d);
@@ -139,7 +140,7 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
     result.residual = residual_.norm();
     result.force_scale = residual_.force_scale();
     if (!std::isfinite(result.residual)) return result;
-    progress.note(result.residual);
+    progress.note(norm_left());
     result.converged = has_converged(result, progress.has_stalled(), d);
     if (result.converged) return result;
     if (result.iterations >= limit) break;
@@ -177,12 +178,23 @@ void OpenClose::balance_alone(Increment& d) {
   residual_.evaluate(d, Friction::coupled);
 }
 
+bool OpenClose::balances(int system) const {
+  if (residual_.norm_of_system(system) <= tolerance_ * residual_.force_scale_of_system(system)) return true;
+  return enough_ > 0 && !elimination_.is_active() && residual_.system_within(system, enough_);
+}
+
+double OpenClose::norm_left() const {
+  double sum = 0;
+  for (int s = 0; s < residual_.systems(); ++s)
+    if (!balances(s)) sum += std::pow(residual_.norm_of_system(s), 2);
+  return std::sqrt(sum);
+}
+
 bool OpenClose::has_converged(const OpenCloseResult& now, bool stalled, const Increment& d) const {
-  if (now.residual <= tolerance_ * now.force_scale || each_body_balances()) return true;
-  if (enough_ > 0 && !elimination_.is_active() && residual_.each_body_within(enough_)) return true;
+  if (norm_left() == 0 || each_body_balances()) return true;
   const double rounding =
       std::max(tolerances_.rounding_residual * now.force_scale, tolerances_.rounding_factor * residual_.rounding());
-  const bool is_rounding = stalled && now.residual <= rounding;
+  const bool is_rounding = stalled && norm_left() <= rounding;
   const bool stands_still = now.iterations == 0 && now.residual <= residual_.rounding_of_positions() && d.isZero(0);
   return is_rounding || stands_still;
 }
@@ -200,8 +212,12 @@ void OpenClose::find_direction(const Increment& d, Friction friction) {
     const Stopwatch watch(elimination_seconds_);
     elimination_.solve(residual_.matrix(), unsymmetric_, part_, direction_);
   } else {
-    linear_.solve(residual_.matrix(), unsymmetric_, part_,
-                  tolerances_.negligible_system * tolerance_ * residual_.force_scale(), direction_);
+    negligible_in_system_.resize(residual_.systems());
+    for (int s = 0; s < residual_.systems(); ++s)
+      negligible_in_system_[s] = balances(s)
+                                     ? std::numeric_limits<double>::infinity()
+                                     : tolerances_.negligible_system * tolerance_ * residual_.force_scale_of_system(s);
+    linear_.solve(residual_.matrix(), unsymmetric_, part_, negligible_in_system_, direction_);
   }
   // A chip that flies off must not hold all others back. But with frozen friction the direction leads downhill, and is
   // sure to do so as a whole only.
@@ -212,13 +228,12 @@ void OpenClose::find_direction(const Increment& d, Friction friction) {
 
 void OpenClose::iterate(Increment& d, bool early) {
   begin_search(d);
-  const double negligible = negligible_residual();
   start_ = d;
   advance_from_start(d, Friction::coupled);
   search_.keep(residual_.gradient(), direction_, [&](const PartwiseLineSearch::State& part) {
     const bool little_turned =
         part.slope_before < 0 && std::abs(part.slope) < -tolerances_.slope_turned * part.slope_before;
-    return part.residual < std::max(tolerances_.reduced * part.residual_before, negligible) || little_turned;
+    return part.residual < std::max(tolerances_.reduced * part.residual_before, part.negligible) || little_turned;
   });
   if (!search_.any_pending() || (early && another_iteration_leads_on(d))) return;
   // The full increment leads astray. With friction frozen at this iterate there is a potential; it falls along the
@@ -253,7 +268,8 @@ void OpenClose::begin_search(const Increment& d) {
   for (const NormalContact* normal : composition_->normal) normal->join_touching(d, part_, together_);
   if (composition_->shear) composition_->shear->join_with_strength(together_);
   search_.set_parts(together_);
-  search_.begin(residual_.gradient(), direction_);
+  find_negligible();
+  search_.begin(residual_.gradient(), direction_, negligible_);
 }
 
 void OpenClose::advance_from_start(Increment& d, Friction friction) {
@@ -264,16 +280,21 @@ void OpenClose::advance_from_start(Increment& d, Friction friction) {
 
 void OpenClose::minimise_along_direction(Increment& d) {
   begin_search(d);
-  const double negligible = negligible_residual();
   advance_from_start(d, Friction::frozen);
   for (int trial = 0; trial < tolerances_.line_search_limit; ++trial) {
-    if (!search_.narrow(residual_.gradient(), direction_, negligible)) break;
+    if (!search_.narrow(residual_.gradient(), direction_)) break;
     advance_from_start(d, Friction::frozen);
   }
 }
 
-double OpenClose::negligible_residual() const {
-  return std::max(tolerances_.negligible_part * residual_.norm(), tolerance_ * residual_.force_scale());
+void OpenClose::find_negligible() {
+  const int blocks = static_cast<int>(direction_.size() / 3);
+  negligible_.resize(blocks);
+  for (int block = 0; block < blocks; ++block) {
+    const int system = residual_.system_of(block);
+    negligible_[block] = std::max(tolerances_.negligible_part * residual_.norm_of_system(system),
+                                  tolerance_ * residual_.force_scale_of_system(system));
+  }
 }
 
 bool OpenClose::converge_with_fallbacks(Increment& d, int limit, int& iterations, bool& interior_point_left) {
@@ -289,7 +310,7 @@ bool OpenClose::converge_with_fallbacks(Increment& d, int limit, int& iterations
 }
 
 int OpenClose::converge_with_frozen_friction(Increment& d, int limit) {
-  double before = residual_.norm();
+  double before = norm_left();
   int count = 0;
   residual_.freeze(d);
   for (; count < limit; ++count) {
@@ -298,12 +319,11 @@ int OpenClose::converge_with_frozen_friction(Increment& d, int limit) {
     find_direction(d, Friction::frozen);
     start_ = d;
     minimise_along_direction(d);
-    const double negligible =
-        std::max(tolerance_ * residual_.force_scale(), tolerances_.rounding_factor * residual_.rounding());
-    if (residual_.norm() > std::max(tolerances_.frozen_reduction * before, negligible)) continue;
+    const double rounding = tolerances_.rounding_factor * residual_.rounding();
+    if (norm_left() > std::max(tolerances_.frozen_reduction * before, rounding)) continue;
     residual_.evaluate(d, Friction::coupled);
-    before = residual_.norm();
-    if (before <= negligible || each_body_balances() || coupled_iteration_leads_on(d)) return count;
+    before = norm_left();
+    if (before <= rounding || each_body_balances() || coupled_iteration_leads_on(d)) return count;
     residual_.freeze(d);
   }
   residual_.evaluate(d, Friction::coupled);
@@ -311,7 +331,7 @@ int OpenClose::converge_with_frozen_friction(Increment& d, int limit) {
 }
 
 bool OpenClose::coupled_iteration_leads_on(Increment& d) {
-  const double before = residual_.norm();
+  const double before = norm_left();
   search_.set_all_pending();
   find_direction(d, Friction::coupled);
   begin_search(d);
@@ -324,7 +344,7 @@ bool OpenClose::coupled_iteration_leads_on(Increment& d) {
     search_.go_back(start_, d);
     residual_.evaluate(d, Friction::coupled);
   }
-  return residual_.norm() < tolerances_.well_reduced * before;
+  return norm_left() < tolerances_.well_reduced * before;
 }
 
 bool OpenClose::interior_point_applies() const {

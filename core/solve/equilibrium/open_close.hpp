@@ -91,8 +91,12 @@ class OpenClose {
   void advance_from_start(Increment& d, Friction friction);
   /// Searches along the direction, part by part, for the minimum of the potential with frozen friction.
   void minimise_along_direction(Increment& d);
-  /// What may be left in one part without searching further [N].
-  double negligible_residual() const;
+  /// Whether an independent system has converged as far as is asked for this time.
+  bool balances(int system) const;
+  /// Of the systems that have not converged [N].
+  double norm_left() const;
+  /// What may be left in the part of each degree-of-freedom block without searching further [N].
+  void find_negligible();
 
   /// The paper's iteration, section 3: rounds in each of which contacts keep their states and friction is that of the
   /// last round (36), so that the step is one linear system; until a round leaves the states as they were.
@@ -144,6 +148,7 @@ class OpenClose {
   double tolerance_ = 0;      ///< relative residual of all bodies together at which this step has converged …
   double body_residual_ = 0;  ///< … and of each alone
   double enough_ = 0;         ///< of the forces on each body, that may be out of balance this time
+  std::vector<double> negligible_, negligible_in_system_;  ///< N, of each degree-of-freedom block, of each system
   double pattern_seconds_ = 0, elimination_seconds_ = 0;
   StepResidual::EffectWork alone_;
 };

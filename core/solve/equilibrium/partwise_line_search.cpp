@@ -35,7 +35,8 @@ void PartwiseLineSearch::look(const Eigen::VectorXd& gradient, const Eigen::Vect
   for (Part& part : parts_) part.state.residual = std::sqrt(part.state.residual);
 }
 
-void PartwiseLineSearch::begin(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction) {
+void PartwiseLineSearch::begin(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction,
+                               std::span<const double> negligible) {
   look(gradient, direction);
   for (Part& part : parts_) {
     const State now = part.state;
@@ -45,6 +46,7 @@ void PartwiseLineSearch::begin(const Eigen::VectorXd& gradient, const Eigen::Vec
     part.state.residual_before = now.residual;
     part.state.slope_before = now.slope;
   }
+  for (std::size_t n = 0; n < negligible.size(); ++n) parts_[part_of_[n]].state.negligible = negligible[n];
 }
 
 bool PartwiseLineSearch::any_pending() const {
@@ -71,8 +73,8 @@ void PartwiseLineSearch::go_back(Eigen::VectorXd& start, Eigen::VectorXd& d) con
       start.segment<3>(3 * n) = d.segment<3>(3 * n);
 }
 
-bool PartwiseLineSearch::narrow(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction, double negligible) {
-  keep(gradient, direction, [negligible](const State& state) { return state.residual < negligible; });
+bool PartwiseLineSearch::narrow(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction) {
+  keep(gradient, direction, [](const State& state) { return state.residual < state.negligible; });
   for (Part& part : parts_)
     if (part.pending) narrow(part);
   return any_pending();

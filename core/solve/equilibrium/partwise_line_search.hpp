@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
@@ -18,6 +19,7 @@ class PartwiseLineSearch {
   struct State {
     double residual_before = 0, residual = 0;  ///< N, norm of the gradient
     double slope_before = 0, slope = 0;        ///< J, of the potential along the full increment −direction
+    double negligible = 0;                     ///< N, of which no more need be left
   };
 
   explicit PartwiseLineSearch(const ConvergenceTolerances& tolerances = {}) : tolerances_(tolerances) {}
@@ -29,8 +31,10 @@ class PartwiseLineSearch {
 
   /// All parts are pending, with a fraction of 1.
   void set_all_pending();
-  /// Searches of pending parts begin here, with a fraction of 1; parts without a direction are done.
-  void begin(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction);
+  /// Searches of pending parts begin here, with a fraction of 1; parts without a direction are done. `negligible`: of
+  /// the part of each degree-of-freedom block [N]; none: 0.
+  void begin(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction,
+             std::span<const double> negligible = {});
   bool any_pending() const;
   /// The gradient of pending parts, 0 elsewhere.
   void pick_pending(const Eigen::VectorXd& gradient, Eigen::VectorXd& picked) const;
@@ -45,9 +49,9 @@ class PartwiseLineSearch {
   /// Pending parts of `d` go back to `start`; the others of `start` follow to `d`.
   void go_back(Eigen::VectorXd& start, Eigen::VectorXd& d) const;
   /// A round of the search at this gradient. Done are parts at the minimum of their potential, parts whose full
-  /// increment has not overshot it, and parts with a residual below `negligible` [N]. Chooses the next fraction of the
-  /// others. Whether any is pending.
-  bool narrow(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction, double negligible);
+  /// increment has not overshot it, and parts with a negligible residual. Chooses the next fraction of the others.
+  /// Whether any is pending.
+  bool narrow(const Eigen::VectorXd& gradient, const Eigen::VectorXd& direction);
 
  private:
   struct Point {

@@ -58,6 +58,33 @@ void StepResidual::set_pattern(int nodes, std::vector<std::pair<int, int>> coupl
     const Body& body = bodies.bodies[b];
     body_begins_.push_back(body_begins_.back() + (body.rigid >= 0 ? 2 : body.free_count()));
   }
+  find_systems(pattern);
+}
+
+void StepResidual::find_systems(const BlockPattern& pattern) {
+  system_of_.resize(pattern.nodes());
+  systems_.clear();
+  for (const std::vector<int>& blocks : pattern.connected_parts()) {
+    for (const int block : blocks) system_of_[block] = systems();
+    systems_.emplace_back();
+  }
+  for (int b = 0; b < bodies(); ++b)
+    for (int block = body_begins_[b]; block < body_begins_[b + 1]; ++block) {
+      std::vector<int>& listed = systems_[system_of_[block]].bodies;
+      if (listed.empty() || listed.back() != b) listed.push_back(b);
+    }
+}
+
+void StepResidual::measure_systems(const Eigen::VectorXd& vector, double System::*norm) {
+  for (System& system : systems_) system.*norm = 0;
+  for (std::size_t n = 0; n < system_of_.size(); ++n)
+    systems_[system_of_[n]].*norm += vector.segment<3>(3 * n).squaredNorm();
+  for (System& system : systems_) system.*norm = std::sqrt(system.*norm);
+}
+
+bool StepResidual::system_within(int system, double fraction) const {
+  const std::vector<int>& bodies = systems_[system].bodies;
+  return std::all_of(bodies.begin(), bodies.end(), [&](int b) { return body_within(b, fraction); });
 }
 
 double StepResidual::norm_of_body(const Eigen::VectorXd& vector, int body) const {
@@ -80,16 +107,20 @@ bool StepResidual::each_body_balances(double tolerance) const {
   return each_body_within(tolerance);
 }
 
+bool StepResidual::body_within(int body, double fraction) const {
+  return norm_of_body(gradient_, body) <= fraction * body_forces_[body];
+}
+
 bool StepResidual::each_body_within(double fraction) const {
   for (int b = 0; b < bodies(); ++b)
-    if (norm_of_body(gradient_, b) > fraction * body_forces_[b]) return false;
+    if (!body_within(b, fraction)) return false;
   return true;
 }
 
 void StepResidual::list_unbalanced(double fraction, std::vector<int>& bodies) const {
   bodies.clear();
   for (int b = 0; b < this->bodies(); ++b)
-    if (norm_of_body(gradient_, b) > fraction * body_forces_[b]) bodies.push_back(b);
+    if (!body_within(b, fraction)) bodies.push_back(b);
 }
 
 void StepResidual::leave_out_others(Eigen::VectorXd& forces) {
@@ -123,6 +154,7 @@ bool StepResidual::begin_step(const StepContext& step) {
   part_.resize(zero_.size());
   momentum_scale_ = 0;
   body_momenta_.setZero(bodies());
+  for (System& system : systems_) system.momentum = 0;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
     const Stopwatch of_effect(effect_work_[i].seconds);
@@ -137,6 +169,8 @@ bool StepResidual::begin_step(const StepContext& step) {
     momentum_scale_ = tolerances_.momentum_force_weight * part_.norm();
     norms_by_body(part_, body_momenta_);
     body_momenta_ *= tolerances_.momentum_force_weight;
+    measure_systems(part_, &System::momentum);
+    for (System& system : systems_) system.momentum *= tolerances_.momentum_force_weight;
   }
   return !same_kind;
 }
@@ -152,6 +186,7 @@ void StepResidual::evaluate(const Increment& d, Friction friction) {
   part_.resize(d.size());
   scaled_ = smooth_fraction_ * d;
   force_scale_ = looked_at_.empty() ? momentum_scale_ : 0;
+  for (System& system : systems_) system.scale = looked_at_.empty() ? system.momentum : 0;
   body_forces_ = body_momenta_;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
@@ -165,9 +200,12 @@ void StepResidual::evaluate(const Increment& d, Friction friction) {
     norms_[i] = part_.norm();
     const double counts = effect.account() == EnergyAccount::elastic ? tolerances_.elastic_force_weight : 1;
     force_scale_ = std::max(force_scale_, counts * norms_[i]);
+    measure_systems(part_, &System::of_effect);
+    for (System& system : systems_) system.scale = std::max(system.scale, counts * system.of_effect);
     norms_by_body(part_, body_norms_);
     body_forces_ = body_forces_.cwiseMax(counts * body_norms_);
   }
+  measure_systems(gradient_, &System::norm);
 }
 
 void StepResidual::freeze(const Increment& d) {
@@ -178,6 +216,7 @@ void StepResidual::freeze(const Increment& d) {
   frozen_.swap(gradient_);
   frozen_ *= -1;
   gradient_ *= -1;
+  measure_systems(gradient_, &System::norm);
 }
 
 void StepResidual::evaluate_without_inertia() {

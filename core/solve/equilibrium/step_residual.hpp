@@ -47,6 +47,14 @@ class StepResidual {
   bool each_body_balances(double tolerance) const;
   /// Whether on each body no more than this fraction of the forces on it is out of balance.
   bool each_body_within(double fraction) const;
+  /// Bodies that are coupled to no others balance apart from them: the independent systems, in the order of
+  /// BlockPattern::connected_parts. A far or heavy body changes nothing of what is measured of another system.
+  int systems() const { return static_cast<int>(systems_.size()); }
+  int system_of(int dof_block) const { return system_of_[dof_block]; }
+  double norm_of_system(int system) const { return systems_[system].norm; }          ///< N, of the last gradient
+  double force_scale_of_system(int system) const { return systems_[system].scale; }  ///< N, as force_scale
+  /// As each_body_within, of the bodies of a system.
+  bool system_within(int system, double fraction) const;
   /// Bodies with more than `fraction` of the forces on them out of balance, by their places in BodySet::moving.
   void list_unbalanced(double fraction, std::vector<int>& bodies) const;
   /// From the next D on all forces but those on these degree-of-freedom blocks, ascending, are left out; none: all
@@ -95,9 +103,18 @@ class StepResidual {
  private:
   enum class Contacts { included, left_out };
   void assemble_constant();
+  bool body_within(int body, double fraction) const;
   void leave_out_others(Eigen::VectorXd& forces);
   /// The largest fraction, at most 1, of a change that takes no node of a body farther than contacts were sought.
   double fraction_within_reach(const Eigen::VectorXd& change, int body) const;
+  /// An independent system and what is measured of it.
+  struct System {
+    std::vector<int> bodies;                                  // with nodes in it: places in BodySet::moving
+    double norm = 0, scale = 0, momentum = 0, of_effect = 0;  // N
+  };
+  void find_systems(const BlockPattern& pattern);
+  /// Norm of the part of a vector that belongs to each system.
+  void measure_systems(const Eigen::VectorXd& vector, double System::*norm);
   /// Norm of the part of a vector that belongs to a moving body, and to each of them.
   double norm_of_body(const Eigen::VectorXd& vector, int body) const;
   void norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const;
@@ -121,6 +138,8 @@ class StepResidual {
   Eigen::VectorXd kept_;
   std::vector<int> body_begins_;  ///< first degree-of-freedom block of each moving body, and the end of the last
   Eigen::VectorXd body_norms_, body_forces_, body_momenta_;  ///< N, of each: of an effect, the largest, of momentum
+  std::vector<System> systems_;
+  std::vector<int> system_of_;  ///< of each degree-of-freedom block
   double rounding_ = 0, rounding_of_positions_ = 0;
   double force_scale_ = 0, momentum_scale_ = 0;
   SolveTimes times_;

@@ -173,5 +173,34 @@ TEST_F(CompanyOfTwo, SpeedBringsThemTogether) {
   EXPECT_TRUE(company.any());
 }
 
+TEST(Company, WhatSlidesAndCollidesDoesSoWhateverLandsFarAway) {
+  const auto positions = [](double edge_far_away, double above) {
+    Project project = test::rock_project(30, {stage_of(60)});
+    project.gravity = test::tilted_gravity(40);
+    BlockSystem system =
+        test::block_system({slab(), rigid_cube("A", Vec3(0, 0, 0)), rigid_cube("B", Vec3(1.01, 0, 0))});
+    project.velocities = {{"A", Vec3(0.5, 0, 0), Vec3::Zero()}};
+    if (edge_far_away > 0) {
+      const Vec3 corner(0, far_away, 0), edge = Vec3::Constant(edge_far_away);
+      system.blocks.push_back(
+          test::box_block("far slab", corner - edge, corner + Vec3(2, 1, 0).cwiseProduct(edge), BodyKind::fixed));
+      system.blocks.push_back(
+          test::box_block("far", corner + Vec3(0, 0, above), corner + Vec3(0, 0, above) + edge, BodyKind::rigid));
+    }
+    std::vector<Vec3> all = positions_after(project, system);
+    all.resize(24);  // of the slab, A and B
+    return all;
+  };
+  const auto without = positions(0, 0);
+  EXPECT_GT((without[16] - Vec3(1.01, 0, 0)).norm(), 0.1) << "B was hit";
+  for (const double edge : {0.01, 1.0, 100.0})
+    for (const double above : {0.0, 0.01}) {
+      const std::vector<Vec3> with = positions(edge, above);
+      // How far contacts are looked for follows the fastest and the smallest block, and turns bits in the last place.
+      for (std::size_t n = 0; n < with.size(); ++n)
+        EXPECT_LT((with[n] - without[n]).norm(), 1e-12) << edge << " m, " << above << ", node " << n;
+    }
+}
+
 }  // namespace
 }  // namespace talus

@@ -34,8 +34,7 @@ class TwoWells : public testing::Test {
     search.begin(gradient(VectorXd::Zero(6)), along);
     VectorXd increment;
     search.increment_along(along, increment);
-    for (int k = 0; k < 60 && search.narrow(gradient(increment), along, 0); ++k)
-      search.increment_along(along, increment);
+    for (int k = 0; k < 60 && search.narrow(gradient(increment), along); ++k) search.increment_along(along, increment);
     EXPECT_FALSE(search.any_pending());
     return increment;
   }
@@ -82,9 +81,10 @@ TEST_F(TwoWells, PartWithANegligibleResidualIsDone) {
   VectorXd near = minimum, increment;
   near[0] += 1e-6;
   near[3] += 0.3;
-  search.begin(gradient(near), -direction(near));  // both go the wrong way
+  const double negligible[] = {1e-4, 1e-4};
+  search.begin(gradient(near), -direction(near), negligible);  // both go the wrong way
   search.increment_along(-direction(near), increment);
-  ASSERT_TRUE(search.narrow(gradient(near + increment), -direction(near), 1e-4));
+  ASSERT_TRUE(search.narrow(gradient(near + increment), -direction(near)));
   search.increment_along(-direction(near), increment);
   EXPECT_EQ(increment.head(3), direction(near).head(3)) << "the full increment";
   EXPECT_NE(increment.tail(3), direction(near).tail(3));
@@ -106,7 +106,7 @@ TEST(PartwiseLineSearch, FindsWhereAContactClosesInAFewTrials) {
     search.begin(gradient(VectorXd::Zero(3)), along);
     search.increment_along(along, increment);
     int trials = 0;
-    for (; search.narrow(gradient(increment), along, 0); ++trials) search.increment_along(along, increment);
+    for (; search.narrow(gradient(increment), along); ++trials) search.increment_along(along, increment);
     EXPECT_LE(trials, 5) << closes;
     EXPECT_NEAR(increment[0], closes, 2e-6);
   }

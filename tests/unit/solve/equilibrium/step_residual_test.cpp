@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "effects/compose.hpp"
@@ -125,6 +126,7 @@ TEST_F(PulledSprings, KeepWhatMeanArmsAddWhileFrictionIsFrozen) {
   residual.evaluate(d, Friction::coupled);
   const Eigen::VectorXd coupled = residual.gradient();
   residual.freeze(d);
+  EXPECT_NEAR(residual.norm_of_system(0), coupled.norm(), 1e-13 * coupled.norm()) << "nothing was balanced by that";
   residual.evaluate(d, Friction::frozen);
   EXPECT_THAT(asked, testing::ElementsAre(Arms::mean, Arms::end, Arms::end));
   EXPECT_LT((residual.gradient() - coupled).norm(), 1e-14 * coupled.norm()) << "where it was frozen nothing changes";
@@ -210,6 +212,26 @@ TEST_F(FallingCubes, OfWhichOneGoesFartherAreHeldBackEachByItself) {
   residual_.keep_within_reach(change_);
   EXPECT_EQ(change_.head(first_), 0.25 * before.head(first_));
   EXPECT_EQ(change_.tail(change_.size() - first_), before.tail(change_.size() - first_));
+}
+
+TEST_F(FallingCubes, ThatShareNoContactAreIndependentSystemsWithNormsAndScalesOfTheirOwn) {
+  const StepContext step = test::step_of(0.01);
+  for (const auto& effect : composition_.effects) effect->begin_step(step);
+  residual_.begin_step(step);
+  ASSERT_EQ(residual_.systems(), 2);
+  EXPECT_EQ(residual_.system_of(0), 0);
+  EXPECT_EQ(residual_.system_of(static_cast<int>(first_ / 3)), 1);
+  Increment d = Increment::Zero(bodies_.unknowns());
+  residual_.evaluate(d, Friction::coupled);
+  EXPECT_GT(residual_.norm_of_system(0), 0) << "its weight";
+  const double norm = residual_.norm_of_system(1), scale = residual_.force_scale_of_system(1);
+  EXPECT_NEAR(std::hypot(residual_.norm_of_system(0), norm), residual_.norm(), 1e-12 * residual_.norm());
+  d[0] = 0.1;
+  residual_.evaluate(d, Friction::coupled);
+  EXPECT_GT(residual_.norm_of_system(0), 10 * norm) << "a corner of the first was pulled";
+  EXPECT_GT(residual_.force_scale_of_system(0), 10 * scale);
+  EXPECT_EQ(residual_.norm_of_system(1), norm);
+  EXPECT_EQ(residual_.force_scale_of_system(1), scale);
 }
 
 }  // namespace
