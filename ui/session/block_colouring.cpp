@@ -45,7 +45,7 @@ KeyEntry entry(Rgb colour, const QString& meaning) { return {colour, meaning.toS
 std::vector<KeyEntry> bodies() {
   const auto& palette = block_palette();
   return {entry(colours(Theme::light).rock, QObject::tr("fixed")), entry(palette[0], QObject::tr("rigid")),
-          entry(palette[3], QObject::tr("affine")), entry(palette[1], QObject::tr("tetrahedra"))};
+          entry(palette[2], QObject::tr("affine")), entry(palette[1], QObject::tr("tetrahedra"))};
 }
 
 /// From what stays to what goes.

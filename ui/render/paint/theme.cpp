@@ -30,9 +30,9 @@ const ThemeColours& colours(Theme theme) {
   return theme == Theme::dark ? dark : light;
 }
 
-const std::array<Rgb, 8>& block_palette() {
-  static constexpr std::array<Rgb, 8> palette{rgb(0x77aadd), rgb(0xee8866), rgb(0xeedd88), rgb(0x44bb99),
-                                              rgb(0xffaabb), rgb(0xbbcc33), rgb(0x99ddff), rgb(0xaaaa00)};
+const std::array<Rgb, 7>& block_palette() {
+  static constexpr std::array<Rgb, 7> palette{rgb(0x77aadd), rgb(0xeedd88), rgb(0x44bb99), rgb(0xffaabb),
+                                              rgb(0xbbcc33), rgb(0x99ddff), rgb(0xaaaa00)};
   return palette;
 }
 

@@ -18,8 +18,8 @@ struct ThemeColours {
 
 const ThemeColours& colours(Theme theme);
 
-/// Paul Tol's "light" scheme: for neighbouring blocks.
-const std::array<Rgb, 8>& block_palette();
+/// Paul Tol's "light" scheme without its orange, which means what is selected: for neighbouring blocks.
+const std::array<Rgb, 7>& block_palette();
 
 /// From what stays to what goes: five steps of caution, the last of them red.
 const std::array<Rgb, 5>& caution_palette();

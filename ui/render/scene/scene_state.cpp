@@ -24,6 +24,7 @@
 namespace talus {
 namespace {
 
+constexpr double tint_of_selection = 0.5;  // less would turn blue blocks grey, as fixed rock is
 // Layers of rock and joints that are told apart from the front and from the back; each is a drawing of all.
 constexpr int most_layers = 8, layers_in_motion = 4;
 constexpr std::size_t most_lines_in_motion = 50000;
@@ -293,7 +294,7 @@ void Scene::State::apply_lines() {
     part->draw_edges(wide, waits ? 0 : fine, edge, pixel);
   }
   concern.style(c.warn, 1.6 * unit, field_values.empty() ? 0.12 : 0, pixel);
-  selection.style(c.pick, 2 * unit, field_values.empty() ? 0.28 : 0, pixel);  // a tint would falsify a field's colours
+  selection.style(c.pick, 2 * unit, field_values.empty() ? tint_of_selection : 0, pixel);  // it would falsify a field
   hover.style(c.pick, unit, 0, pixel);
   joints.style(1.4 * unit);
   section.style(thin, edge, pixel);

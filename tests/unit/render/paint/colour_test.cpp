@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -54,6 +55,34 @@ TEST(Theme, WritingCanBeReadOnEveryGround) {
     }
     for (const Rgb curve : curve_palette(theme)) EXPECT_GE(contrast(curve, c.surface), 3);
   }
+}
+
+/// CIE 1976 L*, a*, b* under D65.
+std::array<double, 3> lab(Rgb c) {
+  const auto linear = [](std::uint8_t channel) {
+    const double v = channel / 255.0;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  };
+  const auto root = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16 / 116.0; };
+  const double r = linear(c.red), g = linear(c.green), b = linear(c.blue);
+  const double x = root((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.95047);
+  const double y = root(0.2126 * r + 0.7152 * g + 0.0722 * b);
+  const double z = root((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.08883);
+  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+double apart(Rgb a, Rgb b) {
+  const auto p = lab(a), q = lab(b);
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+/// A difference of 2 is just seen; the orange that Tol's scheme has lies 29 from what is selected in the dark.
+TEST(Theme, NoBlockLooksSelected) {
+  for (const Theme theme : {Theme::light, Theme::dark})
+    for (const Rgb block : block_palette())
+      for (const double grey : {0.0, 0.25})
+        EXPECT_GT(apart(mix(block, colours(Theme::light).rock, grey), colours(theme).pick), 40)
+            << int(block.red) << ' ' << int(block.green) << ' ' << int(block.blue);
 }
 
 TEST(ValueRange, IgnoresWhatIsNotFinite) {
