@@ -143,6 +143,35 @@ TEST(Plot, SaysThatTheAxisBelowIsTime) {
   EXPECT_GT(ink, 30);
 }
 
+TEST(Plot, CutsNoDigitOffTheNumbersOfItsAxis) {
+  Plot plot(QStringLiteral("Energy"));
+  plot.resize(240, 160);
+  plot.setCurves({{QStringLiteral("kinetic"), 0, {0, 1}, {0, 0.0012345}}}, QStringLiteral("J"));
+  const QImage picture = plot.grab().toImage();
+  const QColor paper = picture.pixelColor(0, 1);
+  const auto inked = [&](int column) {
+    int ink = 0;
+    for (int row = 26; row < 134; ++row) ink += picture.pixelColor(column, row) != paper;
+    return ink > 0;
+  };
+  int first = 0;
+  while (first < picture.width() && !inked(first)) ++first;
+  EXPECT_GE(first, 2) << "the first digit begins within the picture";
+  EXPECT_LT(first, 40) << "there are numbers";
+}
+
+TEST(Plot, EnergiesAndLengthsHaveThePrefixThatSuitsThem) {
+  EXPECT_EQ(numbers::energyScale(8e-4).unit, QStringLiteral("µJ"));
+  EXPECT_EQ(numbers::energyScale(0.25).unit, QStringLiteral("mJ"));
+  EXPECT_EQ(numbers::energyScale(25).unit, QStringLiteral("J"));
+  EXPECT_EQ(numbers::energyScale(2.5e7).unit, QStringLiteral("MJ"));
+  EXPECT_EQ(numbers::energyScale(0).unit, QStringLiteral("J"));
+  const numbers::Scale small = numbers::scaleOf(8e-4, "m");
+  EXPECT_EQ(small.unit, QStringLiteral("mm"));
+  EXPECT_NEAR(8e-4 / small.factor, 0.8, 1e-12);
+  EXPECT_EQ(numbers::scaleOf(2, "m/s").unit, QStringLiteral("m/s"));
+}
+
 TEST(Plot, KeepsOneSpikeAmongManyPoints) {
   Plot plot(QStringLiteral("Speed"));
   plot.resize(300, 160);

@@ -50,10 +50,16 @@ QString quantity(double value, const char* unit) {
 }
 
 Scale energyScale(double largest) {
-  const std::pair<double, const char*> units[] = {{1e12, "TJ"}, {1e9, "GJ"}, {1e6, "MJ"}, {1e3, "kJ"}};
+  const std::pair<double, const char*> units[] = {{1e12, "TJ"}, {1e9, "GJ"}, {1e6, "MJ"},
+                                                  {1e3, "kJ"},  {1, "J"},    {1e-3, "mJ"}};
   for (const auto& [factor, unit] : units)
     if (largest >= factor) return {factor, QLatin1String(unit)};
-  return {1, QStringLiteral("J")};
+  return largest > 0 ? Scale{1e-6, QStringLiteral("µJ")} : Scale{1, QStringLiteral("J")};
+}
+
+Scale scaleOf(double largest, const char* unit) {
+  const DisplayUnit shown = display_unit(unit, largest);
+  return {1 / shown.factor, text(shown.name)};
 }
 
 QString orientation(double dip, double dipDirection) {

@@ -23,12 +23,15 @@ constexpr int all_figures = 12;  // of a number in a field
 QString inField(double value, int figures = all_figures);
 /// With the prefix that suits it: "25 GPa", "0.2 MPa"; `unit` is SI.
 QString quantity(double value, const char* unit);
-/// J, kJ, MJ, GJ, TJ: the factor to divide by and its unit, for values up to `largest`.
+/// What values are divided by, and the unit that they have then.
 struct Scale {
   double factor = 1;
   QString unit;
 };
+/// µJ to TJ, for values up to `largest` J.
 Scale energyScale(double largest);
+/// The same for `unit`, SI: µm to m, µm/s to m/s, Pa to GPa.
+Scale scaleOf(double largest, const char* unit);
 /// "34/270", dip and three digits of dip direction, degrees.
 QString orientation(double dip, double dipDirection);
 /// "12 s", "4 min 10 s" (rounded to 5 s above a minute), "1 h 47 min".

@@ -15,8 +15,9 @@ namespace talus {
 
 namespace {
 
-constexpr double left_margin = 46, top_margin = 30, bottom_margin = 24;
+constexpr double least_left = 46, label_gap = 6, top_margin = 30, bottom_margin = 24;
 constexpr double name_height = 13;
+constexpr int tick_height = 10;
 
 }  // namespace
 
@@ -36,8 +37,8 @@ Plot::Plot(const QString& title) : title_(title) {
 void Plot::setCurves(std::vector<Curve> curves, const QString& unit) {
   curves_ = std::move(curves);
   unit_ = unit;
-  fitArea();
   fitRanges();
+  fitArea();
   update();
 }
 
@@ -80,7 +81,11 @@ void Plot::fitArea() {
   const QFontMetricsF metrics(theme::font(theme::now().type.small, QFont::Medium));
   for (const Curve& curve : curves_) names = std::max(names, metrics.horizontalAdvance(curve.name) + 14);
   names = std::min(names, width() * 0.3);
-  area_ = {left_margin, top_margin, std::max(20.0, width() - left_margin - names),
+  double left = least_left;
+  const QFontMetricsF numbers(theme::font(tick_height));
+  for (const std::string& label : tick_labels(yTicks_))
+    left = std::max(left, std::ceil(numbers.horizontalAdvance(text(label))) + 2 * label_gap);
+  area_ = {left, top_margin, std::max(20.0, width() - left - names),
            std::max(20.0, height() - top_margin - bottom_margin)};
 }
 
@@ -125,7 +130,7 @@ void Plot::drawHeading(QPainter& painter) const {
 
 void Plot::drawAxes(QPainter& painter) const {
   const Colours& c = theme::colours();
-  painter.setFont(theme::font(10));
+  painter.setFont(theme::font(tick_height));
   const auto yLabels = tick_labels(yTicks_);
   const size_t every = area_.height() < 18.0 * static_cast<double>(yTicks_.size()) ? 2 : 1;
   for (size_t i = 0; i < yTicks_.size(); ++i) {
@@ -134,7 +139,8 @@ void Plot::drawAxes(QPainter& painter) const {
     painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
     if (i % every != 0) continue;
     painter.setPen(c.textMuted);
-    painter.drawText(QRectF(0, y - 8, left_margin - 6, 16), Qt::AlignRight | Qt::AlignVCenter, text(yLabels[i]));
+    painter.drawText(QRectF(0, y - 8, area_.left() - label_gap, 16), Qt::AlignRight | Qt::AlignVCenter,
+                     text(yLabels[i]));
   }
   painter.setPen(c.textMuted);
   const auto xLabels = tick_labels(xTicks_);

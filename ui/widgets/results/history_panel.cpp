@@ -11,6 +11,24 @@
 
 namespace talus {
 
+namespace {
+
+double largestOf(const std::vector<Curve>& curves) {
+  double largest = 0;
+  for (const Curve& curve : curves)
+    for (const double value : curve.y)
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+void showIn(Plot& plot, const numbers::Scale& scale, std::vector<Curve> curves) {
+  for (Curve& curve : curves)
+    for (double& value : curve.y) value /= scale.factor;
+  plot.setCurves(std::move(curves), scale.unit);
+}
+
+}  // namespace
+
 HistoryPanel::HistoryPanel(CurrentRun& run, Playback& playback, Display& display)
     : run_(run),
       playback_(playback),
@@ -77,8 +95,10 @@ void HistoryPanel::fillMonitors() {
     displacement.push_back(std::move(u));
     speed.push_back(std::move(v));
   }
-  displacement_->setCurves(std::move(displacement), QStringLiteral("m"));
-  speed_->setCurves(std::move(speed), QStringLiteral("m/s"));
+  const numbers::Scale length = numbers::scaleOf(largestOf(displacement), "m");
+  const numbers::Scale pace = numbers::scaleOf(largestOf(speed), "m/s");
+  showIn(*displacement_, length, std::move(displacement));
+  showIn(*speed_, pace, std::move(speed));
 }
 
 std::vector<double> HistoryPanel::stepTimes() const {
@@ -112,21 +132,18 @@ void HistoryPanel::fillEnergy() {
                         {tr("elastic"), &EnergyLedger::elastic, 2},
                         {tr("friction"), &EnergyLedger::friction_dissipated, 1},
                         {tr("loss"), &EnergyLedger::integration_loss, 3}};
-  double largest = 0;
-  for (const StepReport& step : run_.steps())
-    for (const Part& part : parts) largest = std::max(largest, std::abs(step.energy.*part.member));
-  const numbers::Scale scale = numbers::energyScale(largest);
   std::vector<Curve> curves;
   for (const Part& part : parts) {
     Curve curve{part.name, part.colour, times, {}};
     bool any = false;
     for (const StepReport& step : run_.steps()) {
-      curve.y.push_back(step.energy.*part.member / scale.factor);
+      curve.y.push_back(step.energy.*part.member);
       any = any || curve.y.back() != 0;
     }
     if (any) curves.push_back(std::move(curve));
   }
-  energy_->setCurves(std::move(curves), scale.unit);
+  const numbers::Scale scale = numbers::energyScale(largestOf(curves));
+  showIn(*energy_, scale, std::move(curves));
 }
 
 }  // namespace talus
