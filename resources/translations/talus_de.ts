@@ -1071,6 +1071,14 @@
         <source>unite the two solids on the Geometry page, and cut what comes of it</source>
         <translation>die beiden Körper auf der Seite Geometrie vereinigen und das Ergebnis schneiden</translation>
     </message>
+    <message>
+        <source>The solids are being read</source>
+        <translation>Die Körper werden gelesen</translation>
+    </message>
+    <message>
+        <source>Solve page</source>
+        <translation>Seite Rechnen</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -1720,10 +1728,6 @@
     <message>
         <source>by solid</source>
         <translation>je Körper</translation>
-    </message>
-    <message>
-        <source>At most</source>
-        <translation>Höchstens</translation>
     </message>
     <message>
         <source>a mesh that would have more tetrahedra is refused: 5000000 when absent</source>
@@ -3121,6 +3125,10 @@
         <source>a flat face: corners [x, y, z] in order, m</source>
         <translation>eine ebene Fläche: Ecken [x, y, z] der Reihe nach, m</translation>
     </message>
+    <message>
+        <source>Tetrahedra at most</source>
+        <translation>Tetraeder höchstens</translation>
+    </message>
 </context>
 <context>
     <name>talus::AccuracyChart</name>
@@ -3160,10 +3168,6 @@
     <message>
         <source>Accuracy</source>
         <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Solve → Study accuracy makes one, or talus-cli study accuracy PROJECT: error against seconds under many settings.</source>
-        <translation>Rechnen → Genauigkeit untersuchen macht eine, oder talus-cli study accuracy PROJEKT: Fehler über Sekunden unter vielen Einstellungen.</translation>
     </message>
     <message>
         <source>Open…</source>
@@ -3212,10 +3216,6 @@
     <message>
         <source>There is no study of this project</source>
         <translation>Zu diesem Projekt gibt es keine Untersuchung</translation>
-    </message>
-    <message>
-        <source>Open… shows another one</source>
-        <translation>Öffnen… zeigt eine andere</translation>
     </message>
     <message>
         <source>%1: what accuracy costs</source>
@@ -3323,6 +3323,10 @@
         <source>The project has this setting</source>
         <translation>Das Projekt hat diese Einstellung</translation>
     </message>
+    <message>
+        <source>Open… shows another one; talus-cli study accuracy PROJECT makes one, too</source>
+        <translation>Öffnen… zeigt eine andere; auch talus-cli study accuracy PROJEKT macht eine</translation>
+    </message>
 </context>
 <context>
     <name>talus::AccuracySlider</name>
@@ -3343,10 +3347,6 @@
         <translation>fein</translation>
     </message>
     <message>
-        <source>Share of the study that is done</source>
-        <translation>Erledigter Anteil der Untersuchung</translation>
-    </message>
-    <message>
         <source>From the cheapest setting to the most accurate one</source>
         <translation>Von der billigsten Einstellung zur genauesten</translation>
     </message>
@@ -3357,54 +3357,6 @@
     <message>
         <source>: as the project is now</source>
         <translation>: wie das Projekt jetzt ist</translation>
-    </message>
-    <message>
-        <source>The study is of this project before it was changed.</source>
-        <translation>Die Untersuchung gehört zu diesem Projekt, bevor es geändert wurde.</translation>
-    </message>
-    <message>
-        <source>What accuracy costs is not known yet. A study solves the project under some twenty settings, from the cheapest to the finest, and tells error and seconds of each.</source>
-        <translation>Was Genauigkeit kostet, ist noch nicht bekannt. Eine Untersuchung rechnet das Projekt unter etwa zwanzig Einstellungen, von der billigsten zur feinsten, und nennt Fehler und Sekunden jeder einzelnen.</translation>
-    </message>
-    <message>
-        <source>Study again</source>
-        <translation>Neu untersuchen</translation>
-    </message>
-    <message>
-        <source>Study accuracy</source>
-        <translation>Genauigkeit untersuchen</translation>
-    </message>
-    <message>
-        <source>In the background; it takes many times as long as one run. What it has is kept when it is stopped</source>
-        <translation>Im Hintergrund; es dauert vielmal so lang wie ein Lauf. Was fertig ist, bleibt erhalten, wenn man es anhält</translation>
-    </message>
-    <message>
-        <source>A study is made of the project&apos;s file: save it first</source>
-        <translation>Untersucht wird die Datei des Projekts: zuerst sichern</translation>
-    </message>
-    <message>
-        <source>%1; %2 left</source>
-        <translation>%1; noch %2</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Runs that have ended are kept; the study can go on later</source>
-        <translation>Läufe, die fertig sind, bleiben; die Untersuchung kann später weitergehen</translation>
-    </message>
-    <message>
-        <source>The study begins</source>
-        <translation>Die Untersuchung beginnt</translation>
-    </message>
-    <message>
-        <source>accuracy study</source>
-        <translation>Genauigkeitsuntersuchung</translation>
-    </message>
-    <message>
-        <source>what has ended is kept</source>
-        <translation>was fertig ist, bleibt</translation>
     </message>
 </context>
 <context>
@@ -5354,6 +5306,29 @@ Z %3</translation>
     </message>
 </context>
 <context>
+    <name>talus::ProjectStudy</name>
+    <message>
+        <source>Open a project first</source>
+        <translation>Zuerst ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>A study is made of the project&apos;s file: save it first</source>
+        <translation>Untersucht wird die Datei des Projekts: zuerst sichern</translation>
+    </message>
+    <message>
+        <source>The study begins</source>
+        <translation>Die Untersuchung beginnt</translation>
+    </message>
+    <message>
+        <source>accuracy study</source>
+        <translation>Genauigkeitsuntersuchung</translation>
+    </message>
+    <message>
+        <source>what has ended is kept</source>
+        <translation>was fertig ist, bleibt</translation>
+    </message>
+</context>
+<context>
     <name>talus::ProjectTree</name>
     <message>
         <source>Project</source>
@@ -7009,6 +6984,45 @@ Mittel %3,  κ %4,  95-%-Kegel %5</translation>
 No. %3</source>
         <translation>%1  %2
 Nr. %3</translation>
+    </message>
+</context>
+<context>
+    <name>talus::StudyStart</name>
+    <message>
+        <source>Share of the study that is done</source>
+        <translation>Erledigter Anteil der Untersuchung</translation>
+    </message>
+    <message>
+        <source>The study is of this project before it was changed.</source>
+        <translation>Die Untersuchung gehört zu diesem Projekt, bevor es geändert wurde.</translation>
+    </message>
+    <message>
+        <source>What accuracy costs is not known yet. A study solves the project under some twenty settings, from the cheapest to the finest, and tells error and seconds of each.</source>
+        <translation>Was Genauigkeit kostet, ist noch nicht bekannt. Eine Untersuchung rechnet das Projekt unter etwa zwanzig Einstellungen, von der billigsten zur feinsten, und nennt Fehler und Sekunden jeder einzelnen.</translation>
+    </message>
+    <message>
+        <source>Study again</source>
+        <translation>Neu untersuchen</translation>
+    </message>
+    <message>
+        <source>Study accuracy</source>
+        <translation>Genauigkeit untersuchen</translation>
+    </message>
+    <message>
+        <source>In the background; it takes many times as long as one run. What it has is kept when it is stopped</source>
+        <translation>Im Hintergrund; es dauert vielmal so lang wie ein Lauf. Was fertig ist, bleibt erhalten, wenn man es anhält</translation>
+    </message>
+    <message>
+        <source>%1; %2 left</source>
+        <translation>%1; noch %2</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Runs that have ended are kept; the study can go on later</source>
+        <translation>Läufe, die fertig sind, bleiben; die Untersuchung kann später weitergehen</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,31 @@ TEST_F(AccuracyPanelTest, SaysHowToGetAStudyWhereThereIsNone) {
   keepPicture(panel, "accuracy_none.png");
 }
 
+TEST_F(AccuracyPanelTest, BeginsAStudyWhereThereIsNone) {
+  qputenv("TALUS_CLI", TALUS_CLI);
+  window->open(slidingCube(20));
+  AccuracyPanel& panel = opened();
+  QPushButton& begin = button(panel, "Study accuracy");
+  ASSERT_TRUE(begin.isVisible() && begin.isEnabled()) << begin.toolTip().toStdString();
+  click(begin);
+  ASSERT_TRUE(session->study.isBusy());
+  EXPECT_EQ(begin.text(), QStringLiteral("Stop"));
+  ASSERT_TRUE(wait([&] { return !session->study.isBusy(); }, 300000));
+  ASSERT_TRUE(session->project.study());
+  EXPECT_TRUE(panel.findChild<AccuracyChart*>()->isVisible()) << "it shows what has been made";
+  EXPECT_FALSE(begin.isVisible());
+  EXPECT_EQ(table(panel, "runs").rowCount(), static_cast<int>(session->project.study()->study.rows.size()));
+}
+
+TEST_F(AccuracyPanelTest, SaysWhyNoStudyCanBeBegun) {
+  AccuracyPanel& panel = opened();
+  EXPECT_FALSE(button(panel, "Study accuracy").isEnabled());
+  EXPECT_EQ(button(panel, "Study accuracy").toolTip(), QStringLiteral("Open a project first"));
+  window->open(write("empty.talus", R"({"talus": 1, "materials": {}, "solids": [], "stages": []})"));
+  EXPECT_FALSE(button(panel, "Study accuracy").isEnabled());
+  EXPECT_EQ(button(panel, "Study accuracy").toolTip(), QStringLiteral("The project has no solid"));
+}
+
 TEST_F(AccuracyPanelTest, APointThatIsClickedSelectsItsRunAndGivesItsSetting) {
   const auto file = slidingCube(100);
   study(file);

@@ -68,6 +68,19 @@ TEST_F(AccuracySliderTest, MakesAStudyThatCanBeStoppedAndGoneOnWith) {
   EXPECT_TRUE(says(QStringLiteral("error ")));
 }
 
+TEST_F(AccuracySliderTest, OffersAStudyOfAProjectThatTakesTheStudiedOnesPlace) {
+  const auto file = slidingCube(100);
+  study(file);
+  window->open(file);
+  session->display.goTo(WorkflowPage::solve);
+  ASSERT_TRUE(slider().isEnabled());
+  window->open(sample("free_fall"));
+  session->display.goTo(WorkflowPage::solve);
+  EXPECT_FALSE(slider().isEnabled());
+  EXPECT_TRUE(says(QStringLiteral("not known yet")));
+  EXPECT_TRUE(button(panel(), "Study accuracy").isVisible());
+}
+
 TEST_F(AccuracySliderTest, IsDraggedFromDraftToReference) {
   const auto file = slidingCube(100);
   study(file);

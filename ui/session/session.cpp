@@ -29,6 +29,7 @@ Session::Session(SolverParts parts)
       surfaces(project),
       playback(project.document(), messages),
       run(project, playback, messages, std::move(parts)),
+      study(project, run, messages),
       display(project, playback),
       survey(project),
       colouring(project, survey, display),
@@ -50,6 +51,13 @@ bool Session::open(const std::filesystem::path& path) {
   if (!isFree(text(path))) return false;
   std::error_code unreadable;  // is said by whoever opens it
   return std::filesystem::is_directory(path, unreadable) ? openResults(path) : openProject(path);
+}
+
+QString Session::whyNotMesh() const {
+  const QString busy = run.whyNotMesh();
+  if (!busy.isEmpty()) return busy;
+  const bool isFirst = !project.system() && !surfaces.current() && surfaces.isBusy();
+  return isFirst ? QObject::tr("The solids are being read") : QString();
 }
 
 bool Session::begin(const Draft& draft, const QString& what) {

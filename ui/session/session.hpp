@@ -12,6 +12,7 @@
 #include "session/messages.hpp"
 #include "session/picking.hpp"
 #include "session/playback.hpp"
+#include "session/project_study.hpp"
 #include "session/solid_surfaces.hpp"
 #include "session/splinter_list.hpp"
 
@@ -30,6 +31,8 @@ struct Session {
   bool isOpening() const { return opening_; }
   /// A project that is not in a file as it is, called `what` in the log. Reports a problem like `open`.
   bool begin(const Draft& draft, const QString& what);
+  /// Empty when the rock can be cut and meshed; otherwise why not.
+  QString whyNotMesh() const;
   /// Starts a run and shows its page, unless the project cannot be solved. It has a file.
   void solve();
 
@@ -39,6 +42,7 @@ struct Session {
   SolidSurfaces surfaces;
   Playback playback;
   CurrentRun run;
+  ProjectStudy study;
   Display display;
   Picking picking;
   BlockSurvey survey;

@@ -48,7 +48,7 @@ double shareOf(const RunReport& report, const std::vector<StepReport>& steps, co
 
 }  // namespace
 
-RunPanel::RunPanel(CurrentProject& project, CurrentRun& run, Messages& messages, Display& display)
+RunPanel::RunPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study, Display& display)
     : project_(project), run_(run), header_(new PanelHeader(tr("Run"))) {
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
@@ -79,7 +79,7 @@ RunPanel::RunPanel(CurrentProject& project, CurrentRun& run, Messages& messages,
   auto* sections = new QVBoxLayout(whole);
   setMargins(sections, 0, 0);
   sections->addWidget(new CostAhead(project_, run_));
-  sections->addWidget(new AccuracySlider(project_, run_, messages));
+  sections->addWidget(new AccuracySlider(project_, run_, study));
   sections->addWidget(content);
   sections->addWidget(new TroublePanel(run_, display));
   sections->addWidget(makeLine(Qt::Horizontal));

@@ -11,14 +11,14 @@ namespace talus {
 class CurrentProject;
 class CurrentRun;
 class Display;
-class Messages;
+class ProjectStudy;
 
 /// What a run will cost, before it; then how it goes: share done, time left, contacts, penetration, blocks asleep;
 /// where it has trouble to converge; what each effect costs and why it is on.
 class RunPanel : public QWidget {
   Q_OBJECT
  public:
-  RunPanel(CurrentProject& project, CurrentRun& run, Messages& messages, Display& display);
+  RunPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study, Display& display);
 
  private:
   void refresh();

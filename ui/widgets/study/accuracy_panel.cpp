@@ -15,6 +15,7 @@
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/text.hpp"
+#include "widgets/study/study_start.hpp"
 
 namespace talus {
 
@@ -40,7 +41,7 @@ QString nameOf(StudyAxis axis) {
 
 }  // namespace
 
-AccuracyPanel::AccuracyPanel(CurrentProject& project, CurrentRun& run, QWidget* parent)
+AccuracyPanel::AccuracyPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study, QWidget* parent)
     : QDialog(parent), project_(project), run_(run) {
   setWindowTitle(tr("Accuracy"));
   resizeWithin(*this, usual_size);
@@ -54,12 +55,7 @@ AccuracyPanel::AccuracyPanel(CurrentProject& project, CurrentRun& run, QWidget* 
   row->addWidget(makeLine(Qt::Vertical));
   row->addWidget(makeSide());
   column->addWidget(content_, 1);
-  empty_ =
-      makeLabel(tr("Solve → Study accuracy makes one, or talus-cli study accuracy PROJECT: error against seconds under "
-                   "many settings."),
-                "muted");
-  empty_->setAlignment(Qt::AlignCenter);
-  column->addWidget(empty_, 1);
+  column->addWidget(empty_ = makeEmpty(study), 1);
   connect(&project_, &CurrentProject::studyChanged, this, &AccuracyPanel::showProjectsStudy);
   connect(&project_.document(), &Document::projectChanged, this, &AccuracyPanel::refreshUse);
   connect(&run_.job(), &SolverJob::stateChanged, this, &AccuracyPanel::refreshUse);
@@ -83,6 +79,16 @@ QWidget* AccuracyPanel::makeHeading() {
   connect(openFile, &QPushButton::clicked, this, &AccuracyPanel::askForFile);
   row->addWidget(openFile);
   return heading;
+}
+
+/// What is there instead of a study: what makes one.
+QWidget* AccuracyPanel::makeEmpty(ProjectStudy& study) {
+  auto* whole = new QWidget;
+  auto* column = new QVBoxLayout(whole);
+  auto* start = new StudyStart(study);
+  start->setFixedWidth(side_width);
+  column->addWidget(start, 0, Qt::AlignCenter);
+  return whole;
 }
 
 QWidget* AccuracyPanel::makeRuns() {
@@ -176,7 +182,7 @@ void AccuracyPanel::show(std::optional<StudyRecord> record) {
   empty_->setVisible(!record_);
   if (!record_) {
     title_->setText(tr("There is no study of this project"));
-    note_->setText(tr("Open… shows another one"));
+    note_->setText(tr("Open… shows another one; talus-cli study accuracy PROJECT makes one, too"));
     return;
   }
   title_->setText(tr("%1: what accuracy costs").arg(text(record_->study.project_name)));

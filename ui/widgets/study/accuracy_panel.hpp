@@ -15,13 +15,14 @@ namespace talus {
 
 class CurrentProject;
 class CurrentRun;
+class ProjectStudy;
 
 /// An accuracy study: error against seconds, its runs as a table, the cheapest that meets a target, orders of
 /// convergence, where the time of the chosen run went. A run's setting can be given to the project that was studied.
 class AccuracyPanel : public QDialog {
   Q_OBJECT
  public:
-  AccuracyPanel(CurrentProject& project, CurrentRun& run, QWidget* parent = nullptr);
+  AccuracyPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study, QWidget* parent = nullptr);
   /// The study of the project that is open, and to the front.
   void present();
   /// The study that has this accuracy.json; says a problem in its heading where it cannot be read.
@@ -29,6 +30,7 @@ class AccuracyPanel : public QDialog {
 
  private:
   QWidget* makeHeading();
+  QWidget* makeEmpty(ProjectStudy& study);
   QWidget* makeRuns();
   QWidget* makeSide();
   void askForFile();
@@ -45,14 +47,14 @@ class AccuracyPanel : public QDialog {
   CurrentRun& run_;
   std::optional<StudyRecord> record_;
   std::optional<int> chosenRun_;
-  QLabel *title_, *note_, *empty_, *ordersTitle_;
+  QLabel *title_, *note_, *ordersTitle_;
   AccuracyChart* chart_;
   PlainTable *runs_, *orders_;
   QLineEdit* target_;
   QLabel *recommended_, *chosen_;
   QPushButton* use_;
   RunProfile* profile_;
-  QWidget* content_;
+  QWidget *content_, *empty_;
 };
 
 }  // namespace talus

@@ -1,7 +1,6 @@
 #include "widgets/study/accuracy_slider.hpp"
 
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -10,23 +9,23 @@
 #include "render/charts/log_axis.hpp"
 #include "session/current_project.hpp"
 #include "session/current_run.hpp"
-#include "session/messages.hpp"
+#include "session/project_study.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/text.hpp"
+#include "widgets/study/study_start.hpp"
 
 namespace talus {
 
-AccuracySlider::AccuracySlider(CurrentProject& project, CurrentRun& run, Messages& messages)
+AccuracySlider::AccuracySlider(CurrentProject& project, CurrentRun& run, ProjectStudy& study)
     : project_(project),
       run_(run),
-      messages_(messages),
+      study_(study),
       slider_(new QSlider(Qt::Horizontal)),
       figures_(makeLabel({}, "strong")),
       words_(makeWrappedLabel({}, "small")),
       use_(makeButton(tr("Use"))),
-      study_(makeButton({})),
-      bar_(makeProgressBar()) {
+      start_(new StudyStart(study)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 10, 12, 10);
   column->setSpacing(4);
@@ -43,27 +42,16 @@ AccuracySlider::AccuracySlider(CurrentProject& project, CurrentRun& run, Message
   chosen->addWidget(use_);
   column->addLayout(chosen);
   column->addWidget(words_);
-  bar_->setAccessibleName(tr("Share of the study that is done"));
-  auto* study = new QHBoxLayout;
-  study->setContentsMargins(0, 4, 0, 0);
-  study->setSpacing(8);
-  study->addWidget(study_);
-  study->addWidget(bar_, 1);
-  study->addStretch();
-  column->addLayout(study);
+  column->addWidget(start_);
   slider_->setPageStep(1);
   slider_->setAccessibleName(tr("From the cheapest setting to the most accurate one"));
   slider_->setToolTip(slider_->accessibleName());
   connect(slider_, &QSlider::valueChanged, this, &AccuracySlider::tell);
   connect(use_, &QPushButton::clicked, this, [this] { project_.useSetting(*project_.study(), best_[position()]); });
-  connect(study_, &QPushButton::clicked, this, &AccuracySlider::startOrStop);
-  connect(&job_, &StudyJob::progressed, this, &AccuracySlider::tellHowTheStudyGoes);
-  connect(&job_, &StudyJob::ended, this, &AccuracySlider::takeEnd);
+  connect(&study_, &ProjectStudy::changed, this, &AccuracySlider::offerStudy);
   connect(&project_, &CurrentProject::studyChanged, this, &AccuracySlider::refresh);
-  connect(&project_, &CurrentProject::opened, &job_, &StudyJob::cancel);
   connect(&project_, &CurrentProject::opened, this, &AccuracySlider::refresh);
   connect(&project_.document(), &Document::projectChanged, this, &AccuracySlider::refresh);
-  connect(&project_.document(), &Document::savedChanged, this, &AccuracySlider::tell);
   connect(&run_.job(), &SolverJob::stateChanged, this, &AccuracySlider::refresh);
   refresh();
 }
@@ -93,9 +81,9 @@ void AccuracySlider::refresh() {
 void AccuracySlider::tell() {
   figures_->setVisible(!best_.empty());
   use_->setVisible(!best_.empty());
-  study_->setVisible(best_.empty() || job_.isBusy());
-  bar_->setVisible(job_.isBusy());
-  if (best_.empty()) return tellHowToGetAStudy();
+  words_->setVisible(!best_.empty());
+  offerStudy();
+  if (best_.empty()) return;
   const AccuracyRow& chosen = row(best_[position()]);
   const bool own = best_[position()] == has_;
   figures_->setText(
@@ -104,45 +92,6 @@ void AccuracySlider::tell() {
   use_->setEnabled(!own);
 }
 
-void AccuracySlider::tellHowToGetAStudy() {
-  if (job_.isBusy()) return;
-  const bool outdated = project_.study() && !has_;
-  words_->setText(outdated ? tr("The study is of this project before it was changed.")
-                           : tr("What accuracy costs is not known yet. A study solves the project under some twenty "
-                                "settings, from the cheapest to the finest, and tells error and seconds of each."));
-  study_->setText(outdated ? tr("Study again") : tr("Study accuracy"));
-  const bool saved = project_.document().isSaved() && !project_.document().file().empty();
-  study_->setEnabled(saved);
-  study_->setToolTip(saved
-                         ? tr("In the background; it takes many times as long as one run. What it has is kept when it "
-                              "is stopped")
-                         : tr("A study is made of the project's file: save it first"));
-}
-
-void AccuracySlider::tellHowTheStudyGoes(double fraction, const QString& what) {
-  const auto left = job_.timeLeft().seconds();
-  showShare(*bar_, fraction);
-  words_->setText(left ? tr("%1; %2 left").arg(what, numbers::duration(*left)) : what);
-}
-
-void AccuracySlider::startOrStop() {
-  if (job_.isBusy()) {
-    study_->setEnabled(false);
-    job_.cancel();
-    return;
-  }
-  job_.begin({project_.document().file(), false, {}, TALUS_VERSION});
-  study_->setText(tr("Stop"));
-  study_->setToolTip(tr("Runs that have ended are kept; the study can go on later"));
-  tellHowTheStudyGoes(0, tr("The study begins"));
-  tell();
-}
-
-void AccuracySlider::takeEnd(const QString& problem) {
-  if (!problem.isEmpty())
-    messages_.add({Problem::Severity::warning, tr("accuracy study"), problem, tr("what has ended is kept")});
-  project_.lookForStudy();
-  refresh();
-}
+void AccuracySlider::offerStudy() { start_->setVisible(best_.empty() || study_.isBusy()); }
 
 }  // namespace talus

@@ -3,18 +3,17 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "jobs/study_job.hpp"
 #include "study/accuracy/study_record.hpp"
 
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace talus {
 
 class CurrentProject;
 class CurrentRun;
-class Messages;
+class ProjectStudy;
+class StudyStart;
 
 /// From draft to reference: the settings of the project's accuracy study that are best for their cost, the cheapest
 /// first. Each says what it took and how far off it was, and can be given to the project. Where no study is of the
@@ -22,29 +21,24 @@ class Messages;
 class AccuracySlider : public QWidget {
   Q_OBJECT
  public:
-  AccuracySlider(CurrentProject& project, CurrentRun& run, Messages& messages);
+  AccuracySlider(CurrentProject& project, CurrentRun& run, ProjectStudy& study);
 
  private:
   void refresh();
   void tell();
-  void tellHowToGetAStudy();
-  void tellHowTheStudyGoes(double fraction, const QString& what);
-  /// Begins a study, or ends the one that goes on.
-  void startOrStop();
-  void takeEnd(const QString& problem);
+  void offerStudy();
   std::size_t position() const { return static_cast<std::size_t>(slider_->value()); }
   const AccuracyRow& row(int run) const;
 
   CurrentProject& project_;
   CurrentRun& run_;
-  Messages& messages_;
+  ProjectStudy& study_;
   QSlider* slider_;
   QLabel *figures_, *words_;
-  QPushButton *use_, *study_;
-  QProgressBar* bar_;
+  QPushButton* use_;
+  StudyStart* start_;
   std::vector<int> best_;   ///< runs of the study, a place of the slider each; empty: nothing to choose from
   std::optional<int> has_;  ///< the run whose setting the project has
-  StudyJob job_;
 };
 
 }  // namespace talus

@@ -162,7 +162,7 @@ void MainWindow::makeDocks() {
   rightPages_ = new QStackedWidget;
   rightPages_->addWidget(new PropertyPanel(session_.project, session_.survey, session_.playback, session_.messages,
                                            session_.display, session_.picking));
-  rightPages_->addWidget(new RunPanel(session_.project, session_.run, session_.messages, session_.display));
+  rightPages_->addWidget(new RunPanel(session_.project, session_.run, session_.study, session_.display));
   rightPages_->addWidget(new DisplayPanel(session_.display, session_.run));
   auto* right = makePlane("surface");
   auto* rightColumn = new QVBoxLayout(right);

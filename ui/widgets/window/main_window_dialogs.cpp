@@ -139,7 +139,7 @@ Verification* MainWindow::verification() {
 }
 
 void MainWindow::showAccuracy() {
-  if (!accuracy_) accuracy_ = new AccuracyPanel(session_.project, session_.run, this);
+  if (!accuracy_) accuracy_ = new AccuracyPanel(session_.project, session_.run, session_.study, this);
   accuracy_->present();
 }
 
