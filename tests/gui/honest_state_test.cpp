@@ -90,6 +90,38 @@ TEST_F(HonestState, AnotherBodyTakesTheTicksOfBlocksAndMeshAndMarksTheTable) {
   EXPECT_EQ(title, QStringLiteral("Blocks"));
 }
 
+TEST_F(HonestState, APageOnWhichAnErrorIsHasNoTick) {
+  window->open(write("lost.talus", R"({"talus": 1, "joints": {"J1": {"friction_angle": 30}}, "default_joint": "J1",
+    "materials": {"rock": {"density": 2600, "young": 1e9, "poisson": 0.25}},
+    "solids": [{"name": "hill", "file": "nowhere.step", "material": "rock"}],
+    "stages": [{"name": "go", "type": "dynamic", "time_step": 0.01, "steps": 1}]})"));
+  ASSERT_TRUE(wait([&] { return tick("geometry") == RailItem::State::doubtful; }));
+  EXPECT_TRUE(tipOf("geometry").contains(QStringLiteral("no such file"))) << tipOf("geometry").toStdString();
+  for (const char* page : {"joints", "materials", "stages"}) EXPECT_EQ(tick(page), RailItem::State::done) << page;
+  Project mended = session->project.document().project();
+  mended.solids[0].shape = BoxShape{{0, 0, 0}, {1, 1, 1}};
+  session->project.document().change(mended, QStringLiteral("a box"));
+  EXPECT_TRUE(wait([&] { return tick("geometry") == RailItem::State::done; }));
+}
+
+TEST_F(HonestState, CutAndMeshWaitsUntilTheSolidsHaveBeenRead) {
+  window->open(sample("step_slope"));
+  ASSERT_TRUE(session->surfaces.isBusy() && !session->surfaces.current());
+  auto* primary = window->findChild<QPushButton*>(QStringLiteral("primary"));
+  const auto buttons = window->viewport().findChildren<QPushButton*>();
+  const auto inView = std::ranges::find_if(
+      buttons, [](const QPushButton* one) { return one->text() == QStringLiteral("Cut and mesh"); });
+  ASSERT_NE(inView, buttons.end());
+  for (const QPushButton* one : {primary, *inView}) {
+    EXPECT_FALSE(one->isEnabled());
+    EXPECT_TRUE(one->toolTip().contains(QStringLiteral("The solids are being read"))) << one->toolTip().toStdString();
+  }
+  ASSERT_TRUE(wait([&] { return session->surfaces.current() && !session->surfaces.isBusy(); }));
+  rest(20);
+  EXPECT_TRUE(primary->isEnabled()) << primary->toolTip().toStdString();
+  EXPECT_EQ(primary->text(), QStringLiteral("Cut and mesh"));
+}
+
 TEST_F(HonestState, AStoppedRunIsNoTickNeitherWhenItsResultsAreOpened) {
   openAndMesh(slidingCube());
   session->solve();

@@ -22,6 +22,9 @@ constexpr const char* pageKey(WorkflowPage page) {
   return keys[static_cast<size_t>(page)];
 }
 
+/// The page on which a place of the project file is changed.
+WorkflowPage pageOf(const QString& place);
+
 inline QString pageTitle(WorkflowPage page) {
   constexpr std::array titles{QT_TRANSLATE_NOOP("pages", "Geometry"),  QT_TRANSLATE_NOOP("pages", "Joints"),
                               QT_TRANSLATE_NOOP("pages", "Blocks"),    QT_TRANSLATE_NOOP("pages", "Mesh"),

@@ -450,7 +450,7 @@ void Viewport::showEmptyState() {
                         : hasRock()
                             ? tr("There are no blocks yet: cut the rock along its joints and mesh it to see them.")
                             : tr("There is no rock yet: import geometry, or make a new solid."));
-    const QString whyNot = hasRock() ? session_.run.whyNotMesh() : QString();
+    const QString whyNot = hasRock() ? session_.whyNotMesh() : QString();
     emptyButton_->setEnabled(whyNot.isEmpty());
     emptyButton_->setToolTip(!whyNot.isEmpty() ? whyNot
                              : hasRock()       ? tr("Divides the rock along its cuts into blocks and meshes each (F4)")

@@ -62,6 +62,13 @@ Rail::Rail(Session& session) : session_(session) {
   refresh();
 }
 
+QString Rail::errorOn(WorkflowPage page) const {
+  for (const Problem& one : session_.project.problems().all())
+    if (one.severity == Problem::Severity::error && !one.field.isEmpty() && pageOf(one.field) == page)
+      return sentenceCase(one.problem);
+  return {};
+}
+
 void Rail::refresh() {
   using State = RailItem::State;
   const Project& project = session_.project.document().project();
@@ -71,14 +78,18 @@ void Rail::refresh() {
   const bool meshing = job == JobState::meshing, running = session_.run.job().isBusy() && !meshing;
   auto doneIf = [](bool done) { return done ? State::done : State::open; };
   auto set = [this](WorkflowPage page, State state, const QString& why = {}) { items_.at(page)->setState(state, why); };
-  set(WorkflowPage::geometry, doneIf(!project.solids.empty()));
-  set(WorkflowPage::joints, doneIf(!project.joints.empty()));
+  auto setMade = [&](WorkflowPage page, bool made) {
+    const QString wrong = errorOn(page);
+    set(page, made && !wrong.isEmpty() ? State::doubtful : doneIf(made), made ? wrong : QString());
+  };
+  setMade(WorkflowPage::geometry, !project.solids.empty());
+  setMade(WorkflowPage::joints, !project.joints.empty());
   for (const WorkflowPage page : {WorkflowPage::blocks, WorkflowPage::mesh})
     set(page, meshing ? State::busy : doneIf(meshed), staleBlocks);
-  set(WorkflowPage::materials, doneIf(!project.materials.empty()));
+  setMade(WorkflowPage::materials, !project.materials.empty());
   const bool acts = !project.loads.empty() || !project.constraints.empty() || project.gravity.norm() > 0;
-  set(WorkflowPage::loads, doneIf(acts && !project.solids.empty()));  // gravity alone acts on nothing
-  set(WorkflowPage::stages, doneIf(!project.stages.empty()));
+  setMade(WorkflowPage::loads, acts && !project.solids.empty());  // gravity alone acts on nothing
+  setMade(WorkflowPage::stages, !project.stages.empty());
   const bool solved = !session_.playback.times().empty() && !session_.run.job().isBusy();
   const bool current = solved && session_.playback.isCurrent();
   const QString shortfall = solved ? session_.run.shortfall() : QString();

@@ -19,6 +19,9 @@ class Rail : public QFrame {
 
  private:
   void refresh();
+  /// The first of what keeps the project from being solved that is set right on this page; empty: nothing there does.
+  QString errorOn(WorkflowPage page) const;
+
   Session& session_;
   std::map<WorkflowPage, RailItem*> items_;
 };

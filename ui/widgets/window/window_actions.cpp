@@ -19,6 +19,15 @@
 
 namespace talus {
 
+namespace {
+
+/// What goes to a page is called as the page; where another command has that name already it says more.
+QString pageCommand(WorkflowPage page) {
+  return page == WorkflowPage::solve ? QObject::tr("Solve page") : pageTitle(page);
+}
+
+}  // namespace
+
 WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&window), session_(session), window_(window) {
   makeFileActions();
   makeViewActions();
@@ -134,7 +143,7 @@ void WindowActions::makeViewActions() {
 void WindowActions::makeRunActions() {
   for (const WorkflowPage page : all_pages) {
     const QString key = tr("Ctrl+%1").arg(static_cast<int>(page) + 1);
-    auto* action = add(pageTitle(page), QLatin1String(pageKey(page)), QKeySequence(key));
+    auto* action = add(pageCommand(page), QLatin1String(pageKey(page)), QKeySequence(key));
     connect(action, &QAction::triggered, this, [this, page] { session_.display.goTo(page); });
     pages[page] = action;
   }
@@ -263,7 +272,7 @@ void WindowActions::refresh() {
   allow(*showJoints, noProject);
   for (auto* action : joints->all()) allow(*action, joints->whyNot(action));
   for (auto* action : loads->all()) allow(*action, loads->whyNot());
-  allow(*mesh, session_.run.whyNotMesh());
+  allow(*mesh, session_.whyNotMesh());
   allow(*solve, session_.run.whyNotSolve());
   pause->setText(paused ? tr("Resume") : tr("Pause"));
   pause->setIcon(theme::icon(paused ? QStringLiteral("play") : QStringLiteral("pause")));
