@@ -1,5 +1,7 @@
 // A time table is drawn: its points are dragged, put in and taken away, and the table follows.
+#include <QHeaderView>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QTest>
 
@@ -43,6 +45,22 @@ class Curves : public DrivenWindow {
   }
   QString between;  ///< what the table said of the second row's z before the hand let go
 };
+
+TEST_F(Curves, NumbersOfManyDigitsAreWholeInTheirCells) {
+  Project changed = session->project.document().project();
+  for (const double share : {1.0, 1e3}) {  // with room for all, and where it has to be scrolled to
+    changed.loads[0].table = {{0, {0, 0, 0}}, {1, {share / 3, -share / 7, share / 11}}};
+    session->project.document().change(changed, QStringLiteral("thirds"));
+    rest(50);
+    const QAbstractItemView& cells = table();
+    for (int column = 0; column < table().columnCount(); ++column)
+      EXPECT_GE(table().columnWidth(column), cells.sizeHintForColumn(column)) << column;
+    const auto& head = *table().horizontalHeader();
+    EXPECT_GE(head.length(), table().viewport()->width()) << "no room is left";
+    EXPECT_EQ(head.length() > table().viewport()->width(), table().horizontalScrollBar()->isVisible());
+    EXPECT_GE(table().viewport()->height(), 2 * table().rowHeight(0)) << "its bar hides no row";
+  }
+}
 
 TEST_F(Curves, APointIsDraggedInOneStepAndTheTableFollows) {
   const int before = steps();

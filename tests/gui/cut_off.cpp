@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 
 namespace talus {
@@ -123,8 +124,10 @@ class Finder {
       const QString title = model.headerData(column, Qt::Horizontal).toString();
       if (head.isVisible() && !title.isEmpty() && head.sectionSizeHint(column) > head.sectionSize(column) + rounding)
         say(table, title, QStringLiteral("is cut off"));
-      for (int row = 0; row < model.rowCount() && !tellsCells; ++row) {
+      for (int row = 0; row < model.rowCount(); ++row) {
         const QModelIndex cell = model.index(row, column);
+        double number = 0;  // is never elided: what is left of it would be another one
+        if (tellsCells && !numbers::parse(cell.data().toString(), number)) continue;
         const QRect place = table.visualRect(cell);
         if (!table.viewport()->rect().intersects(place) || table.indexWidget(cell)) continue;
         if (table.sizeHintForIndex(cell).width() > place.width() + rounding)

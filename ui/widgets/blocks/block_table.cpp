@@ -26,6 +26,7 @@ BlockTable::BlockTable(CurrentProject& project) : project_(project) {
   verticalHeader()->setDefaultSectionSize(theme::now().metrics.row);
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // none of ten thousand rows is measured
   horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setStretchLastSection(true);
   horizontalHeader()->setResizeContentsPrecision(rows_measured);
   setShowGrid(false);
   setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QTableWidget>
 
@@ -15,6 +16,7 @@
 #include "widgets/forms/scalar_fields.hpp"
 #include "widgets/kit/display_units.hpp"
 #include "widgets/kit/elided_cells.hpp"
+#include "widgets/kit/fitted_columns.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/plot.hpp"
@@ -74,8 +76,6 @@ void TableField::makeTable() {
   table_->setItemDelegate(new ElidedCells(table_));
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(theme::now().metrics.row);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QStringList heads;
   for (const auto& column : columns_)
     heads << (column.shown.isEmpty() ? column.title : column.title + u' ' + column.shown);
@@ -92,6 +92,11 @@ void TableField::makeTable() {
     }
   }
   const int lines = std::clamp(table_->rowCount(), 1, most_visible) + 1;
+  const auto* columns = new FittedColumns(*table_);
+  connect(columns, &FittedColumns::fitted, this, [this, columns, lines] {
+    const int bar = columns->isWiderThanItsPlace() ? table_->horizontalScrollBar()->sizeHint().height() : 0;
+    table_->setFixedHeight(lines * theme::now().metrics.row + 4 + bar);
+  });
   table_->setFixedHeight(lines * theme::now().metrics.row + 4);
   auto* paste = new QShortcut(QKeySequence::Paste, table_, nullptr, nullptr, Qt::WidgetShortcut);
   connect(paste, &QShortcut::activated, this, &TableField::paste);

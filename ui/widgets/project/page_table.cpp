@@ -63,7 +63,8 @@ PageRows loadRows(const Project& project) {
                    {QObject::tr("What"), QObject::tr("Block"), QObject::tr("At m"), QObject::tr("Value")},
                    3,
                    {},
-                   QObject::tr("Nothing but gravity acts.")};
+                   QObject::tr("Nothing but gravity acts."),
+                   3};
   for (size_t i = 0; i < project.loads.size(); ++i) {
     const PointLoad& load = project.loads[i];
     content.rows.push_back({item(Item::Kind::load, i),
