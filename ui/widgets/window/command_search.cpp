@@ -6,7 +6,7 @@
 #include <QCompleter>
 #include <QDockWidget>
 #include <QMenu>
-#include <QStringListModel>
+#include <QStandardItemModel>
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
@@ -79,7 +79,7 @@ CommandSearch::CommandSearch() {
   addAction(theme::icon(QStringLiteral("search")), LeadingPosition);
   setFixedWidth(usual_width);
   setFocusPolicy(Qt::ClickFocus);
-  auto* completer = new QCompleter(new QStringListModel, this);
+  auto* completer = new QCompleter(new QStandardItemModel, this);
   completer->model()->setParent(completer);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   completer->setFilterMode(Qt::MatchContains);
@@ -94,10 +94,15 @@ CommandSearch::CommandSearch() {
 
 void CommandSearch::begin() {
   commands_ = commandsOf(*window());
-  QStringList lines;
-  for (const Command& command : commands_) lines << lineOf(command);
-  lines.removeDuplicates();
-  static_cast<QStringListModel*>(completer()->model())->setStringList(lines);
+  auto& model = *static_cast<QStandardItemModel*>(completer()->model());
+  model.clear();
+  for (const Command& command : commands_) {
+    if (!model.findItems(lineOf(command)).isEmpty()) continue;
+    auto* line = new QStandardItem(lineOf(command));
+    if (!command.isPossible) line->setForeground(disabledText(theme::colours()));
+    line->setToolTip(command.why);
+    model.appendRow(line);
+  }
   setFocus(Qt::ShortcutFocusReason);
   selectAll();
 }
