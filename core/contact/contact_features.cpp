@@ -34,6 +34,7 @@ void ContactFeatures::add_body(const ContactBody& body, int number) {
   const int first_facet = static_cast<int>(facets.size()), first_edge = static_cast<int>(edges.size());
   facet_begin.push_back(first_facet);
   single_.push_back(body.single_body);
+  convex_.push_back(s.is_convex && (body.single_body || body.fixed));
 
   std::vector<std::pair<int, int>> sharp_edges;
   for (const SurfaceEdge& e : s.edges) {
@@ -134,6 +135,8 @@ void ContactFeatures::add_faces(const ContactBody& body, int number, bool facets
 
 void ContactFeatures::set_movable(const ContactBody& body, bool movable_now) {
   std::fill_n(movable.begin() + body.first_node, body.surface->ring.size(), movable_now);
+  const int number = body_of_[body.first_node];
+  if (movable_now && !single_[number]) convex_[number] = false;
 }
 
 void ContactFeatures::link_nodes() {

@@ -141,18 +141,18 @@ FoundPoint point_at(const StepGeometry& step, const Crossing& c, std::uint64_t k
 }  // namespace
 
 void EdgeEdgeSearch::find(const StepGeometry& step, const NearFeatures& near, const VertexFaceSearch& vertices,
-                          FoundPoints& found) {
+                          SeparatingAxis& axis, FoundPoints& found) {
   vertices_.sort(found.points, [](const FoundPoint& p) { return p.kind != PointKind::face_face; });
   near.visit_bodies([&](const NearFeatures::OfBodies& of_bodies) {
     first_ = found.points.size();
     for (const auto& [a, b] : of_bodies.edges)
       if (step.shapes.edge(a).is_clearly_convex && step.shapes.edge(b).is_clearly_convex)
-        cross(step, a, b, vertices, found);
+        cross(step, a, b, vertices, axis, found);
   });
 }
 
 void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const VertexFaceSearch& vertices,
-                           FoundPoints& found) {
+                           SeparatingAxis& axis, FoundPoints& found) {
   const std::optional<Crossing> crossing = crossing_of(step, edge_a, edge_b);
   if (!crossing) return;
   const Crossing& c = *crossing;
@@ -161,8 +161,11 @@ void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, con
   if (!(c.gap <= step.reach) || (c.gap < 0 && c.gap < -step.depth(body_a, body_b))) return;
   const std::uint64_t key = edge_key(edge_a, edge_b);
   const double edge_tolerance = step.edge_tolerance(body_a, body_b);
-  const bool appears_deep = -c.gap > edge_tolerance && step.have_moved(body_a, body_b) && !step.memory.remembers(key);
-  if (appears_deep && passes_beside(step, c)) return;
+  const auto appears_deep = [&] {
+    return -c.gap > edge_tolerance && step.have_moved(body_a, body_b) && !step.memory.remembers(key);
+  };
+  const bool are_convex = step.features.is_convex(body_a) && step.features.is_convex(body_b);
+  if (are_convex ? axis.refutes(step, body_a, body_b, c.gap) : appears_deep() && passes_beside(step, c)) return;
   // An end is near where both are in one place, or nearer than the edge seems deep: then it came past that one.
   const double near = std::max(edge_tolerance, -c.gap);
   if (end_has_it(step, vertices, c.a, of_a, c.normal, c.b, near)) return;

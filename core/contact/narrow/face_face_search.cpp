@@ -152,11 +152,12 @@ int ProjectedFace::locate(const Vec2& p, double* at) const {
   return facet;
 }
 
-void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found) {
+void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacePair> pairs, SeparatingAxis& axis,
+                          FoundPoints& found) {
   corners_.clear();
   const double most_cosine = -step.face_face_cosine();
   for (const FacePair& pair : pairs) {
-    if (step.face_normal(pair.a).dot(step.face_normal(pair.b)) < most_cosine) overlap(step, pair, found);
+    if (step.face_normal(pair.a).dot(step.face_normal(pair.b)) < most_cosine) overlap(step, pair, axis, found);
   }
   by_key_.clear();
   for (std::size_t i = 0; i < corners_.size(); ++i) by_key_.emplace_back(corners_[i].key, static_cast<int>(i));
@@ -164,7 +165,7 @@ void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacePair> pa
   merge(step, found);
 }
 
-void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, FoundPoints& found) {
+void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, SeparatingAxis& axis, FoundPoints& found) {
   // Both faces are nearly parallel to the common plane: of its four types the two parallel to a face remain, and the
   // plane halfway between them treats both bodies alike.
   const Vec3 n = (step.face_normal(pair.b) - step.face_normal(pair.a)).normalized();
@@ -214,7 +215,8 @@ void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, Fou
     return step.came_past_sharp_edge(pair.b, places_[0], fa.body, any) ||
            step.came_past_sharp_edge(pair.a, places_[1], fb.body, any);
   };
-  if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) || between_sharp_edges() ||
+  if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) ||
+      axis.refutes(step, fa.body, fb.body, least_gap) || between_sharp_edges() ||
       (least_gap < -step.noticeable_depth(fa.body, fb.body) && beside())) {
     corners_.resize(first);
     found.covered.resize(first_covered);

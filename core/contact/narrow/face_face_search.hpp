@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/narrow/polygon_overlap.hpp"
+#include "contact/narrow/separating_axis.hpp"
 #include "contact/narrow/step_geometry.hpp"
 
 namespace talus {
@@ -46,7 +47,7 @@ struct ProjectedFace {
 /// only the mesh divides two overlaps.
 class FaceFaceSearch {
  public:
-  void find(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found);
+  void find(const StepGeometry& step, std::span<const FacePair> pairs, SeparatingAxis& axis, FoundPoints& found);
 
  private:
   struct Corner {
@@ -57,7 +58,7 @@ class FaceFaceSearch {
     Vec3 normal;
     int along = -1;  // as of a found point
   };
-  void overlap(const StepGeometry& step, const FacePair& pair, FoundPoints& found);
+  void overlap(const StepGeometry& step, const FacePair& pair, SeparatingAxis& axis, FoundPoints& found);
   void place_corners(const StepGeometry& step, std::size_t first);
   void name(const StepGeometry& step, const Vec2& place, Corner& corner, FoundPoints& found);
   void merge(const StepGeometry& step, FoundPoints& found);

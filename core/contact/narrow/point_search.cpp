@@ -76,13 +76,14 @@ void PointSearch::search_features(const StepGeometry& step) {
   each_part([&](Part& part) {
     find_near(step, part);
     part.found.clear();
-    part.face_face.find(step, part.near.faces(), part.found);
-    part.vertex_face.find(step, part.near.vertices(), part.found);
+    part.axis.begin();
+    part.face_face.find(step, part.near.faces(), part.axis, part.found);
+    part.vertex_face.find(step, part.near.vertices(), part.axis, part.found);
   });
   false_vertices_.clear();
   for (int i = 0; i < part_count_; ++i) false_vertices_.add(step, parts_[i].found);
   false_vertices_.drop(step);
-  each_part([&](Part& part) { part.edge_edge.find(step, part.near, part.vertex_face, part.found); });
+  each_part([&](Part& part) { part.edge_edge.find(step, part.near, part.vertex_face, part.axis, part.found); });
 }
 
 /// Vertex–vertex contact.
@@ -90,7 +91,7 @@ void PointSearch::search_corners(const StepGeometry& step) {
   pressures_.clear();
   for (int i = 0; i < part_count_; ++i) add_pressures(parts_[i].found.points, step.reach, pressures_);
   std::sort(pressures_.begin(), pressures_.end());
-  each_part([&](Part& part) { part.vertex_vertex.find(step, part.near, pressures_, former_, part.found); });
+  each_part([&](Part& part) { part.vertex_vertex.find(step, part.near, pressures_, former_, part.axis, part.found); });
   seen_.clear();
   for (int i = 0; i < part_count_; ++i) {
     const auto seen = parts_[i].vertex_vertex.seen();

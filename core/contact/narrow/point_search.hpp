@@ -10,6 +10,7 @@
 #include "contact/narrow/face_face_search.hpp"
 #include "contact/narrow/facet_wise_search.hpp"
 #include "contact/narrow/false_vertices.hpp"
+#include "contact/narrow/separating_axis.hpp"
 #include "contact/narrow/vertex_face_search.hpp"
 #include "contact/narrow/vertex_vertex_search.hpp"
 
@@ -38,6 +39,7 @@ class PointSearch {
     explicit Part(const ContactTolerances& tolerances) : found(tolerances.least_stencil_weight) {}
     std::span<const FacePair> pairs;
     NearFeatures near;
+    SeparatingAxis axis;
     FacetWiseSearch facet_wise;
     FaceFaceSearch face_face;
     VertexFaceSearch vertex_face;

@@ -58,14 +58,14 @@ OwnSide own_side(const StepGeometry& step, int node, int facet, const Vec3& norm
 }  // namespace
 
 void VertexFaceSearch::find(const StepGeometry& step, std::span<const NearFeatures::VertexAtFace> near,
-                            FoundPoints& found) {
+                            SeparatingAxis& axis, FoundPoints& found) {
   taken_.clear();
   for (const FoundPoint& p : found.points) taken_.push_back(p.key);
   for (const FoundPoints::Covered& c : found.covered) taken_.push_back(c.key);
   std::sort(taken_.begin(), taken_.end());
 
   touches_.clear();
-  for (const auto& [node, face, node_is_first] : near) touch(step, node, face, node_is_first);
+  for (const auto& [node, face, node_is_first] : near) touch(step, node, face, node_is_first, axis);
   std::sort(touches_.begin(), touches_.end(), [](const Touch& p, const Touch& q) {
     if (p.key != q.key) return p.key < q.key;
     return p.inside != q.inside ? p.inside > q.inside : p.facet < q.facet;
@@ -81,7 +81,7 @@ bool VertexFaceSearch::has(int node, int smooth_face) const {
   return std::binary_search(taken_.begin(), taken_.end(), vertex_key(node, smooth_face));
 }
 
-void VertexFaceSearch::touch(const StepGeometry& step, int node, int face, bool node_is_first) {
+void VertexFaceSearch::touch(const StepGeometry& step, int node, int face, bool node_is_first, SeparatingAxis& axis) {
   const ContactFace& f = step.features.faces[face];
   const Vec3& n = step.face_normal(face);
   const double gap = n.dot(step.x[node] - step.x[step.features.facets[f.facet].nodes[0]]);
@@ -93,6 +93,7 @@ void VertexFaceSearch::touch(const StepGeometry& step, int node, int face, bool 
   for (const int facet : step.features.facets_of(face)) locate(step, facet, t);
   if (t.facet < 0) return;
   if (!may_touch(step, node, n) || !looks_against(step, node, n)) return;
+  if (node_is_first ? axis.refutes(step, other, f.body, gap) : axis.refutes(step, f.body, other, gap)) return;
   if (gap < 0 && beside_the_body(step, face, step.x[node])) return;
   // An edge that reaches back over the facet lies on it, though it ends at the sharp edge.
   const auto lies_across = [&](const Vec3& across) { return rise(step, node, across) >= -step.cone_tolerance(); };

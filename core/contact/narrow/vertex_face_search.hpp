@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/narrow/near_features.hpp"
+#include "contact/narrow/separating_axis.hpp"
 
 namespace talus {
 
@@ -13,7 +14,8 @@ namespace talus {
 /// is seen when those of all bodies are there (FalseVertices).
 class VertexFaceSearch {
  public:
-  void find(const StepGeometry& step, std::span<const NearFeatures::VertexAtFace> near, FoundPoints& found);
+  void find(const StepGeometry& step, std::span<const NearFeatures::VertexAtFace> near, SeparatingAxis& axis,
+            FoundPoints& found);
   /// Whether the last search, or the face–face search before it, found the vertex on the smooth face; even if the
   /// contact was false.
   bool has(int node, int smooth_face) const;
@@ -26,7 +28,7 @@ class VertexFaceSearch {
     std::array<double, 3> at;  // barycentric coordinates on the facet
     double inside;             // the smallest of them: of a smooth face's facets the one where it is largest is taken
   };
-  void touch(const StepGeometry& step, int node, int face, bool node_is_first);
+  void touch(const StepGeometry& step, int node, int face, bool node_is_first, SeparatingAxis& axis);
   static void locate(const StepGeometry& step, int facet, Touch& touch);
   void add(const StepGeometry& step, const Touch& touch, FoundPoints& found);
 

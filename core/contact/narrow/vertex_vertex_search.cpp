@@ -42,7 +42,7 @@ VertexVertexSearch::VertexVertexSearch() {
 }
 
 void VertexVertexSearch::find(const StepGeometry& step, const NearFeatures& near, std::span<const Pressure> pressures,
-                              std::span<const Sight> former, FoundPoints& found) {
+                              std::span<const Sight> former, SeparatingAxis& axis, FoundPoints& found) {
   pressures_ = pressures;
   former_ = former;
   seen_.clear();
@@ -52,7 +52,7 @@ void VertexVertexSearch::find(const StepGeometry& step, const NearFeatures& near
     find_candidates(step, of_bodies);
     first_ = found.points.size();
     for (std::size_t i = 0; i < candidates_.size(); ++i)
-      if (i == 0 || candidates_[i].key != candidates_[i - 1].key) add(step, candidates_[i], found);
+      if (i == 0 || candidates_[i].key != candidates_[i - 1].key) add(step, candidates_[i], axis, found);
   });
 }
 
@@ -165,7 +165,7 @@ void VertexVertexSearch::take(const StepGeometry& step, const Place& place, Feat
   }
 }
 
-void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m, FoundPoints& found) {
+void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m, SeparatingAxis& axis, FoundPoints& found) {
   const ContactFeatures& features = step.features;
   const auto own_facets = facets_at(features, m.own), other_facets = facets_at(features, m.other);
   if (face_face_holds(step, own_facets, other_facets, m.own_is_first)) return;
@@ -177,6 +177,7 @@ void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m, Found
   const Vec3& n = *normal;
   const double gap = n.dot(own_.place - other_.place);
   if (!(gap <= step.reach) || gap < -step.depth(own, other)) return;
+  if (m.own_is_first ? axis.refutes(step, own, other, gap) : axis.refutes(step, other, own, gap)) return;
   if (lies_flush(step, own_, other_) || lies_flush(step, other_, own_)) return;
   if (passes(step, m.key)) return;
   if (!stands_for_others(step, n, m.own_is_first, found)) return;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/narrow/near_features.hpp"
+#include "contact/narrow/separating_axis.hpp"
 #include "contact/points_by_bodies.hpp"
 
 namespace talus {
@@ -42,7 +43,7 @@ class VertexVertexSearch {
   /// `pressures` on all bodies, sorted; `former`: what searches had seen() when the last step was accepted, sorted by
   /// key.
   void find(const StepGeometry& step, const NearFeatures& near, std::span<const Pressure> pressures,
-            std::span<const Sight> former, FoundPoints& found);
+            std::span<const Sight> former, SeparatingAxis& axis, FoundPoints& found);
   /// In this search.
   std::span<const Sight> seen() const { return seen_; }
 
@@ -74,7 +75,7 @@ class VertexVertexSearch {
   void add_vertex_at_edge(const StepGeometry& step, int node, int edge, bool node_is_first);
   void add_edge_along_edge(const StepGeometry& step, int edge_a, int edge_b);
   void list_face_face(const std::array<int, 2>& of_bodies, const FoundPoints& found);
-  void add(const StepGeometry& step, const Candidate& m, FoundPoints& found);
+  void add(const StepGeometry& step, const Candidate& m, SeparatingAxis& axis, FoundPoints& found);
   std::optional<Vec3> normal_of(const StepGeometry& step, const Candidate& m) const;
   bool face_face_holds(const StepGeometry& step, std::span<const int> facets, std::span<const int> others,
                        bool are_first);
