@@ -1,5 +1,6 @@
 #include "contact/found_point.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace talus {
@@ -67,6 +68,28 @@ void FoundPoints::add_between(FoundPoint p, const std::array<int, 2>& of_first, 
   weights.insert(weights.end(), {1 - s, s, -(1 - t), -t});
   close_stencil(p, features, x, 2);
   points.push_back(p);
+}
+
+void FoundPoints::add_of_end(const FoundPoints& others, const FoundPoint& point, std::span<const Vec3> x) {
+  FoundPoint p = point;
+  p.dropped = false;
+  p.is_of_end = true;
+  p.stencil_begin = static_cast<int>(nodes.size());
+  nodes.insert(nodes.end(), others.nodes.begin() + point.stencil_begin, others.nodes.begin() + point.stencil_end);
+  weights.insert(weights.end(), others.weights.begin() + point.stencil_begin,
+                 others.weights.begin() + point.stencil_end);
+  p.stencil_end = static_cast<int>(nodes.size());
+  const Vec3 origin = x[nodes[p.stencil_begin]];
+  p.gap = p.normal.dot(difference(p, [&](int node) { return x[node]; }));
+  p.position = origin;
+  for (int i = p.stencil_begin; i < p.stencil_end; ++i)
+    if (weights[i] > 0) p.position += weights[i] * (x[nodes[i]] - origin);
+  const auto place =
+      std::lower_bound(points.begin(), points.end(), p.key, [](const FoundPoint& q, auto key) { return q.key < key; });
+  if (place != points.end() && place->key == p.key)
+    *place = p;
+  else
+    points.insert(place, p);
 }
 
 // Two bits for the kind, then 31 for each of two numbers; where edges of two overlapping facets cross the key also

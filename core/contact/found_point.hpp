@@ -29,6 +29,7 @@ struct FoundPoint {
   double gap, area;              ///< m; m², 0 without an area
   int stencil_begin, stencil_end;
   bool dropped;
+  bool is_of_end;  ///< its normal is that which its features have at the end of the step
 };
 
 /// Points and their stencils. `covered` are the keys of vertices whose contact another vertex at the same place stands
@@ -52,6 +53,18 @@ struct FoundPoints {
   /// Ends the stencil that began at `point.stencil_begin`: leaves out nodes of hardly any weight, makes the weights add
   /// up to +1 over the first body's nodes and −1 over the second's, and measures gap and position.
   void close_stencil(FoundPoint& point, const ContactFeatures& features, std::span<const Vec3> x, int nodes_of_first);
+
+  /// Of a point of these, from its place on the second body to that on the first. [m]
+  template <class Positions>
+  Vec3 difference(const FoundPoint& point, const Positions& at) const {
+    const Vec3 origin = at(nodes[point.stencil_begin]);
+    Vec3 sum = Vec3::Zero();
+    for (int i = point.stencil_begin; i < point.stencil_end; ++i) sum += weights[i] * (at(nodes[i]) - origin);
+    return sum;
+  }
+  /// Adds a point of others, which were found at the end of the step, as it is at the start, at x [m]; for one with the
+  /// same key that was dropped, if there is one. Points are sorted by key, and remain so.
+  void add_of_end(const FoundPoints& others, const FoundPoint& point, std::span<const Vec3> x);
 
   /// Adds a point with the stencil of a vertex on a facet, at the barycentric coordinates `at` of the facet's nodes.
   void add_vertex(FoundPoint point, const std::array<int, 3>& facet_nodes, const std::array<double, 3>& at,

@@ -12,6 +12,13 @@ namespace talus {
 
 namespace {
 
+void limit_springs(SimulationState& s, double length) {
+  if (!s.is_on(EffectKind::followed_springs) || !s.dynamic() || s.contacts.points.empty()) return;
+  const EffectTimer timer(s.work_of(EffectKind::followed_springs));
+  s.followed_springs.limit(s.project, s.adaptive() ? length : s.clock.next_length(), s.dynamic_penetration(),
+                           s.contacts);
+}
+
 /// Contacts of all who are awake, with those whom they wake.
 void seek_and_wake(SimulationState& s, double length) {
   bool changed = s.falls_asleep;
@@ -23,11 +30,7 @@ void seek_and_wake(SimulationState& s, double length) {
     changed = true;
   }
   if (changed) account_for_awake_bodies(s);
-  if (s.is_on(EffectKind::followed_springs) && s.dynamic() && !s.contacts.points.empty()) {
-    const EffectTimer timer(s.work_of(EffectKind::followed_springs));
-    s.followed_springs.limit(s.project, s.adaptive() ? length : s.clock.next_length(), s.dynamic_penetration(),
-                             s.contacts);
-  }
+  limit_springs(s, length);
 }
 
 /// How far gaps matter, by the speed of those who may touch somebody [m].
@@ -52,6 +55,12 @@ std::vector<std::pair<int, int>> couplings_of_contacts(const SimulationState& s)
         if (a != b) couplings.emplace_back(a, b);
   }
   return couplings;
+}
+
+void follow_couplings(SimulationState& s) {
+  if (s.pattern_generation == s.detector.coupling_generation()) return;
+  s.pattern_generation = s.detector.coupling_generation();
+  s.open_close.set_pattern(s.bodies.nodes.movable, couplings_of_contacts(s));
 }
 
 }  // namespace
@@ -93,9 +102,21 @@ void seek_contacts(SimulationState& s, double length) {
 void detect_contacts(SimulationState& s, double length) {
   const Stopwatch watch(s.detect_seconds);
   seek_and_wake(s, length);
-  if (s.pattern_generation == s.detector.coupling_generation()) return;
-  s.pattern_generation = s.detector.coupling_generation();
-  s.open_close.set_pattern(s.bodies.nodes.movable, couplings_of_contacts(s));
+  follow_couplings(s);
+}
+
+bool take_in(SimulationState& s, std::span<const ContactDetector::MissedContact> missed) {
+  const Stopwatch watch(s.detect_seconds);
+  const auto sleeps = [&](int body) { return s.sleep.asleep()[body] != 0; };
+  if (std::any_of(missed.begin(), missed.end(),
+                  [&](const auto& contact) { return sleeps(contact.bodies[0]) || sleeps(contact.bodies[1]); }))
+    return false;
+  s.detector.take_in(missed, s.bodies.nodes.position, s.reach, s.contacts);
+  s.links.connect();
+  limit_springs(s, s.context.length);
+  follow_couplings(s);
+  s.open_close.begin_step(s.context);
+  return true;
 }
 
 }  // namespace talus

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <span>
+
+#include "contact/detection/contact_detector.hpp"
+
 namespace talus {
 
 struct SimulationState;
@@ -16,5 +20,9 @@ void seek_contacts(SimulationState& s, double length);
 /// Finds the contact points of a step that is about to be tried, [s]: puts those to sleep that are to, wakes whom
 /// somebody awake may touch, and sets the pattern of the equations where couplings have changed.
 void detect_contacts(SimulationState& s, double length);
+
+/// Takes contacts that a converged step has missed into it, so that it can converge with them. Not where one of their
+/// bodies sleeps, which has to wake first: whether it did.
+bool take_in(SimulationState& s, std::span<const ContactDetector::MissedContact> missed);
 
 }  // namespace talus

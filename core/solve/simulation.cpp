@@ -21,7 +21,9 @@ bool try_step(SimulationState& s, double start, double length, StepReport& repor
 void set_times(SimulationState& s, double start, double length);
 void set_up(SimulationState& s);
 OpenCloseResult converge(SimulationState& s);
-bool check(SimulationState& s, const OpenCloseResult& result, StepReport& report);
+OpenCloseResult converge_with_missed(SimulationState& s, std::span<const ContactDetector::MissedContact>& missed);
+bool check(SimulationState& s, const OpenCloseResult& result, std::span<const ContactDetector::MissedContact> missed,
+           StepReport& report);
 bool retry_with_more_inertia(SimulationState& s, bool good);
 void cut(SimulationState& s, StepReport& report);
 void accept(SimulationState& s, StepReport& report);
@@ -121,8 +123,9 @@ bool try_step(SimulationState& s, double start, double length, StepReport& repor
       s.increment.setZero();  // a linear system is solved from anywhere
     else
       s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
-    const OpenCloseResult result = converge(s);
-    const bool good = check(s, result, report);
+    std::span<const ContactDetector::MissedContact> missed;
+    const OpenCloseResult result = converge_with_missed(s, missed);
+    const bool good = check(s, result, missed, report);
     if (good && s.company.goes_too_far(s.bodies, s.increment)) continue;
     if (!retry_with_more_inertia(s, good)) return good;
   }
@@ -167,8 +170,22 @@ OpenCloseResult converge(SimulationState& s) {
   }
 }
 
+/// Converges, and again with the contacts that where it leads shows to be missed. `missed`: those that are left.
+OpenCloseResult converge_with_missed(SimulationState& s, std::span<const ContactDetector::MissedContact>& missed) {
+  OpenCloseResult result = converge(s);
+  for (int round = 0; result.converged; ++round) {
+    missed = missed_contacts(s);
+    if (missed.empty() || round == s.tolerances.step.correction_limit || !take_in(s, missed)) break;
+    const int before = result.iterations;
+    result = converge(s);
+    result.iterations += before;
+  }
+  return result;
+}
+
 /// Whether the step has converged to something that may be accepted. Notes trouble.
-bool check(SimulationState& s, const OpenCloseResult& result, StepReport& report) {
+bool check(SimulationState& s, const OpenCloseResult& result, std::span<const ContactDetector::MissedContact> missed,
+           StepReport& report) {
   report.iterations += result.iterations;
   report.unbalanced_force = result.residual;
   const int node = result.worst_dof_block < 0 ? -1 : s.bodies.node_of(result.worst_dof_block);
@@ -181,8 +198,8 @@ bool check(SimulationState& s, const OpenCloseResult& result, StepReport& report
     note(TroubleCause::inverted, s.bodies.elements[element].nodes[0]);
     return false;
   }
-  if (const auto contact = missed_contact(s)) {
-    s.troubles.note_missed_contact(*contact, s.context, result.iterations);
+  if (!missed.empty()) {
+    s.troubles.note_missed_contact(missed.front(), s.context, result.iterations);
     return false;
   }
   if (node >= 0) note(TroubleCause::many_iterations, node);

@@ -17,7 +17,7 @@ int inverted_element(const SimulationState& s) {
   return found == s.bodies.elements.end() ? -1 : static_cast<int>(found - s.bodies.elements.begin());
 }
 
-std::optional<ContactDetector::MissedContact> missed_contact(SimulationState& s) {
+std::span<const ContactDetector::MissedContact> missed_contacts(SimulationState& s) {
   const double longest = s.project.stages[s.clock.stage()].time_step;
   if (!s.is_on(EffectKind::missed_contacts) || !s.dynamic() || !s.company.any() ||
       s.context.length < s.tolerances.step.shortest_recheck * longest)

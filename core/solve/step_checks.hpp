@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <span>
 
 #include "contact/detection/contact_detector.hpp"
 
@@ -13,8 +13,8 @@ struct SimulationState;
 /// The first element that the increment turns inside out; −1: none.
 int inverted_element(const SimulationState& s);
 
-/// A contact that the step did not know of, where blocks turn into each other in it. Looked for in dynamic stages, as
-/// long as a shorter step may still be tried.
-std::optional<ContactDetector::MissedContact> missed_contact(SimulationState& s);
+/// Contacts that the step did not know of, where blocks turn into each other in it, the deepest first. Looked for in
+/// dynamic stages, as long as a shorter step may still be tried.
+std::span<const ContactDetector::MissedContact> missed_contacts(SimulationState& s);
 
 }  // namespace talus

@@ -3038,8 +3038,8 @@
         <translation>Suche unterwegs</translation>
     </message>
     <message>
-        <source>a step in which blocks turn into each other unforeseen is cut, in dynamic stages (called_for, when absent)</source>
-        <translation>ein Schritt, in dem Blöcke sich unvorhergesehen ineinander drehen, wird gekürzt, in dynamischen Abschnitten (wie verlangt, wenn nichts dasteht)</translation>
+        <source>a step in which blocks turn into each other unforeseen takes these contacts in, in dynamic stages (called_for, when absent)</source>
+        <translation>ein Schritt, in dem Blöcke sich unvorhergesehen ineinander drehen, nimmt diese Kontakte auf, in dynamischen Abschnitten (wie verlangt, wenn nichts dasteht)</translation>
     </message>
     <message>
         <source>Updated normals</source>

@@ -253,6 +253,7 @@ ContactDetector::UpdatedNormal ContactDetector::updated_normal(int point, const 
                                                                const std::function<Vec3(int)>& end) const {
   const FoundPoint& found = state_->found.points[state_->origins[point]];
   const Vec3 normal = talus::updated_normal(state_->features, found, start, end);
+  if (found.is_of_end) return {normal, normal.dot(state_->found.difference(found, start))};
   return {normal, normal.dot(found.normal) * found.gap};
 }
 
@@ -282,9 +283,18 @@ std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts
     double approach = 0;
     for (int k = point.stencil_begin; k < point.stencil_end; ++k)
       approach += s.ahead.weights[k] * point.normal.dot(start[s.ahead.nodes[k]] - end[s.ahead.nodes[k]]);
-    s.missed.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth, approach / size, size});
+    const int number = static_cast<int>(&point - s.ahead.points.data());
+    s.missed.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth, approach / size, size, number});
   }
   return s.missed;
+}
+
+void ContactDetector::take_in(std::span<const MissedContact> missed, std::span<const Vec3> start, double reach,
+                              ContactSet& contacts) {
+  State& s = *state_;
+  for (const MissedContact& contact : missed) s.found.add_of_end(s.ahead, s.ahead.points[contact.number], start);
+  s.write(std::max(reach, s.bond_reach()), contacts);
+  s.coupling.cover(s.found);
 }
 
 void ContactDetector::moved(int body, double displacement) { state_->broad.moved(body, displacement); }

@@ -48,6 +48,7 @@ class ContactDetector {
     double depth;     ///< of the mesh size
     double approach;  ///< of the mesh size: by so much the two came nearer there, against the normal
     double size;      ///< m, the mesh size
+    int number;       ///< of the contact among those at the end
   };
   /// Contacts deeper than `tolerance` of their mesh size once the nodes have gone from `start` to `end` [m], other than
   /// those that detect() gave last, of two bodies of which one rotates by as much: `rotations` [m] are how far nodes go
@@ -55,6 +56,11 @@ class ContactDetector {
   /// model. Motion must be told of before, with settings for that, and again if the nodes go back.
   std::span<const MissedContact> missed_contacts(std::span<const Vec3> start, std::span<const Vec3> end,
                                                  std::span<const double> rotations, double reach, double tolerance);
+
+  /// Takes contacts that missed_contacts() gave last into `contacts`, which are those that detect() gave: with the
+  /// normals that they have at the end, and the gaps along these at `start` [m]. A step that converges with them is as
+  /// exact there as its end. `reach` [m]: as for detect(). What `contacts` learned since detect() is forgotten.
+  void take_in(std::span<const MissedContact> missed, std::span<const Vec3> start, double reach, ContactSet& contacts);
 
   /// No node of the body moved by more than `displacement` [m] since this was said last, or since the start: for
   /// settings with `motion_told`, once for every body that moved at all before detect() sees its new positions. Fixed

@@ -54,25 +54,28 @@ double MissedContacts::known_depth(const ContactDetector::MissedContact& contact
   return deepest;
 }
 
-std::optional<ContactDetector::MissedContact> MissedContacts::seek(ContactDetector& detector, const ContactLinks& links,
-                                                                   const Increment& d, double reach, double tolerance,
-                                                                   double least_rotation, std::span<const char> alone) {
+std::span<const ContactDetector::MissedContact> MissedContacts::seek(ContactDetector& detector,
+                                                                     const ContactLinks& links, const Increment& d,
+                                                                     double reach, double tolerance,
+                                                                     double least_rotation,
+                                                                     std::span<const char> alone) {
+  missed_.clear();
   measure_rotations(d, alone);
-  if (*std::max_element(rotations_.begin(), rotations_.end()) < least_rotation) return std::nullopt;
+  if (*std::max_element(rotations_.begin(), rotations_.end()) < least_rotation) return {};
   place_nodes(d, alone);
   tell(detector);
-  std::optional<ContactDetector::MissedContact> deepest;
   for (const ContactDetector::MissedContact& contact :
        detector.missed_contacts(set_.nodes.position, end_, rotations_, reach, tolerance)) {
-    if (deepest && contact.depth <= deepest->depth) continue;
     const double known = known_depth(contact, links, d);
     // However deep others lie, one that is twice as deep as they may be was missed. What is deeper than the bodies have
     // come nearer there in this step lay there before it, and a shorter step would find it again.
     if (contact.depth > tolerance + std::min(tolerance, known) && contact.depth <= known + contact.approach)
-      deepest = contact;
+      missed_.push_back(contact);
   }
   tell(detector);
-  return deepest;
+  std::sort(missed_.begin(), missed_.end(),
+            [](const auto& p, const auto& q) { return p.depth != q.depth ? p.depth > q.depth : p.number < q.number; });
+  return missed_;
 }
 
 }  // namespace talus

@@ -33,7 +33,9 @@ Vec3 direction(const ContactFeatures& features, const FoundPoint& p, const Posit
 Vec3 updated_normal(const ContactFeatures& features, const FoundPoint& p, const Positions& start,
                     const Positions& end) {
   if (p.kind == PointKind::vertex_vertex) return p.normal;
-  const Vec3 before = direction(features, p, start), after = direction(features, p, end);
+  const Vec3 after = direction(features, p, end);
+  if (p.is_of_end) return after.dot(p.normal) < 0 ? Vec3(-after) : after;
+  const Vec3 before = direction(features, p, start);
   const double sign = before.dot(p.normal) < 0 ? -1 : 1;
   return (p.normal + sign * (after - before)).stableNormalized();
 }

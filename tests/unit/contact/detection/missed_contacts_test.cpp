@@ -54,6 +54,27 @@ TEST_F(MissedContact, WhatTheStepKnowsAndWhatIsNotSoDeepIsNot) {
   EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 0.1).empty());
 }
 
+TEST_F(MissedContact, WhatIsTakenInIsAsDeepWhereTheStepLeadsAsItIsThere) {
+  ASSERT_TRUE(scene_.detect(0.01).points.empty());
+  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3);
+  scene_.detector().take_in(missed, scene_.x, 0.5, scene_.contacts);
+  ASSERT_EQ(scene_.contacts.points.size(), missed.size());
+  double deepest = 0, deepest_missed = 0;
+  for (const auto& contact : missed) deepest_missed = std::max(deepest_missed, contact.depth * contact.size);
+  for (const ContactPoint& p : scene_.contacts.points) {
+    double gap = p.gap;
+    for (int k = p.stencil_begin; k < p.stencil_end; ++k) {
+      const int node = scene_.contacts.nodes[k];
+      gap += scene_.contacts.weights[k] * p.normal.dot(end_[node] - scene_.x[node]);
+    }
+    EXPECT_GT(p.gap, 0) << "it was no contact at the start";
+    EXPECT_EQ(p.initial_interference, 0);
+    deepest = std::max(deepest, -gap);
+  }
+  EXPECT_NEAR(deepest, deepest_missed, 1e-12);
+  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3).empty());
+}
+
 TEST_F(MissedContact, NobodyLooksForTheOneOfBlocksOfWhichNeitherRotates) {
   scene_.detect(0.01);
   const std::vector<double> neither(2, 0.9e-3 * scene_.size(1));
@@ -73,7 +94,7 @@ TEST_F(MissedContact, LookingAheadChangesNothingThatIsFoundAtTheStart) {
 }
 
 /// A rigid cube `height` [m] above a slab, or in it, of which no contact is known; it goes by `way` [m].
-std::optional<ContactDetector::MissedContact> missed_by(double height, const Vec3& way) {
+std::vector<ContactDetector::MissedContact> missed_by(double height, const Vec3& way) {
   const Project project = test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 1, {}}});
   const BlockSystem system =
       test::block_system({test::box_block("slab", Vec3(-3, -3, -1), Vec3(3, 3, 0), BodyKind::fixed),
@@ -95,19 +116,21 @@ std::optional<ContactDetector::MissedContact> missed_by(double height, const Vec
   Increment d = Increment::Zero(set.unknowns());
   d.head<3>() = way;
   d[5] = 0.01;  // it rotates about the vertical: of blocks that do not, nobody looks for any
-  return MissedContacts(set).seek(detector, links, d, 0.1, 1e-3, 0);
+  MissedContacts missed(set);
+  const auto all = missed.seek(detector, links, d, 0.1, 1e-3, 0);
+  return {all.begin(), all.end()};
 }
 
 TEST(MissedContacts, WhatComesInDuringAStepIsMissed) {
   const auto missed = missed_by(0.01, {0, 0, -0.02});
-  ASSERT_TRUE(missed);
-  EXPECT_NEAR(missed->depth * missed->size, 0.01, 1e-12);
+  ASSERT_EQ(missed.size(), 4u);
+  for (const auto& contact : missed) EXPECT_NEAR(contact.depth * contact.size, 0.01, 1e-12);
 }
 
 TEST(MissedContacts, WhatLayDeeperBeforeItIsNot) {
-  EXPECT_FALSE(missed_by(-0.01, {0, 0, -0.005}));
-  EXPECT_FALSE(missed_by(-0.01, {0, 0, 0}));
-  EXPECT_FALSE(missed_by(-0.01, {0.03, 0.02, 0.001})) << "what slides along does not come in";
+  EXPECT_TRUE(missed_by(-0.01, {0, 0, -0.005}).empty());
+  EXPECT_TRUE(missed_by(-0.01, {0, 0, 0}).empty());
+  EXPECT_TRUE(missed_by(-0.01, {0.03, 0.02, 0.001}).empty()) << "what slides along does not come in";
 }
 
 }  // namespace
