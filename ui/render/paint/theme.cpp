@@ -43,10 +43,10 @@ const std::array<Rgb, 5>& caution_palette() {
 }
 
 const std::array<Rgb, 6>& curve_palette(Theme theme) {
-  static constexpr std::array<Rgb, 6> light{rgb(0x0068a8), rgb(0xc2540a), rgb(0x00806f),
-                                            rgb(0xb3260f), rgb(0x7a3fa0), rgb(0x6f6a00)};
-  static constexpr std::array<Rgb, 6> dark{rgb(0x5db3ea), rgb(0xf59a55), rgb(0x3fc7b3),
-                                           rgb(0xf27d6b), rgb(0xc79be6), rgb(0xcfc84a)};
+  static constexpr std::array<Rgb, 6> light{rgb(0x0068a8), rgb(0xc0208c), rgb(0x00806f),
+                                            rgb(0x7a5048), rgb(0x7a3fa0), rgb(0x6f6a00)};
+  static constexpr std::array<Rgb, 6> dark{rgb(0x5db3ea), rgb(0xf86ab8), rgb(0x3fc7b3),
+                                           rgb(0xdcc0b0), rgb(0xc79be6), rgb(0xcfc84a)};
   return theme == Theme::dark ? dark : light;
 }
 

@@ -48,7 +48,7 @@ Rgb action_colour(Kind kind, Theme theme) {
     case Kind::velocity:
       return palette[5];
     case Kind::stress:
-      return palette[3];
+      return palette[1];
     case Kind::monitor:
       break;
   }

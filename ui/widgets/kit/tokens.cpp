@@ -102,10 +102,10 @@ const Tokens& darkTokens() {
 }
 
 const std::array<QColor, 6>& seriesColours(bool dark) {
-  static const std::array<QColor, 6> light{rgb("#0068a8"), rgb("#c2540a"), rgb("#00806f"),
-                                           rgb("#b3260f"), rgb("#7a3fa0"), rgb("#6f6a00")};
-  static const std::array<QColor, 6> darkened{rgb("#5db3ea"), rgb("#f59a55"), rgb("#3fc7b3"),
-                                              rgb("#f27d6b"), rgb("#c79be6"), rgb("#cfc84a")};
+  static const std::array<QColor, 6> light{rgb("#0068a8"), rgb("#c0208c"), rgb("#00806f"),
+                                           rgb("#7a5048"), rgb("#7a3fa0"), rgb("#6f6a00")};
+  static const std::array<QColor, 6> darkened{rgb("#5db3ea"), rgb("#f86ab8"), rgb("#3fc7b3"),
+                                              rgb("#dcc0b0"), rgb("#c79be6"), rgb("#cfc84a")};
   return dark ? darkened : light;
 }
 

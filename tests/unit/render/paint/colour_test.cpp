@@ -85,6 +85,17 @@ TEST(Theme, NoBlockLooksSelected) {
             << int(block.red) << ' ' << int(block.green) << ' ' << int(block.blue);
 }
 
+/// Curves, joint sets and what acts have one palette; the grounds are told apart from it by their contrast.
+TEST(Theme, NoCurveLooksSelectedNorLikeAnother) {
+  for (const Theme theme : {Theme::light, Theme::dark}) {
+    const auto& curves = curve_palette(theme);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      EXPECT_GE(apart(curves[i], colours(theme).pick), 44) << "curve " << i;
+      for (std::size_t j = 0; j < i; ++j) EXPECT_GE(apart(curves[i], curves[j]), 30) << "curves " << i << ", " << j;
+    }
+  }
+}
+
 TEST(ValueRange, IgnoresWhatIsNotFinite) {
   ValueRange range;
   EXPECT_TRUE(range.empty());
