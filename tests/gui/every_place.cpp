@@ -259,12 +259,12 @@ void EveryPlace::showTroubles() {
   open(write("splinters.talus", example::splinters));
   session->display.goTo(WorkflowPage::blocks);
   session->run.mesh();
-  wait([&] { return !session->run.job().isBusy(); });
+  waitForRun([&] { return !session->run.job().isBusy(); });
   window->viewport().fit();
   look("splinters");
   openAndMesh(write("dropped.talus", example::dropped));
   session->solve();
-  wait([&] { return !session->run.job().isBusy() && session->playback.frame(); });
+  waitForRun([&] { return !session->run.job().isBusy() && session->playback.frame(); });
   look("trouble-results");
   look("trouble-solve", WorkflowPage::solve);
 }
@@ -274,12 +274,12 @@ void EveryPlace::solve() {
   window->viewport().fit();
   look("solve-ready", WorkflowPage::solve);
   session->solve();
-  wait([&] { return session->run.steps().size() > 10; });
+  waitForRun([&] { return session->run.steps().size() > 10; });
   session->run.job().pause();
   look("solve-paused", WorkflowPage::solve);
   lookAtQuestion("close-while-running", [&] { window->close(); });
   session->run.job().resume();
-  wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); });
+  waitForRun([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); });
   look("solve-done", WorkflowPage::solve);
   session->playback.showTime(0.8);
   wait([&] { return !session->playback.isWaiting(); });

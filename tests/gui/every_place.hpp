@@ -52,6 +52,13 @@ class EveryPlace : public DrivenWindow {
       if (one->isVisible()) return *one;
     throw std::runtime_error(std::string("nothing is shown of ") + Widget::staticMetaObject.className());
   }
+  /// As long as the solver says that it works, whatever the machine takes for it; then for what the window makes of it.
+  template <class Condition>
+  void waitForRun(Condition condition) {
+    while (session->run.job().isBusy() && !condition())
+      wait([&] { return !session->run.job().isBusy() || condition(); });
+    EXPECT_TRUE(wait(condition));
+  }
   void pick(int block, const Vec3& point, const Vec3& normal = {0, 0, 1});
 
   Look look_;
