@@ -109,6 +109,29 @@ TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   ASSERT_TRUE(wait([&] { return session->playback.number() == 20 && !window->timeline().isPlaying(); }, 10000));
 }
 
+TEST_F(DrivenWindow, TheTimelineNamesAStageWholeOrNotAtAll) {
+  openAndMesh(slidingCube());
+  Project changed = session->project.document().project();
+  Stage settle = changed.stages.at(0);
+  settle.name = "settle before it is let go";
+  settle.steps = 12;
+  changed.stages.insert(changed.stages.begin(), settle);
+  session->project.document().change(changed, QStringLiteral("settle first"));
+  session->solve();
+  const auto& track = *window->findChild<TimelineTrack*>();
+  const auto names = [&] {
+    QStringList words;
+    for (const auto& [place, name] : track.stageNames()) {
+      EXPECT_TRUE(QRectF(track.rect()).contains(place)) << name.toStdString();
+      words << name;
+    }
+    return words;
+  };
+  const auto stage = [&] { return session->run.steps().empty() ? -1 : session->run.steps().back().stage; };
+  ASSERT_TRUE(wait([&] { return stage() == 1; }));
+  EXPECT_EQ(names(), QStringList{"slide"}) << "12 of 4012 steps have no room for a name; what is to come has";
+}
+
 TEST_F(DrivenWindow, ReopensAProjectWithItsResultsUntilItIsEdited) {
   const auto file = slidingCube(50);
   openAndMesh(file);

@@ -26,6 +26,8 @@ constexpr int tick_ms = 40;
 constexpr double speeds[] = {0.1, 0.25, 0.5, 1, 2, 4, 8};
 constexpr int real_time = 3;  // index into speeds
 constexpr double inset = 8, track_y = 17;
+constexpr int name_size = 10;
+constexpr double name_height = 12, beside_name = 2;  // pixels
 
 int frameAt(const std::vector<double>& times, double time) {
   const auto after = std::upper_bound(times.begin(), times.end(), time + 1e-9);
@@ -66,6 +68,18 @@ std::vector<TimelineTrack::Band> TimelineTrack::bands() const {
   return made;
 }
 
+std::vector<TimelineTrack::StageName> TimelineTrack::stageNames() const {
+  const QFontMetrics metrics(theme::font(name_size, QFont::Medium), this);
+  const auto all = bands();
+  std::vector<StageName> made;
+  for (const Band& band : all) {
+    const double left = xAt(band.begin) + beside_name, wide = metrics.horizontalAdvance(band.name);
+    const double limit = &band == &all.back() ? width() : xAt(band.end) - beside_name;
+    if (!band.name.isEmpty() && left + wide <= limit) made.push_back({{left, 0, wide + 1, name_height}, band.name});
+  }
+  return made;
+}
+
 void TimelineTrack::paintEvent(QPaintEvent*) {
   const Colours& c = theme::colours();
   QPainter painter(this);
@@ -73,7 +87,7 @@ void TimelineTrack::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(c.pressed);
   painter.drawRoundedRect(QRectF(xAt(0), track_y - 2, xAt(end()) - xAt(0), 4), 2, 2);
-  painter.setFont(theme::font(10, QFont::Medium));
+  painter.setFont(theme::font(name_size, QFont::Medium));
   const double now = playback_.time();
   for (const Band& band : bands()) {
     const QRectF whole(xAt(band.begin) + 1, track_y - 2, std::max(1.0, xAt(band.end) - xAt(band.begin) - 2), 4);
@@ -85,10 +99,9 @@ void TimelineTrack::paintEvent(QPaintEvent*) {
       painter.drawRoundedRect(QRectF(whole.left(), whole.top(), std::min(whole.right(), xAt(now)) - whole.left(), 4), 2,
                               2);
     }
-    painter.setPen(c.textMuted);
-    painter.drawText(QRectF(whole.left() + 1, 0, whole.width(), 12), Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(band.name, Qt::ElideRight, static_cast<int>(whole.width())));
   }
+  painter.setPen(c.textMuted);
+  for (const StageName& name : stageNames()) painter.drawText(name.place, Qt::AlignLeft | Qt::AlignVCenter, name.words);
   painter.setFont(theme::font(10));
   const auto& events = run_.events();
   for (size_t i = 0; i < events.size(); ++i) {
@@ -132,6 +145,11 @@ bool TimelineTrack::event(QEvent* event) {
     if (std::abs(xAt(mark.time) - help->pos().x()) > 6) continue;
     QToolTip::showText(help->globalPos(), QStringLiteral("%1 s: %2").arg(numbers::fixed(mark.time, 2), text(mark.what)),
                        this);
+    return true;
+  }
+  for (const Band& band : bands()) {
+    if (band.name.isEmpty() || help->pos().x() < xAt(band.begin) || help->pos().x() > xAt(band.end)) continue;
+    QToolTip::showText(help->globalPos(), band.name, this);
     return true;
   }
   QToolTip::hideText();

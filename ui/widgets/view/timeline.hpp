@@ -2,8 +2,10 @@
 
 #include <QElapsedTimer>
 #include <QFrame>
+#include <QRectF>
 #include <QTimer>
 #include <QWidget>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -20,6 +22,13 @@ class TimelineTrack : public QWidget {
   Q_OBJECT
  public:
   TimelineTrack(Document& document, CurrentRun& run, Playback& playback);
+
+  struct StageName {
+    QRectF place;
+    QString words;
+  };
+  /// Those that have their room: of the stage that goes on, all that is before it. The tooltip tells the others.
+  std::vector<StageName> stageNames() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
