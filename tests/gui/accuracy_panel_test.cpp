@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QTest>
 
 #include "io/project_file.hpp"
@@ -91,6 +92,26 @@ TEST_F(AccuracyPanelTest, APointThatIsClickedSelectsItsRunAndGivesItsSetting) {
   EXPECT_FALSE(button(panel, "Use this setting").isEnabled());
   session->project.document().undoStack().undo();
   EXPECT_EQ(session->project.document().project(), before);
+}
+
+TEST_F(AccuracyPanelTest, LeavesNoWordOfItsTablesOutOnASmallScreen) {
+  const auto file = slidingCube(100);
+  study(file);
+  window->open(file);
+  AccuracyPanel& panel = opened();
+  panel.resize(1220, 680);  // on 1280 x 720
+  rest(50);
+  for (const char* name : {"runs", "orders"}) {
+    const PlainTable& shown = table(panel, name);
+    ASSERT_GT(shown.rowCount(), 0) << name;
+    for (int row = 0; row < shown.rowCount(); ++row)
+      for (int column = 0; column < shown.columnCount(); ++column) {
+        const QTableWidgetItem& cell = *shown.item(row, column);
+        EXPECT_GE(shown.columnWidth(column), shown.fontMetrics().horizontalAdvance(cell.text()) + 10)
+            << name << ": " << cell.text().toStdString();
+      }
+    EXPECT_FALSE(shown.horizontalScrollBar()->isVisible()) << name << " has room for all";
+  }
 }
 
 TEST_F(AccuracyPanelTest, ChoosesTheCheapestRunWithinATarget) {

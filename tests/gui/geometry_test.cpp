@@ -249,9 +249,11 @@ TEST_F(GeometryPage, MeasuresADistanceAndTheAttitudeOfAFace) {
   trigger(QStringLiteral("Measure"));
   auto* card = window->findChild<MeasureCard*>();
   ASSERT_TRUE(card && card->isVisible());
-  session->picking.take({.solid = 0, .point = {0, 0, 1}});
-  session->picking.take({.solid = 0, .point = {3, 4, 1}});
+  session->picking.take({.solid = 0, .point = {2600000, 1200000, 1}});  // as a survey has them
+  session->picking.take({.solid = 0, .point = {2600003, 1200004, 1}});
   rest(30);
+  for (const auto* label : card->findChildren<QLabel*>())
+    EXPECT_TRUE(label->wordWrap() || label->width() >= label->sizeHint().width()) << label->text().toStdString();
   ASSERT_FALSE(card->rows().empty());
   EXPECT_THAT(card->rows()[0].value.toStdString(), testing::StartsWith("5 m"));
   choose(*card, "What is measured", 0);

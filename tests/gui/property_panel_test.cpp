@@ -8,6 +8,7 @@
 
 #include "driven_form.hpp"
 #include "listed_runs.hpp"
+#include "unit/io/sample_project.hpp"
 #include "widgets/kit/model_words.hpp"
 #include "widgets/kit/number_field.hpp"
 #include "widgets/setup/property_panel.hpp"
@@ -303,6 +304,19 @@ TEST_F(DrivenForm, AToleranceIsChosenByItsNameOrTypedAsANumber) {
   EXPECT_FALSE(project().contains("solver") && project()["solver"].contains("tolerance"));
   rest(50);
   keepPicture(*window, "solver_tolerance.png");
+}
+
+TEST_F(DrivenWindow, AQuantityIsReadWholeOnASmallScreen) {
+  window->resize(1280, 720);
+  window->open(write("full.talus", test::full_project));
+  session->display.goTo(WorkflowPage::loads);
+  session->project.selection().select({Item::Kind::expectation, 1});
+  rest(50);
+  const auto* box = window->findChild<QComboBox*>(QStringLiteral("/expect/1/quantity"));
+  ASSERT_NE(box, nullptr);
+  ASSERT_EQ(box->currentText(), QStringLiteral("slope.2.velocity.magnitude"));
+  const QLineEdit& entry = *box->lineEdit();
+  EXPECT_LE(entry.fontMetrics().horizontalAdvance(entry.text()) + 2 * 3, entry.width()) << "beside the text's margins";
 }
 
 TEST_F(DrivenWindow, OneGoesOnTypingAfterANumberWasAccepted) {

@@ -132,8 +132,9 @@ bool isWide(const Json& rule) {
     case Kind::boolean:
     case Kind::number:
     case Kind::namedNumber:
-    case Kind::text:
       return false;
+    case Kind::text:  // of a quantity it is a path, longer than what stands beside a title
+      return rule.value("quantity", false);
     case Kind::numbers:
     case Kind::texts:
     case Kind::table:

@@ -15,7 +15,7 @@ namespace talus {
 namespace {
 
 constexpr int away = 12, below_prompt = 60;  // pixels from the view's corner; what is asked for stands above
-constexpr int card_width = 264;
+constexpr int least_width = 264;             // surveyed coordinates take more
 
 QString promptFor(Measured what) {
   switch (what) {
@@ -35,7 +35,7 @@ MeasureCard::MeasureCard(Document& document, Picking& picking, QWidget* view)
     : QFrame(view), document_(document), picking_(picking) {
   setProperty("plane", "overlay");
   setObjectName(QStringLiteral("measure"));
-  setFixedWidth(card_width);
+  setMinimumWidth(least_width);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 8, 10);
   column->setSpacing(6);

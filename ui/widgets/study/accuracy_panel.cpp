@@ -12,6 +12,7 @@
 #include "session/current_project.hpp"
 #include "session/current_run.hpp"
 #include "study/accuracy/choice.hpp"
+#include "widgets/kit/fitted_columns.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/kit/text.hpp"
@@ -22,7 +23,7 @@ namespace talus {
 namespace {
 
 const QSize usual_size(1240, 800);
-constexpr int side_width = 430;
+constexpr int side_width = 450;  // the orders of convergence whole
 
 QString errorOf(const AccuracyRow& row) {
   if (!row.error) return text(ending_text(row));
@@ -99,6 +100,7 @@ QWidget* AccuracyPanel::makeRuns() {
   runs_ = new PlainTable;
   runs_->setObjectName(QStringLiteral("runs"));
   runs_->setAccessibleName(tr("Runs of the study"));
+  new FittedColumns(*runs_);
   column->addWidget(chart_, 3);
   column->addWidget(makeLine(Qt::Horizontal));
   column->addWidget(runs_, 2);
@@ -142,6 +144,7 @@ QWidget* AccuracyPanel::makeSide() {
   orders_ = new PlainTable;
   orders_->setObjectName(QStringLiteral("orders"));
   orders_->setSelectionMode(QAbstractItemView::NoSelection);
+  new FittedColumns(*orders_);
   column->addWidget(orders_);
   column->addStretch();
   connect(target_, &QLineEdit::editingFinished, this, &AccuracyPanel::setTarget);
@@ -210,8 +213,6 @@ void AccuracyPanel::showRuns() {
   runs_->setContent({tr("Run"), tr("Setting"), tr("For its cost"), tr("Error"), tr("CPU s"), tr("Unknowns"),
                      tr("Steps"), tr("Iterations")},
                     rows, {true, true, true, false, false, false, false, false});
-  runs_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  runs_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
 }
 
 void AccuracyPanel::showOrders() {
@@ -225,8 +226,6 @@ void AccuracyPanel::showOrders() {
   }
   orders_->setContent({tr("Along"), tr("Runs are"), tr("Order"), tr("Theory"), tr("Finest off by")}, rows,
                       {true, true, false, false, false});
-  orders_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  orders_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   orders_->fitHeight(orders_->rowCount());
   orders_->setVisible(!rows.empty());
   ordersTitle_->setVisible(!rows.empty());

@@ -154,6 +154,7 @@ QWidget* WorkflowBar::makeSolvePage() {
   auto* field = new FieldChooser(session_.display, this);
   row->addSpacing(6);
   row->addWidget(field->quantityBox());
+  row->addSpacing(4);
   row->addWidget(field->componentBox());
   field->quantityBox()->setFixedWidth(116);
   field->componentBox()->setFixedWidth(116);
