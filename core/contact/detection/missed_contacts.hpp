@@ -17,9 +17,8 @@ class MissedContacts {
 
   /// The contacts at the end of a step that has converged to the increment `d` that are deeper, by more than
   /// `tolerance` of their mesh size, than the deepest of those that the step knows between the same two blocks, the
-  /// deepest first. Of the
-  /// latter no more than `tolerance` counts, else the error of one contact would hide the next. None is deeper than
-  /// those by more than the two have come nearer there. Contacts are looked for only of two blocks of which one
+  /// deepest first. Of that depth no more than `tolerance` counts, else the error of one contact would hide the next.
+  /// None is deeper than it by more than the two have come nearer there. Contacts are looked for only of two blocks of which one
   /// rotates: a node goes `tolerance` of their mesh size or more against the mean of its block. Without that, no
   /// feature comes into contact all of a sudden. `least_rotation` [m]: of no two blocks is that less. `reach` [m]: as
   /// for detect() of this step. The detector is told of the motion to the end and back, but for bodies that are
