@@ -93,7 +93,6 @@ double Impacts::let_go_landed(ContactSet& contacts, const StepContext& step,
 void Impacts::gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {
   struck_.clear();
   groups_.reset(static_cast<int>(set_.bodies.size()));
-  wrong_.clear();
   add_up_springs(contacts, outcomes);
   for (std::size_t k = 0; k < contacts.loose.size(); ++k) {
     const int i = contacts.loose[k];
@@ -102,16 +101,18 @@ void Impacts::gather(const ContactSet& contacts, double step, const std::vector<
     const double speed = speed_of(set_, contacts, point, step);
     if (point.restitution) ++restitutions_;
     const auto& [a, b] = point.bodies;
-    struck_.push_back({i, range(point, closing_[k], speed, outcomes[i], step), set_.bodies[a].fixed ? b : a, 0});
     if (!set_.bodies[a].fixed && !set_.bodies[b].fixed) groups_.join(a, b);
-    const auto& [lowest, highest] = struck_.back().range;
+    const Range speeds = range(point, closing_[k], speed, outcomes[i], step);
     const double lighter = std::min(mass_of(set_.bodies[a]), mass_of(set_.bodies[b]));
     const double rounding = tolerances_.negligible_speed * outcomes[i].normal_force * step / lighter;
-    if (!(speed > lowest - rounding && speed < highest + rounding)) wrong_.push_back(struck_.back().body);
+    const bool as_it_should = speed > speeds.lowest - rounding && speed < speeds.highest + rounding;
+    struck_.push_back({i, speeds, as_it_should, set_.bodies[a].fixed ? b : a});
   }
   is_wrong_.assign(set_.bodies.size(), false);
-  for (const int body : wrong_) is_wrong_[groups_.first_of(body)] = true;
-  for (Struck& struck : struck_) struck.group = groups_.first_of(struck.body);
+  for (Struck& struck : struck_) {
+    struck.group = groups_.first_of(struck.group);
+    if (!struck.parts_as_it_should) is_wrong_[struck.group] = true;
+  }
   std::erase_if(struck_, [&](const Struck& struck) { return !is_wrong_[struck.group]; });
   std::stable_sort(struck_.begin(), struck_.end(), [](const Struck& p, const Struck& q) { return p.group < q.group; });
 }

@@ -47,8 +47,8 @@ class Impacts {
   struct Struck {
     int point;
     Range range;
-    int body;  // one of its two that moves
-    int group;
+    bool parts_as_it_should;
+    int group;  // the first body of it; while groups are found, one that moves
   };
   /// A contact that pushed at the end of the step.
   struct Hit {
@@ -83,7 +83,6 @@ class Impacts {
   std::vector<double> springs_;  // N/m, of all contacts that push a body
   std::vector<Struck> struck_;   // group by group
   DisjointSets groups_;          // bodies
-  std::vector<int> wrong_;       // bodies that do not part as they should
   std::vector<char> is_wrong_;   // a body that is the first of its group
   std::vector<Hit> hits_;
   double seconds_ = 0;

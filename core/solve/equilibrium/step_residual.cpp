@@ -104,17 +104,13 @@ bool StepResidual::each_body_balances(double tolerance) const {
     all_work += std::abs(of_effect);
   }
   if (std::abs(work) > tolerances_.work_of_residual * tolerance * all_work) return false;
-  return each_body_within(tolerance);
+  for (int s = 0; s < systems(); ++s)
+    if (!system_within(s, tolerance)) return false;
+  return true;
 }
 
 bool StepResidual::body_within(int body, double fraction) const {
   return norm_of_body(gradient_, body) <= fraction * body_forces_[body];
-}
-
-bool StepResidual::each_body_within(double fraction) const {
-  for (int b = 0; b < bodies(); ++b)
-    if (!body_within(b, fraction)) return false;
-  return true;
 }
 
 void StepResidual::list_unbalanced(double fraction, std::vector<int>& bodies) const {

@@ -45,15 +45,13 @@ class StepResidual {
   /// Whether on each body alone so much of the forces on it is out of balance at most, a grain beside a mountain being
   /// no rounding, and what is left does next to no work, which the ledger would add up.
   bool each_body_balances(double tolerance) const;
-  /// Whether on each body no more than this fraction of the forces on it is out of balance.
-  bool each_body_within(double fraction) const;
   /// Bodies that are coupled to no others balance apart from them: the independent systems, in the order of
   /// BlockPattern::connected_parts. A far or heavy body changes nothing of what is measured of another system.
   int systems() const { return static_cast<int>(systems_.size()); }
   int system_of(int dof_block) const { return system_of_[dof_block]; }
   double norm_of_system(int system) const { return systems_[system].norm; }          ///< N, of the last gradient
   double force_scale_of_system(int system) const { return systems_[system].scale; }  ///< N, as force_scale
-  /// As each_body_within, of the bodies of a system.
+  /// Whether on each body of a system no more than this fraction of the forces on it is out of balance.
   bool system_within(int system, double fraction) const;
   /// Bodies with more than `fraction` of the forces on them out of balance, by their places in BodySet::moving.
   void list_unbalanced(double fraction, std::vector<int>& bodies) const;
