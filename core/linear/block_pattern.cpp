@@ -1,13 +1,20 @@
 #include "linear/block_pattern.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 
 #include "base/disjoint_sets.hpp"
 
 namespace talus {
 
-BlockPattern::BlockPattern(int nodes, std::vector<std::pair<int, int>> couplings) : column_begin_(nodes + 1, 0) {
+std::uint64_t BlockPattern::new_id() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+BlockPattern::BlockPattern(int nodes, std::vector<std::pair<int, int>> couplings)
+    : id_(new_id()), column_begin_(nodes + 1, 0) {
   for (auto& [column, row] : couplings)
     if (column > row) std::swap(column, row);
   for (int i = 0; i < nodes; ++i) couplings.emplace_back(i, i);
@@ -19,16 +26,6 @@ BlockPattern::BlockPattern(int nodes, std::vector<std::pair<int, int>> couplings
     rows_.push_back(row);
   }
   for (int i = 0; i < nodes; ++i) column_begin_[i + 1] += column_begin_[i];
-}
-
-BlockPattern BlockPattern::part(std::span<const int> nodes, std::span<const int> local) const {
-  BlockPattern part;
-  for (const int node : nodes) {
-    for (int slot = column_begin_[node]; slot < column_begin_[node + 1]; ++slot)
-      part.rows_.push_back(local[rows_[slot]]);
-    part.column_begin_.push_back(static_cast<int>(part.rows_.size()));
-  }
-  return part;
 }
 
 std::vector<std::vector<int>> BlockPattern::connected_parts() const {

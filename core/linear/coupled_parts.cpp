@@ -4,10 +4,12 @@ namespace talus {
 
 void CoupledParts::find(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric) {
   const std::vector<int>&column_begin = matrix.pattern().column_begin(), &rows = matrix.pattern().rows();
+  has_value_.resize(matrix.pattern().slots());
+  for (int slot = 0; slot < matrix.pattern().slots(); ++slot) has_value_[slot] = !matrix.value(slot).isZero(0);
   const auto each_coupling = [&](const auto& visit) {
     for (int column = 0; column < matrix.nodes(); ++column)
       for (int slot = column_begin[column] + 1; slot < column_begin[column + 1]; ++slot)  // the first is the diagonal
-        if (!matrix.value(slot).isZero(0)) visit(column, rows[slot]);
+        if (has_value_[slot]) visit(column, rows[slot]);
   };
   together_.reset(matrix.nodes());
   each_coupling([&](int column, int row) { together_.join(column, row); });

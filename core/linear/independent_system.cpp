@@ -100,7 +100,7 @@ void IndependentSystem::solve_parts(const LinearSettings& settings, double negli
       dense.solve(s.right, s.solution);
       ++work.dense_factorisations;
     } else {
-      s.large_part.factor(matrix_, unsymmetric_, nodes);
+      s.large_part.factor(matrix_, unsymmetric_, s.parts, part);
       const int iterations = s.large_part.solve(s.right, settings, s.solution);
       work.gmres_iterations += iterations;
       if (iterations >= settings.limit) ++work.gmres_limits;

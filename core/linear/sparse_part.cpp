@@ -1,28 +1,28 @@
 #include "linear/sparse_part.hpp"
 
+#include <utility>
+
 #include "linear/not_positive_definite.hpp"
 
 namespace talus {
 
 void SparsePart::factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric,
-                        std::span<const int> nodes) {
+                        const CoupledParts& parts, int part) {
+  const std::span<const int> nodes = parts.nodes(part);
   number_.resize(matrix.nodes());
   for (std::size_t k = 0; k < nodes.size(); ++k) number_[nodes[k]] = static_cast<int>(k);
-  const BlockPattern& all = matrix.pattern();
-  const auto each_value = [&](const auto& take) {
-    for (const int column : nodes)
-      for (int slot = all.column_begin()[column]; slot < all.column_begin()[column + 1]; ++slot)
-        if (!matrix.value(slot).isZero(0)) take(number_[all.rows()[slot]], number_[column], matrix.value(slot));
-  };
-  couplings_.clear();
-  each_value([&](int row, int column, const Mat3&) { couplings_.emplace_back(column, row); });
-  BlockPattern pattern(static_cast<int>(nodes.size()), couplings_);
+  const auto has_value = [&](int slot) { return parts.has_value(slot); };
+  BlockPattern pattern = matrix.pattern().part(nodes, number_, has_value);
   if (pattern != matrix_.pattern()) {
     factor_.analyse(pattern);
     matrix_.set_pattern(std::move(pattern));
   }
+  const std::vector<int>& begin = matrix.pattern().column_begin();
   matrix_.set_zero();
-  each_value([&](int row, int column, const Mat3& value) { matrix_.add(row, column, value); });
+  int to = 0;
+  for (const int column : nodes)
+    for (int slot = begin[column]; slot < begin[column + 1]; ++slot)
+      if (slot == begin[column] || has_value(slot)) matrix_.add_at(to++, matrix.value(slot));
   unsymmetric_.clear();
   for (const UnsymmetricBlocks::Pair& pair : unsymmetric) {
     const auto k = static_cast<std::size_t>(number_[pair.row]);

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "linear/coupled_parts.hpp"
 #include "linear/tangent_factor.hpp"
 #include "linear/unsymmetric_blocks.hpp"
 
@@ -12,9 +13,9 @@ namespace talus {
 /// than that of all contacts that may close. Its Cholesky factor preconditions GMRES where it has an unsymmetric part.
 class SparsePart {
  public:
-  /// `nodes`: ascending, coupled to no others. Throws NotPositiveDefinite with the node of the matrix.
+  /// This part of the parts of a matrix. Throws NotPositiveDefinite with the node of the matrix.
   void factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric,
-              std::span<const int> nodes);
+              const CoupledParts& parts, int part);
   /// Returns the number of GMRES iterations, 0 where the factor alone solves it.
   int solve(const Eigen::VectorXd& b, const LinearSettings& settings, Eigen::VectorXd& x);
 
@@ -22,7 +23,6 @@ class SparsePart {
   SymmetricBlocks matrix_;
   std::vector<UnsymmetricBlocks::Pair> unsymmetric_;  ///< by node numbers in the part
   std::vector<int> number_;                           ///< in the part, of those of its nodes; of others anything
-  std::vector<std::pair<int, int>> couplings_;
   TangentFactor factor_;
 };
 
