@@ -9,6 +9,7 @@ namespace talus {
 
 void Attachments::clear() {
   points_.clear();
+  pattern_ = 0;
   terms_.clear();
   turns_.clear();
 }
@@ -55,6 +56,29 @@ void Attachments::add(std::span<const int> nodes, std::span<const double> weight
   point.term_end = static_cast<int>(terms_.size());
   point.turn_end = static_cast<int>(turns_.size());
   points_.push_back(point);
+  pattern_ = 0;
+}
+
+void Attachments::find_slots(const BlockPattern& pattern) const {
+  if (pattern_ == pattern.id()) return;
+  pattern_ = pattern.id();
+  slot_begin_.clear();
+  slots_.clear();
+  for (const Point& point : points_) {
+    slot_begin_.push_back(static_cast<int>(slots_.size()));
+    const auto dof_block = [&](int k) {
+      return k < point.terms() ? terms_[point.term_begin + k].dof_block
+                               : turns_[point.turn_begin + k - point.terms()].dof_block;
+    };
+    for (int a = 0; a < point.terms() + point.turns(); ++a)
+      for (int b = 0; b <= a; ++b) slots_.push_back(pattern.slot(dof_block(a), dof_block(b)));
+  }
+}
+
+Attachments::Slots::Slots(const Attachments& attachments, int point, const BlockPattern& pattern)
+    : point_(attachments.points_[point]) {
+  attachments.find_slots(pattern);
+  first_ = attachments.slots_.data() + attachments.slot_begin_[point];
 }
 
 const Vec3& Attachments::moved_by(const Turn& turn, const Increment& d) {
@@ -115,48 +139,55 @@ void Attachments::add_force(int index, const Increment& d, const Vec3& force, Ar
 
 void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const {
   const Point& point = points_[index];
+  const Slots slots(*this, index, sum.pattern());
   for (int a = point.term_begin; a < point.term_end; ++a)
     for (int b = point.term_begin; b <= a; ++b)
-      sum.add(terms_[a].dof_block, terms_[b].dof_block, terms_[a].weight * terms_[b].weight * spring);
+      sum.add_at(slots.of_terms(a, b), terms_[a].dof_block, terms_[b].dof_block,
+                 terms_[a].weight * terms_[b].weight * spring);
   for (int a = point.turn_begin; a < point.turn_end; ++a) {
-    const Mat3 turned = cross_matrix(arm_at(turns_[a], d)) * spring / turns_[a].radius;  // (∂u/∂θ)ᵀ spring
+    const Mat3 turned = cross_times(arm_at(turns_[a], d), spring) / turns_[a].radius;  // (∂u/∂θ)ᵀ spring
     for (int b = point.term_begin; b < point.term_end; ++b)
-      sum.add(turns_[a].dof_block, terms_[b].dof_block, terms_[b].weight * turned);
+      sum.add_at(slots.of_turn_and_term(a, b), turns_[a].dof_block, terms_[b].dof_block, terms_[b].weight * turned);
     for (int b = point.turn_begin; b <= a; ++b)
-      sum.add(turns_[a].dof_block, turns_[b].dof_block,
-              -turned * cross_matrix(arm_at(turns_[b], d)) / turns_[b].radius);
+      sum.add_at(slots.of_turns(a, b), turns_[a].dof_block, turns_[b].dof_block,
+                 -times_cross(turned, arm_at(turns_[b], d)) / turns_[b].radius);
   }
 }
 
 void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const {
   const Point& point = points_[index];
+  const Slots slots(*this, index, sum.pattern());
   for (int a = point.term_begin; a < point.term_end; ++a) {
     for (int b = point.term_begin; b < point.term_end; ++b)
-      sum.add(terms_[a].dof_block, terms_[b].dof_block, terms_[a].weight * terms_[b].weight * spring);
+      sum.add_at(slots.of_terms(a, b), terms_[a].dof_block, terms_[b].dof_block,
+                 terms_[a].weight * terms_[b].weight * spring);
     for (int b = point.turn_begin; b < point.turn_end; ++b) {
+      const int slot = slots.of_turn_and_term(b, a);
       const Mat3 arm = cross_matrix(arm_at(turns_[b], d)) / turns_[b].radius;
-      sum.add(terms_[a].dof_block, turns_[b].dof_block, -terms_[a].weight * spring * arm);
-      sum.add(turns_[b].dof_block, terms_[a].dof_block, terms_[a].weight * arm * spring);
+      sum.add_at(slot, terms_[a].dof_block, turns_[b].dof_block, -terms_[a].weight * spring * arm);
+      sum.add_at(slot, turns_[b].dof_block, terms_[a].dof_block, terms_[a].weight * arm * spring);
     }
   }
   for (int a = point.turn_begin; a < point.turn_end; ++a)
     for (int b = point.turn_begin; b < point.turn_end; ++b)
-      sum.add(turns_[a].dof_block, turns_[b].dof_block,
-              -cross_matrix(arm_at(turns_[a], d)) * spring * cross_matrix(arm_at(turns_[b], d)) /
-                  (turns_[a].radius * turns_[b].radius));
+      sum.add_at(slots.of_turns(a, b), turns_[a].dof_block, turns_[b].dof_block,
+                 -cross_matrix(arm_at(turns_[a], d)) * spring * cross_matrix(arm_at(turns_[b], d)) /
+                     (turns_[a].radius * turns_[b].radius));
 }
 
 void Attachments::add_lever_difference(int index, const Increment& d, const Mat3& spring, Arms arms,
                                        UnsymmetricBlocks& sum) const {
   if (arms == Arms::end) return;
   const Point& point = points_[index];
+  const Slots slots(*this, index, sum.pattern());
   for (int a = point.turn_begin; a < point.turn_end; ++a) {
     const Turn& turn = turns_[a];
-    const Mat3 left = cross_matrix(lever_at(turn, d, arms) - arm_at(turn, d)) * spring / turn.radius;
+    const Mat3 left = cross_times(lever_at(turn, d, arms) - arm_at(turn, d), spring) / turn.radius;
     for (int b = point.term_begin; b < point.term_end; ++b)
-      sum.add(turn.dof_block, terms_[b].dof_block, terms_[b].weight * left);
+      sum.add_at(slots.of_turn_and_term(a, b), turn.dof_block, terms_[b].dof_block, terms_[b].weight * left);
     for (int b = point.turn_begin; b < point.turn_end; ++b)
-      sum.add(turn.dof_block, turns_[b].dof_block, -left * cross_matrix(arm_at(turns_[b], d)) / turns_[b].radius);
+      sum.add_at(slots.of_turns(a, b), turn.dof_block, turns_[b].dof_block,
+                 -times_cross(left, arm_at(turns_[b], d)) / turns_[b].radius);
   }
 }
 

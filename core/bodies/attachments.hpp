@@ -68,7 +68,25 @@ class Attachments {
   struct Point {
     int term_begin, term_end, turn_begin, turn_end;
     Vec3 held;
+    int terms() const { return term_end - term_begin; }
+    int turns() const { return turn_end - turn_begin; }
   };
+  /// Where a pattern has the pairs of a point's degree-of-freedom blocks. They are numbered by its terms and then by
+  /// its turns.
+  class Slots {
+   public:
+    Slots(const Attachments& attachments, int point, const BlockPattern& pattern);
+    int of_terms(int a, int b) const { return of(a - point_.term_begin, b - point_.term_begin); }
+    int of_turn_and_term(int turn, int term) const { return of(number(turn), term - point_.term_begin); }
+    int of_turns(int a, int b) const { return of(number(a), number(b)); }
+
+   private:
+    int number(int turn) const { return point_.terms() + turn - point_.turn_begin; }
+    int of(int a, int b) const { return a >= b ? first_[a * (a + 1) / 2 + b] : first_[b * (b + 1) / 2 + a]; }
+    const Point& point_;
+    const int* first_;
+  };
+  void find_slots(const BlockPattern& pattern) const;
   void add_term(int first, int dof_block, double weight);
   void add_turn(int first, const RigidBody& rigid, int node, double weight);
   static const Vec3& moved_by(const Turn& turn, const Increment& d);
@@ -80,6 +98,10 @@ class Attachments {
   std::vector<Point> points_;
   std::vector<Term> terms_;
   std::vector<Turn> turns_;
+  // Pairs of all points, each with those before it and itself, in the pattern that was asked for last:
+  mutable std::uint64_t pattern_ = 0;    // 0: none since the last point was added
+  mutable std::vector<int> slot_begin_;  // a point
+  mutable std::vector<int> slots_;
 };
 
 }  // namespace talus

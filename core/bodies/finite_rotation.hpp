@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "base/vector.hpp"
 
 /// Rotations of any size as vectors θ = angle · axis [rad], and how they change (Simo & Vu-Quoc 1986; Iserles et al.
@@ -8,6 +10,18 @@ namespace talus {
 
 /// v̂ with v̂ x = v × x.
 Mat3 cross_matrix(const Vec3& v);
+
+/// v̂ M and M v̂, by half the products.
+inline Mat3 cross_times(const Vec3& v, const Mat3& m) {
+  Mat3 product;
+  for (int k = 0; k < 3; ++k) product.col(k) = v.cross(m.col(k));
+  return product;
+}
+inline Mat3 times_cross(const Mat3& m, const Vec3& v) {
+  Mat3 product;
+  for (int k = 0; k < 3; ++k) product.row(k) = m.row(k).transpose().cross(v).transpose();
+  return product;
+}
 
 /// exp(θ̂), the rotation about θ by |θ|.
 Mat3 rotation_by(const Vec3& theta);

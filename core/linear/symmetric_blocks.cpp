@@ -11,14 +11,6 @@ void SymmetricBlocks::set_pattern(BlockPattern pattern) {
   values_.assign(pattern_.slots(), Mat3::Zero());
 }
 
-void SymmetricBlocks::add(int i, int j, const Mat3& block) {
-  Mat3& value = values_[pattern_.slot(i, j)];
-  if (i >= j)
-    value += weight_ * block;
-  else
-    value += weight_ * block.transpose();
-}
-
 void SymmetricBlocks::set_zero() { std::fill(values_.begin(), values_.end(), Mat3::Zero()); }
 
 bool SymmetricBlocks::assign_part(const SymmetricBlocks& whole, std::span<const int> nodes) {

@@ -20,9 +20,15 @@ class SymmetricBlocks {
   void set_pattern(BlockPattern pattern);
 
   /// Adds `block` at row i, column j, and its transpose at (j, i). The pair must be in the pattern.
-  void add(int i, int j, const Mat3& block);
-  /// Adds `block` at the row and column of a slot of the pattern, its transpose at (column, row). For stencils that
-  /// keep their slots: finding them takes longer than adding.
+  void add(int i, int j, const Mat3& block) { add_at(pattern_.slot(i, j), i, j, block); }
+  /// The same where the slot of the pair is known: finding it takes longer than adding.
+  void add_at(int slot, int i, int j, const Mat3& block) {
+    if (i >= j)
+      values_[slot] += weight_ * block;
+    else
+      values_[slot] += weight_ * block.transpose();
+  }
+  /// Adds `block` at the row and column of a slot of the pattern, its transpose at (column, row).
   void add_at(int slot, const Mat3& block) { values_[slot] += weight_ * block; }
 
   /// What is added from now on counts this much.

@@ -17,8 +17,7 @@ void UnsymmetricBlocks::set_zero() {
   pairs_.clear();
 }
 
-void UnsymmetricBlocks::add(int i, int j, const Mat3& block) {
-  const int slot = pattern_.slot(i, j);
+void UnsymmetricBlocks::add_at(int slot, int i, int j, const Mat3& block) {
   if (pair_[slot] < 0) {
     pair_[slot] = static_cast<int>(pairs_.size());
     slots_.push_back(slot);

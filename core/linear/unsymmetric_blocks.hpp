@@ -22,7 +22,10 @@ class UnsymmetricBlocks {
   void set_pattern(const BlockPattern& pattern);
   void set_zero();
   /// Adds `block` at row i, column j, in any order. The pair must be in the pattern.
-  void add(int i, int j, const Mat3& block);
+  void add(int i, int j, const Mat3& block) { add_at(pattern_.slot(i, j), i, j, block); }
+  /// The same where the slot of the pair is known.
+  void add_at(int slot, int i, int j, const Mat3& block);
+  const BlockPattern& pattern() const { return pattern_; }
 
   /// In the order in which they were first added to.
   const std::vector<Pair>& pairs() const { return pairs_; }
