@@ -66,7 +66,8 @@ void StruckPoint::add(const BodySet& set, InverseMasses& masses, int index, std:
   const Body& body = set.bodies[index];
   if (body.kind == BodyKind::rigid) {
     const RigidBody& rigid = set.rigid[body.rigid];
-    Turning turning{body.rigid, 0, Vec3::Zero(), rigid.inertia_now().inverse()};
+    Turning& turning = turning_[turning_count_++];
+    turning = {body.rigid, rigid.centre, 0, 0, Vec3::Zero(), rigid.inertia_now().inverse()};
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       if (set.nodes.body[nodes[k]] != index) continue;
       turning.weight += weights[k];
@@ -74,7 +75,7 @@ void StruckPoint::add(const BodySet& set, InverseMasses& masses, int index, std:
     }
     const Mat3 arm = cross_matrix(turning.arm);
     mobility_ += turning.weight * turning.weight / rigid.mass * Mat3::Identity() - arm * turning.inverse_inertia * arm;
-    turning_.push_back(turning);
+    turning.response = turning.weight / rigid.mass;
     return;
   }
   Deforming deforming{body.first_free(), Eigen::VectorXd::Zero(body.free_count()), {}};
@@ -96,11 +97,9 @@ Vec3 StruckPoint::velocity(const BodySet& set) const {
   for (const Deforming& body : deforming_)
     for (Eigen::Index n = 0; n < body.weights.size(); ++n)
       if (body.weights[n] != 0) sum += body.weights[n] * set.nodes.velocity[body.first_node + n];
-  for (const Turning& body : turning_) {
-    const RigidBody& rigid = set.rigid[body.rigid];
-    sum += body.weight * set.nodes.velocity[rigid.centre] +
-           (body.inverse_inertia * rigid.angular_momentum).cross(body.arm);
-  }
+  for (const Turning& body : turning())
+    sum += body.weight * set.nodes.velocity[body.centre] +
+           (body.inverse_inertia * set.rigid[body.rigid].angular_momentum).cross(body.arm);
   return sum;
 }
 
@@ -108,10 +107,9 @@ void StruckPoint::strike(BodySet& set, const Vec3& impulse) const {
   for (const Deforming& body : deforming_)
     for (Eigen::Index n = 0; n < body.response.size(); ++n)
       set.nodes.velocity[body.first_node + n] += body.response[n] * impulse;
-  for (const Turning& body : turning_) {
-    RigidBody& rigid = set.rigid[body.rigid];
-    set.nodes.velocity[rigid.centre] += body.weight / rigid.mass * impulse;
-    rigid.angular_momentum += body.arm.cross(impulse);
+  for (const Turning& body : turning()) {
+    set.nodes.velocity[body.centre] += body.response * impulse;
+    set.rigid[body.rigid].angular_momentum += body.arm.cross(impulse);
   }
 }
 

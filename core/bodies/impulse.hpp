@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -48,16 +49,19 @@ class StruckPoint {
     Eigen::VectorXd weights, response;  // 1; 1/kg
   };
   struct Turning {
-    int rigid;
+    int rigid, centre;
     double weight;
+    double response;       // 1/kg, of the centroid
     Vec3 arm;              // m, times the weights
     Mat3 inverse_inertia;  // 1/(kg m²)
   };
+  std::span<const Turning> turning() const { return std::span(turning_).first(turning_count_); }
   void add(const BodySet& set, InverseMasses& masses, int body, std::span<const int> nodes,
            std::span<const double> weights);
 
   std::vector<Deforming> deforming_;
-  std::vector<Turning> turning_;
+  std::array<Turning, 2> turning_;
+  int turning_count_ = 0;
   Vec3 driven_ = Vec3::Zero();  // m/s, part of bodies that are moved by prescription
   Mat3 mobility_ = Mat3::Zero();
 };

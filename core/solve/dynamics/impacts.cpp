@@ -119,10 +119,10 @@ void Impacts::gather(const ContactSet& contacts, double step, const std::vector<
 
 double Impacts::update(Hit& hit) {
   const Vec3 v = hit.where.velocity(set_);
-  const double speed = hit.normal.dot(v), mobility = hit.normal.dot(hit.where.mobility() * hit.normal);
-  const double without = speed - mobility * hit.pushed;
+  const double speed = hit.normal.dot(v);
+  const double without = speed - hit.along * hit.pushed;
   const double wanted = std::clamp(without, hit.range.lowest, hit.range.highest);
-  const double pushed = std::max(-hit.push, (wanted - without) / mobility);
+  const double pushed = std::max(-hit.push, (wanted - without) / hit.along);
 
   const Vec3 sideways = v - speed * hit.normal;
   Vec3 shear = hit.shear + hit.sheared - sideways / hit.sideways;
@@ -161,10 +161,13 @@ void Impacts::add_hits(const ContactSet& contacts, double step, const std::vecto
                      .normal = point.normal,
                      .range = struck.range,
                      .friction = point.friction,
+                     .along = 0,
                      .sideways = 0,
                      .push = outcomes[i].normal_force * step,
                      .shear = outcomes[i].shear_force * step});
-    hits_.back().sideways = mobility_across(hits_.back().where.mobility(), point.normal);
+    const Mat3& mobility = hits_.back().where.mobility();
+    hits_.back().along = point.normal.dot(mobility * point.normal);
+    hits_.back().sideways = mobility_across(mobility, point.normal);
   }
 }
 

@@ -56,7 +56,8 @@ class Impacts {
     Vec3 normal;
     Range range;
     double friction;
-    double sideways;    // 1/kg, no less than the mobility in any direction across the normal
+    double along;       // 1/kg, the mobility along the normal …
+    double sideways;    // 1/kg, … and no less than that in any direction across it
     double push;        // N s, of the springs over the step
     Vec3 shear;         // N s
     double pushed = 0;  // N s, by the impact
