@@ -46,7 +46,7 @@ struct ContactDetector::State {
   void find_points(std::span<const Vec3> x, double reach);
   bool is_given(std::uint64_t key) const;
   double initial_interference(const FoundPoint& found, double normal_stiffness) const;
-  ContactPoint complete(const FoundPoint& found) const;
+  ContactPoint complete(int number) const;
   void complete_all(ContactSet& contacts);
   void bond(std::span<ContactPoint> points) const;
   void weaken_broken(std::span<ContactPoint> points) const;
@@ -134,7 +134,9 @@ double ContactDetector::State::initial_interference(const FoundPoint& f, double 
   return f.gap < 0 ? std::max(0.0, -f.gap - memory.known_compression(f, normal_stiffness)) : 0;
 }
 
-ContactPoint ContactDetector::State::complete(const FoundPoint& f) const {
+/// The point of this number among those found.
+ContactPoint ContactDetector::State::complete(int number) const {
+  const FoundPoint& f = found.points[number];
   ContactPoint p{};
   p.key = f.key;
   for (int k = 0; k < 2; ++k) {
@@ -159,7 +161,7 @@ ContactPoint ContactDetector::State::complete(const FoundPoint& f) const {
 
   p.mode = f.gap > 0 ? ContactMode::open : ContactMode::stick;
   p.shear_start = Vec3::Zero();
-  const auto past = memory.transferred_to(f, scale.size);
+  const auto past = memory.transferred_to(number, scale.size);
   p.is_new = !past;
   if (past) {
     p.bonded = past->bonded && f.area > 0;
@@ -188,7 +190,7 @@ void ContactDetector::State::complete_all(ContactSet& contacts) {
     if (!found.points[i].dropped) origins.push_back(i);
   contacts.points.resize(origins.size());
   const auto complete_some = [&](int first, int last) {
-    for (int i = first; i < last; ++i) contacts.points[i] = complete(found.points[origins[i]]);
+    for (int i = first; i < last; ++i) contacts.points[i] = complete(origins[i]);
   };
   in_parallel(static_cast<int>(origins.size()), points_worth_a_thread, std::ref(complete_some));
   if (joints_bond() || memory.any_bonded()) bond(contacts.points);

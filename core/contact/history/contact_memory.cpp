@@ -10,37 +10,51 @@
 namespace talus {
 
 void ContactMemory::transfer(std::span<const FoundPoint> points) {
-  face_face_families_.clear();
   transfers_.clear();
+  points_ = points;
+  own_.assign(points.size(), -1);
   auto point = points.begin();
-  for (History& history : histories_) {
+  bool all_continue = true;
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    History& history = histories_[i];
     while (point != points.end() && point->key < history.key) ++point;
-    history.continues = point != points.end() && point->key == history.key && !point->dropped;
+    const bool is_there = point != points.end() && point->key == history.key;
+    if (is_there) own_[point - points.begin()] = static_cast<int>(i);
+    history.continues = is_there && !point->dropped;
+    all_continue = all_continue && history.continues;
   }
   if (by_key_alone_) return;
-  for (const FoundPoint& p : points) {
-    if (p.dropped || !(p.area > 0)) continue;
-    if (face_face_families_.empty() || face_face_families_.back() != p.family) face_face_families_.push_back(p.family);
-  }
-  std::sort(face_face_families_.begin(), face_face_families_.end());
-  by_bodies_.sort(points, [](const FoundPoint& p) { return !p.dropped; });
+  const auto is_new_face_face = [&](const FoundPoint& p) { return p.area > 0 && own_[&p - points.data()] < 0; };
+  if (std::any_of(points.begin(), points.end(), is_new_face_face)) sort_by_family();
+  if (all_continue) return;
+  list_successors();
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     const History& history = histories_[i];
     if (history.continues) continue;
     if (history.area > 0 && std::binary_search(face_face_families_.begin(), face_face_families_.end(), history.family))
       continue;
-    if (const FoundPoint* successor = successor_of(history, points))
+    if (const FoundPoint* successor = successor_of(history))
       transfers_.emplace_back(successor->key, static_cast<int>(i));
   }
   std::sort(transfers_.begin(), transfers_.end());
 }
 
-const FoundPoint* ContactMemory::successor_of(const History& history, std::span<const FoundPoint> points) const {
+void ContactMemory::list_successors() {
+  face_face_families_.clear();
+  for (const FoundPoint& p : points_) {
+    if (p.dropped || !(p.area > 0)) continue;
+    if (face_face_families_.empty() || face_face_families_.back() != p.family) face_face_families_.push_back(p.family);
+  }
+  std::sort(face_face_families_.begin(), face_face_families_.end());
+  by_bodies_.sort(points_, [](const FoundPoint& p) { return !p.dropped; });
+}
+
+const FoundPoint* ContactMemory::successor_of(const History& history) const {
   const FoundPoint* successor = nullptr;
   double least = std::numeric_limits<double>::infinity();
   bool same_features = false;
   for (const auto& [bodies, number] : by_bodies_.of(history.bodies)) {
-    const FoundPoint& p = points[number];
+    const FoundPoint& p = points_[number];
     if (p.normal.dot(history.normal) < tolerances_.transfer_agreement) continue;
     // What continues beside it was a contact of its own, unless it is left over of a face–face contact.
     const bool same = p.family == history.family && (history.area > 0 || !with_key(p.key));
@@ -54,9 +68,8 @@ const FoundPoint* ContactMemory::successor_of(const History& history, std::span<
 }
 
 const ContactMemory::History* ContactMemory::with_key(std::uint64_t key) const {
-  const auto same = std::lower_bound(histories_.begin(), histories_.end(), key,
-                                     [](const History& m, std::uint64_t k) { return m.key < k; });
-  return same != histories_.end() && same->key == key ? &*same : nullptr;
+  const auto same = std::lower_bound(keys_.begin(), keys_.end(), key);
+  return same != keys_.end() && *same == key ? &histories_[same - keys_.begin()] : nullptr;
 }
 
 const ContactMemory::History* ContactMemory::nearest_face_face(const FoundPoint& point, double distance) const {
@@ -90,9 +103,9 @@ void ContactMemory::add_forces(const History& history, const FoundPoint& point, 
   sum.spring_force += ratio * std::max(0.0, history.normal_force - history.multiplier);
 }
 
-std::optional<ContactMemory::TransferredHistory> ContactMemory::transferred_to(const FoundPoint& point,
-                                                                               double size) const {
-  const History* own = with_key(point.key);
+std::optional<ContactMemory::TransferredHistory> ContactMemory::transferred_to(int number, double size) const {
+  const FoundPoint& point = points_[number];
+  const History* own = own_[number] >= 0 ? &histories_[own_[number]] : nullptr;
   if (!own && point.area > 0 && !by_key_alone_)
     own = nearest_face_face(point, tolerances_.transfer_along_features * size);
   const auto received = std::lower_bound(transfers_.begin(), transfers_.end(), std::pair(point.key, 0));
@@ -151,6 +164,7 @@ bool ContactMemory::ever_broken(std::uint64_t family) const {
 void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const std::uint64_t> families,
                            std::span<const ContactOutcome> outcomes) {
   histories_.clear();
+  keys_.clear();
   any_bonded_ = false;
   const std::size_t broken_before = broken_.size();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -160,6 +174,7 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
     if (o.broke) broken_.push_back(families[i]);
     if (p.mode == ContactMode::open && !bonded) continue;
     any_bonded_ = any_bonded_ || bonded;
+    keys_.push_back(p.key);
     const double given_by = p.let_go ? std::max(0.0, -o.gap) : 0;  // m, from now on it interferes
     histories_.push_back({.key = p.key,
                           .family = families[i],
@@ -184,11 +199,12 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
     std::sort(broken_.begin(), broken_.end());
     broken_.erase(std::unique(broken_.begin(), broken_.end()), broken_.end());
   }
-  sort_by_family();
+  by_family_.clear();
   sort_by_body();
 }
 
 void ContactMemory::sort_by_family() {
+  if (by_family_.size() == histories_.size()) return;
   by_family_.resize(histories_.size());
   std::iota(by_family_.begin(), by_family_.end(), 0);
   std::sort(by_family_.begin(), by_family_.end(), [&](int a, int b) {
@@ -230,7 +246,9 @@ void ContactMemory::rest(std::span<const int> changed, const std::function<bool(
   });
   std::sort(histories_.begin(), histories_.end(), [](const History& p, const History& q) { return p.key < q.key; });
   any_bonded_ = std::any_of(histories_.begin(), histories_.end(), [](const History& m) { return m.bonded; });
-  sort_by_family();
+  keys_.clear();
+  for (const History& history : histories_) keys_.push_back(history.key);
+  by_family_.clear();
   sort_by_body();
 }
 

@@ -34,16 +34,17 @@ class ContactMemory {
   ContactMemory(std::size_t bodies, bool by_key_alone, const ContactTolerances& tolerances)
       : by_key_alone_(by_key_alone), tolerances_(tolerances), resting_(bodies), of_body_begin_(bodies + 1, 0) {}
 
-  /// Must precede transferred_to(): gives every former contact to the point that has its key. The force of one that
-  /// lost its key is transferred, once: of a face–face contact to nobody while the same smooth faces are in face–face
-  /// contact, for then their traction is taken up by the corners there; else, as of vertices and edges, to the nearest
-  /// point of the same smooth faces or sharp edges, or of the same bodies close by. `points` are sorted by key.
+  /// Must precede transferred_to(), and the points stay until then: gives every former contact to the one with its key.
+  /// The force of one that lost its key is transferred, once: of a face–face contact to nobody while the same smooth
+  /// faces are in face–face contact, for then their traction is taken up by the corners there; else, as of vertices and
+  /// edges, to the nearest point of the same smooth faces or sharp edges, or of the same bodies close by. `points` are
+  /// sorted by key.
   void transfer(std::span<const FoundPoint> points);
 
-  /// The history of the former contact with the point's key, and the forces transferred to it. A new face–face point
-  /// takes the traction of the nearest former one of the same smooth faces. Forces keep their length as they turn into
-  /// the point's plane. Nothing where the point is really new. `size`: its mesh size [m].
-  std::optional<TransferredHistory> transferred_to(const FoundPoint& point, double size) const;
+  /// The history of the former contact with the key of the point of this number, and the forces transferred to it. A
+  /// new face–face point takes the traction of the nearest former one of the same smooth faces. Forces keep their
+  /// length as they turn into the point's plane. Nothing where the point is really new. `size`: its mesh size [m].
+  std::optional<TransferredHistory> transferred_to(int point, double size) const;
 
   /// Whether the contact with this key was closed or bonded when the last step was accepted.
   bool remembers(std::uint64_t key) const { return with_key(key) != nullptr; }
@@ -84,7 +85,8 @@ class ContactMemory {
   static Hold hold_of(const History& history, int body);
   const History* with_key(std::uint64_t key) const;
   const History* nearest_face_face(const FoundPoint& point, double distance) const;
-  const FoundPoint* successor_of(const History& history, std::span<const FoundPoint> points) const;
+  void list_successors();
+  const FoundPoint* successor_of(const History& history) const;
   void add_forces(const History& history, const FoundPoint& point, TransferredHistory& sum) const;
   void sort_by_family();
   void sort_by_body();
@@ -93,12 +95,15 @@ class ContactMemory {
   ContactTolerances tolerances_;
   bool any_bonded_ = false;
   RestingContacts resting_;
-  std::vector<History> histories_;                        // sorted by key
-  std::vector<int> by_family_;                            // numbers of histories_, sorted by family and then along x
-  std::vector<int> of_body_;                              // numbers of histories_: those of body b from …
-  std::vector<int> of_body_begin_;                        // … of_body_begin_[b] to of_body_begin_[b + 1]
-  std::vector<Hold> holds_;                               // as of_body_
-  PointsByBodies by_bodies_;                              // those that histories may go on in
+  std::vector<History> histories_;      // sorted by key
+  std::vector<std::uint64_t> keys_;     // of histories_
+  std::span<const FoundPoint> points_;  // of this step, and …
+  std::vector<int> own_;                // … the history with the key of each; −1: none
+  std::vector<int> by_family_;      // once they are asked for: numbers of histories_, sorted by family and then along x
+  std::vector<int> of_body_;        // numbers of histories_: those of body b from …
+  std::vector<int> of_body_begin_;  // … of_body_begin_[b] to of_body_begin_[b + 1]
+  std::vector<Hold> holds_;         // as of_body_
+  PointsByBodies by_bodies_;        // those that histories may go on in
   std::vector<std::uint64_t> face_face_families_;         // families with an area, sorted
   std::vector<std::pair<std::uint64_t, int>> transfers_;  // key of a point, number of a history; sorted
   std::vector<std::uint64_t> broken_;                     // families, sorted

@@ -18,16 +18,18 @@ bool Coupling::holds(int i, int j) const {
   return std::binary_search(pairs_.begin() + row.begin, pairs_.begin() + row.end, std::pair<int, int>(pair));
 }
 
-bool Coupling::holds(const FoundPoints& found) const {
-  const auto handle = [&](int i) { return features_.handle[found.nodes[i]]; };
+bool Coupling::holds(const FoundPoints& found) {
+  std::vector<int>& handles = around_;
   for (const FoundPoint& p : found.points) {
     if (p.dropped) continue;
+    handles.clear();
     for (int i = p.stencil_begin; i < p.stencil_end; ++i) {
-      if (!features_.movable[found.nodes[i]]) continue;
-      for (int j = p.stencil_begin; j < i; ++j) {
-        if (features_.movable[found.nodes[j]] && !holds(handle(i), handle(j))) return false;
-      }
+      const int handle = features_.handle[found.nodes[i]];
+      if (features_.movable[found.nodes[i]] && (handles.empty() || handles.back() != handle)) handles.push_back(handle);
     }
+    for (std::size_t i = 1; i < handles.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!holds(handles[i], handles[j])) return false;
   }
   return true;
 }

@@ -29,7 +29,7 @@ class Coupling {
 
  private:
   bool holds(int i, int j) const;
-  bool holds(const FoundPoints& found) const;
+  bool holds(const FoundPoints& found);
   bool couples(const FoundPoints& found, const FoundPoint& point) const;
   bool some_parted(const FoundPoints& found);
   void plan_bodies(const FoundPoints& found);
@@ -45,7 +45,7 @@ class Coupling {
   std::vector<Row> rows_;                     // a node: the pairs that it is the first of
   std::vector<std::pair<int, int>> planned_;  // pairs of movable bodies of the plan, sorted
   std::vector<char> touch_;                   // such a pair
-  std::vector<int> around_;                   // nodes of a point's stencil and beside it
+  std::vector<int> around_;                   // handles of a point's stencil, also beside it
   int kept_ = 0;                              // times that the plan has been kept since bodies were compared
   std::uint64_t generation_ = 0;
 };
