@@ -17,25 +17,28 @@ void MissedContacts::measure_rotations(const Increment& d, std::span<const char>
     const Body& body = set_.bodies[b];
     const int nodes_end = body.first_node + body.node_count;
     Vec3 mean = Vec3::Zero();
-    for (int n = body.first_node; n < nodes_end; ++n) mean += set_.node_increment(n, d) / body.node_count;
+    for (int n = body.first_node; n < nodes_end; ++n) {
+      increments_[n] = set_.node_increment(n, d);
+      mean += increments_[n] / body.node_count;
+    }
     for (int n = body.first_node; n < nodes_end; ++n)
-      rotations_[b] = std::max(rotations_[b], (set_.node_increment(n, d) - mean).norm());
+      rotations_[b] = std::max(rotations_[b], (increments_[n] - mean).norm());
   }
 }
 
-void MissedContacts::place_nodes(const Increment& d, std::span<const char> alone) {
+void MissedContacts::place_nodes(std::span<const char> alone) {
   end_ = set_.nodes.position;
   std::fill(displacements_.begin(), displacements_.end(), 0.0);
-  for (const auto* moved : {&set_.moving, &set_.driven})
-    for (const int b : *moved) {
-      if (is_alone(b, alone)) continue;
-      const Body& body = set_.bodies[b];
-      for (int n = body.first_node; n < body.first_node + body.node_count; ++n) {
-        const Vec3 step = set_.node_increment(n, d);
-        end_[n] += step;
-        displacements_[b] = std::max(displacements_[b], step.norm());
-      }
+  const auto place = [&](int b, const std::vector<Vec3>& increments) {
+    if (is_alone(b, alone)) return;
+    const Body& body = set_.bodies[b];
+    for (int n = body.first_node; n < body.first_node + body.node_count; ++n) {
+      end_[n] += increments[n];
+      displacements_[b] = std::max(displacements_[b], increments[n].norm());
     }
+  };
+  for (const int b : set_.moving) place(b, increments_);
+  for (const int b : set_.driven) place(b, set_.nodes.prescribed);
 }
 
 void MissedContacts::tell(ContactDetector& detector) const {
@@ -62,7 +65,7 @@ std::span<const ContactDetector::MissedContact> MissedContacts::seek(ContactDete
   missed_.clear();
   measure_rotations(d, alone);
   if (*std::max_element(rotations_.begin(), rotations_.end()) < least_rotation) return {};
-  place_nodes(d, alone);
+  place_nodes(alone);
   tell(detector);
   for (const ContactDetector::MissedContact& contact :
        detector.missed_contacts(set_.nodes.position, end_, rotations_, reach, tolerance)) {
