@@ -278,7 +278,7 @@ std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts
     const bool rotates = std::max(rotations[a], rotations[b]) >= tolerance * s.broad.size(a, b);
     return rotates ? s.search.distance(step, a, b) : -1.0;
   };
-  s.search.find_ahead(step, s.broad.find(end, reach, std::ref(distance)), s.ahead);
+  s.search.find_ahead(step, s.broad.find(end, reach, std::ref(distance)), tolerance, s.ahead);
   for (const FoundPoint& point : s.ahead.points) {
     const double size = s.broad.size(point.bodies[0], point.bodies[1]), depth = -point.gap / size;
     if (point.dropped || depth < tolerance || s.is_given(point.key)) continue;

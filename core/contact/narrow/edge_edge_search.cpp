@@ -17,7 +17,7 @@ namespace {
 /// Is the normal that of two facets beside the edges in face–face contact? Then these have the contact. Both facets may
 /// be within the face–face angle of the normal though they are not of each other.
 bool lies_between_faces(const StepGeometry& step, const ContactEdge& a, const ContactEdge& b, const Vec3& n) {
-  const double least_cosine = step.face_face_cosine();
+  const double least_cosine = step.face_face_cosine;
   for (const int f : a.facets) {
     const Vec3& of_a = step.normal(f);
     if (!(-n.dot(of_a) > least_cosine)) continue;
@@ -71,13 +71,8 @@ std::optional<Crossing> crossing_of(const StepGeometry& step, int edge_a, int ed
   const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
   const Vec3 u = step.x[a.nodes[1]] - a0, w = step.x[b.nodes[1]] - b0, c = u.cross(w), r = b0 - a0;
   const double squared = c.squaredNorm();
-  if (!(squared > step.tolerances.parallel_edges * u.squaredNorm() * w.squaredNorm())) return {};
-  const double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
-  const double past_end = step.tolerances.past_edge_end;
-  if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return {};
-
   const std::array<Vec3, 2>&into_a = step.shapes.edge(edge_a).into, &into_b = step.shapes.edge(edge_b).into;
-  const double tolerance = step.cone_tolerance();
+  const double tolerance = step.cone_tolerance;
   const auto in_both_cones = [&](const Vec3& m) {
     return m.dot(into_a[0]) >= -tolerance && m.dot(into_a[1]) >= -tolerance && m.dot(into_b[0]) <= tolerance &&
            m.dot(into_b[1]) <= tolerance;
@@ -87,6 +82,9 @@ std::optional<Crossing> crossing_of(const StepGeometry& step, int edge_a, int ed
     n = -n;
     if (!in_both_cones(n)) return {};
   }
+  const double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
+  const double past_end = step.tolerances.past_edge_end;
+  if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return {};
   const double la = u.norm(), lb = w.norm();
   return Crossing{a, b, s, t, {s * la, (1 - s) * la}, {t * lb, (1 - t) * lb}, n, a0 + s * u, -n.dot(r)};
 }
@@ -102,7 +100,7 @@ bool passes_beside(const StepGeometry& step, const Crossing& c) {
 bool end_has_it(const StepGeometry& step, const VertexFaceSearch& vertices, const ContactEdge& e,
                 const std::array<double, 2>& from_ends, const Vec3& inwards, const ContactEdge& other, double near) {
   const auto has_it = [&](int node) {
-    if (!step.features.corner[node] || rise(step, node, inwards) < -step.cone_tolerance()) return false;
+    if (!step.features.corner[node] || !is_in_cone(step, node, inwards)) return false;
     return std::any_of(other.facets.begin(), other.facets.end(),
                        [&](int f) { return vertices.has(node, step.features.facets[f].smooth_face); });
   };
@@ -145,9 +143,7 @@ void EdgeEdgeSearch::find(const StepGeometry& step, const NearFeatures& near, co
   vertices_.sort(found.points, [](const FoundPoint& p) { return p.kind != PointKind::face_face; });
   near.visit_bodies([&](const NearFeatures::OfBodies& of_bodies) {
     first_ = found.points.size();
-    for (const auto& [a, b] : of_bodies.edges)
-      if (step.shapes.edge(a).is_clearly_convex && step.shapes.edge(b).is_clearly_convex)
-        cross(step, a, b, vertices, axis, found);
+    for (const auto& [a, b] : of_bodies.crossing) cross(step, a, b, vertices, axis, found);
   });
 }
 
@@ -159,6 +155,7 @@ void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, con
   const auto &of_a = c.from_ends_of_a, &of_b = c.from_ends_of_b;
   const int body_a = step.features.facets[c.a.facets[0]].body, body_b = step.features.facets[c.b.facets[0]].body;
   if (!(c.gap <= step.reach) || (c.gap < 0 && c.gap < -step.depth(body_a, body_b))) return;
+  if (lies_between_faces(step, c.a, c.b, c.normal)) return;
   const std::uint64_t key = edge_key(edge_a, edge_b);
   const double edge_tolerance = step.edge_tolerance(body_a, body_b);
   const auto appears_deep = [&] {
@@ -171,7 +168,6 @@ void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, con
   if (end_has_it(step, vertices, c.a, of_a, c.normal, c.b, near)) return;
   if (end_has_it(step, vertices, c.b, of_b, -c.normal, c.a, near)) return;
   if (sharp_edge_has_it(step, c.a, of_a, near) || sharp_edge_has_it(step, c.b, of_b, near)) return;
-  if (lies_between_faces(step, c.a, c.b, c.normal)) return;
 
   FoundPoint p = point_at(step, c, key);
   p.bodies = {body_a, body_b};
@@ -183,7 +179,7 @@ void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, con
 /// At the end of an edge the next edge, or a vertex, may have found the same contact.
 bool EdgeEdgeSearch::found_before(const FoundPoint& p, double near, const StepGeometry& step,
                                   const FoundPoints& found) const {
-  const double same_normal = step.face_face_cosine();
+  const double same_normal = step.face_face_cosine;
   const auto same = [&](const FoundPoint& q) {
     return !q.dropped && (q.position - p.position).norm() < near && q.normal.dot(p.normal) > same_normal;
   };

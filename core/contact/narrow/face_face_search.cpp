@@ -39,9 +39,10 @@ class SharpEdgesAlong {
       else
         step.count(step.work.edges_left_out);
     };
-    const auto farthest = [&](const auto& distance) {
+    const auto farthest = [&](const auto& distance) {  // or some distance that is too far
       double most = 0;
-      for (const Vec2& corner : p.corners) most = std::max(most, distance(corner));
+      for (const Vec2& corner : p.corners)
+        if (most = std::max(most, distance(corner)); !(most < widest)) break;
       return most;
     };
     for (std::size_t k = 0; k < flat.points.size(); ++k) {
@@ -89,6 +90,12 @@ void ProjectedFace::project(const StepGeometry& step, int face, const FlatPlane&
   facets.clear();
 }
 
+void ProjectedFace::measure_sides() {
+  const std::size_t count = points.size();
+  lengths.resize(count);
+  for (std::size_t k = 0; k < count; ++k) lengths[k] = (points[(k + 1) % count] - points[k]).norm();
+}
+
 bool ProjectedFace::has_area(double least) const {
   double twice_area = 0, longest = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -101,7 +108,7 @@ bool ProjectedFace::has_area(double least) const {
 
 double ProjectedFace::distance(const Vec2& p, std::size_t side) const {
   const Vec2 &from = points[side], along = points[(side + 1) % points.size()] - from;
-  return cross(along, p - from) / along.norm();
+  return cross(along, p - from) / lengths[side];
 }
 
 int ProjectedFace::node_at(const Vec2& p, double at_vertex) const {
@@ -109,9 +116,10 @@ int ProjectedFace::node_at(const Vec2& p, double at_vertex) const {
   double least = at_vertex;
   int node = -1;
   for (std::size_t k = 0; k < count; ++k) {
-    const double before = (points[(k + count - 1) % count] - points[k]).norm(),
-                 after = (points[(k + 1) % count] - points[k]).norm();
-    const double apart = (p - points[k]).norm() / std::min(before, after);
+    const double shorter = std::min(lengths[(k + count - 1) % count], lengths[k]);
+    const double squared = (p - points[k]).squaredNorm();
+    if (squared > 2 * at_vertex * at_vertex * shorter * shorter) continue;  // clearly
+    const double apart = std::sqrt(squared) / shorter;
     if (apart < least) least = apart, node = nodes[k];
   }
   return node;
@@ -152,13 +160,10 @@ int ProjectedFace::locate(const Vec2& p, double* at) const {
   return facet;
 }
 
-void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacePair> pairs, SeparatingAxis& axis,
+void FaceFaceSearch::find(const StepGeometry& step, std::span<const FacePair> facing, SeparatingAxis& axis,
                           FoundPoints& found) {
   corners_.clear();
-  const double most_cosine = -step.face_face_cosine();
-  for (const FacePair& pair : pairs) {
-    if (step.face_normal(pair.a).dot(step.face_normal(pair.b)) < most_cosine) overlap(step, pair, axis, found);
-  }
+  for (const FacePair& pair : facing) overlap(step, pair, axis, found);
   by_key_.clear();
   for (std::size_t i = 0; i < corners_.size(); ++i) by_key_.emplace_back(corners_[i].key, static_cast<int>(i));
   std::sort(by_key_.begin(), by_key_.end());
@@ -184,6 +189,15 @@ void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, Sep
   const double size = step.broad.size(fa.body, fb.body);
   if (!(polygon.area > step.tolerances.least_overlap_area * size * size)) return;
 
+  a.measure_sides();
+  b.measure_sides();
+  // A strip between a sharp edge of one body and one of the other that has just passed it: two bodies lie flush, or one
+  // has sunk by as much as the strip is wide. It would hold a block that nothing holds.
+  const SharpEdgesAlong sharp_edges(step, pair.a, fb.body, a, polygon, e1, e2);
+  if (sharp_edges.any() && sharp_edges.opposite_to(SharpEdgesAlong(step, pair.b, fa.body, b, polygon, e1, e2),
+                                                   step.tolerances.opposite_edges))
+    return;
+
   const double spread_by = spread(step, pair);
   const std::size_t first = corners_.size(), first_covered = found.covered.size();
   double least_gap = std::numeric_limits<double>::infinity();
@@ -202,13 +216,6 @@ void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, Sep
     name(step, polygon.corners[i], c, found);
     corners_.push_back(c);
   }
-  // A strip between a sharp edge of one body and one of the other that has just passed it: two bodies lie flush, or one
-  // has sunk by as much as the strip is wide. It would hold a block that nothing holds.
-  const auto between_sharp_edges = [&] {
-    const SharpEdgesAlong sharp_edges(step, pair.a, fb.body, a, polygon, e1, e2);
-    return sharp_edges.any() && sharp_edges.opposite_to(SharpEdgesAlong(step, pair.b, fa.body, b, polygon, e1, e2),
-                                                        step.tolerances.opposite_edges);
-  };
   const auto beside = [&] {
     place_corners(step, first);
     const auto any = [](const Vec3&) { return true; };
@@ -216,7 +223,7 @@ void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, Sep
            step.came_past_sharp_edge(pair.a, places_[1], fb.body, any);
   };
   if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) ||
-      axis.refutes(step, fa.body, fb.body, least_gap) || between_sharp_edges() ||
+      axis.refutes(step, fa.body, fb.body, least_gap) ||
       (least_gap < -step.noticeable_depth(fa.body, fb.body) && beside())) {
     corners_.resize(first);
     found.covered.resize(first_covered);

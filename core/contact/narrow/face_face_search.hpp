@@ -29,9 +29,11 @@ struct ProjectedFace {
   };
   std::vector<Vec2> points;
   std::vector<int> nodes, sides;  ///< of each point; the edge from each to the next
+  std::vector<double> lengths;    ///< m, from each point to the next, once the sides are measured
   std::vector<FlatFacet> facets;
 
   void project(const StepGeometry& step, int face, const FlatPlane& plane, bool seen_from_behind);
+  void measure_sides();
   void project_facets(const StepGeometry& step, int face, const FlatPlane& plane);
   bool has_area(double least) const;
   double distance(const Vec2& p, std::size_t side) const;  ///< m, inwards
@@ -47,7 +49,8 @@ struct ProjectedFace {
 /// only the mesh divides two overlaps.
 class FaceFaceSearch {
  public:
-  void find(const StepGeometry& step, std::span<const FacePair> pairs, SeparatingAxis& axis, FoundPoints& found);
+  /// `facing`: those that look at each other.
+  void find(const StepGeometry& step, std::span<const FacePair> facing, SeparatingAxis& axis, FoundPoints& found);
 
  private:
   struct Corner {

@@ -56,14 +56,14 @@ void FacetWiseSearch::touch(const StepGeometry& step, const FacetPair& pair) {
   const Vec3 &na = step.normal(pair.a), &nb = step.normal(pair.b);
   const CommonPlane plane = common_plane(corners(step, pair.a), corners(step, pair.b), nb - na, step.tolerances);
   if (!plane.converged) step.count(step.work.unfinished_planes);
-  if (!(plane.gap <= step.reach) || std::min(plane.normal.dot(nb), -plane.normal.dot(na)) < step.cone_tolerance())
+  if (!(plane.gap <= step.reach) || std::min(plane.normal.dot(nb), -plane.normal.dot(na)) < step.cone_tolerance)
     return;  // apart, or the plane sees one of them on edge or from behind
   const std::size_t first = touches_.size();
   vertices_on(step, pair, true, plane.normal);
   vertices_on(step, pair, false, plane.normal);
   crossings(step, pair, plane.normal);
 
-  const double least_cosine = step.face_face_cosine();
+  const double least_cosine = step.face_face_cosine;
   if (first == touches_.size() || plane.normal.dot(nb) < least_cosine || -plane.normal.dot(na) < least_cosine) return;
   const double each = common_area(step, pair, plane.normal) / static_cast<double>(touches_.size() - first);
   for (std::size_t i = first; i < touches_.size(); ++i) touches_[i].area = each;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "contact/narrow/grouped.hpp"
 #include "contact/narrow/step_geometry.hpp"
 
 namespace talus {
@@ -24,12 +24,13 @@ class FalseVertices {
     FoundPoint* point;  // none: covered
     Vec3 normal;        // towards the node's body
   };
-  void drop_false_at(const StepGeometry& step, int begin);
   void drop_doubled(const StepGeometry& step);
-  bool past_sharp_edge(const StepGeometry& step, const Held& h, std::span<const Held> group) const;
-  bool deeper(const StepGeometry& step, const Held& h, std::span<const Held> group) const;
+  bool past_sharp_edge(const StepGeometry& step, const Held& h) const;
+  bool deeper(const StepGeometry& step, const Held& h) const;
+  static bool pushes(const Held& held);
 
-  std::vector<Held> held_;  // sorted by node; in which order it is held does not matter
+  Grouped<Held> held_;         // by node
+  std::vector<Held> pushing_;  // sorted by node; in which order a node is pushed does not matter
 };
 
 }  // namespace talus

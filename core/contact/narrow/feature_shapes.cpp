@@ -15,7 +15,10 @@ FeatureShapes::FeatureShapes(const ContactFeatures& features, const Odometers& o
       edges_(features.edges.size()),
       normal_at_(normals_.size()),
       core_at_(towards_core_.size()),
-      edge_at_(edges_.size()) {}
+      edge_at_(edges_.size()) {
+  for (const ContactFace& face : features.faces) body_of_face_.push_back(face.body);
+  for (const ContactEdge& edge : features.edges) body_of_edge_.push_back(features.facets[edge.facets[0]].body);
+}
 
 void FeatureShapes::measure_normal(int face) {
   const ContactFacet& f = features_.facets[features_.faces[face].facet];
@@ -46,10 +49,10 @@ void FeatureShapes::measure_edge(int number) {
   edge.is_convex = below < 0;
   edge.is_clearly_convex =
       below < 0 && below * below * length > least * least * (r.squaredNorm() * length - along_u * along_u);
-  const Vec3 along = u.stableNormalized();
+  edge.along = u.stableNormalized();
   for (int k = 0; k < 2; ++k) {
     const Vec3 into = x_[e.opposite[k]] - origin;
-    edge.into[k] = (into - along * along.dot(into)).stableNormalized();
+    edge.into[k] = (into - edge.along * edge.along.dot(into)).stableNormalized();
   }
 }
 

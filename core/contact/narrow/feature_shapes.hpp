@@ -24,7 +24,7 @@ class FeatureShapes {
 
   /// Unit, outwards.
   const Vec3& normal(int face) {
-    normal_at_[face].bring_to(odometers_.moves(features_.faces[face].body), [&] { measure_normal(face); });
+    normal_at_[face].bring_to(odometers_.moves(body_of_face_[face]), [&] { measure_normal(face); });
     return normals_[face];
   }
   /// From a node to its core, for an edge tolerance of 1: all facets around, moved inwards by 1, meet there as nearly
@@ -37,11 +37,11 @@ class FeatureShapes {
   struct Edge {
     bool is_convex;
     bool is_clearly_convex;    ///< by more than an angle as good as flat
+    Vec3 along;                ///< unit, from its first node to the second
     std::array<Vec3, 2> into;  ///< unit vectors in each facet, square to the edge, away from it
   };
   const Edge& edge(int number) {
-    const int body = features_.facets[features_.edges[number].facets[0]].body;
-    edge_at_[number].bring_to(odometers_.moves(body), [&] { measure_edge(number); });
+    edge_at_[number].bring_to(odometers_.moves(body_of_edge_[number]), [&] { measure_edge(number); });
     return edges_[number];
   }
 
@@ -56,6 +56,7 @@ class FeatureShapes {
   std::span<const Vec3> x_;
   std::vector<Vec3> normals_, towards_core_;
   std::vector<Edge> edges_;
+  std::vector<int> body_of_face_, body_of_edge_;  // side by side: they are asked for all the time
   std::vector<MeasuredOnce> normal_at_, core_at_, edge_at_;
 };
 

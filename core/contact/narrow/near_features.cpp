@@ -1,5 +1,6 @@
 #include "contact/narrow/near_features.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace talus {
@@ -32,21 +33,25 @@ bool apart(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1, doubl
 
 void NearFeatures::clear() {
   faces_.clear();
+  facing_.clear();
   vertices_.clear();
   corners_.clear();
-  edges_.clear();
+  crossing_.clear();
+  parallel_.clear();
   ends_.clear();
 }
 
 void NearFeatures::add(const StepGeometry& step, const std::array<int, 2>& bodies, std::span<const FacePair> pairs,
                        double distance) {
   const std::size_t first = faces_.size();
+  const double most_cosine = -step.face_face_cosine;
   for (const FacePair& pair : pairs) {
     if (apart(step, pair.a, pair.b, distance) || apart(step, pair.b, pair.a, distance)) continue;
     faces_.push_back(pair);
+    if (step.face_normal(pair.a).dot(step.face_normal(pair.b)) < most_cosine) facing_.push_back(pair);
     add_features(step, pair, distance);
   }
-  if (faces_.size() > first) ends_.push_back({bodies, edges_.size(), corners_.size()});
+  if (faces_.size() > first) ends_.push_back({bodies, crossing_.size(), parallel_.size(), corners_.size()});
 }
 
 void NearFeatures::add_features(const StepGeometry& step, const FacePair& pair, double distance) {
@@ -67,21 +72,24 @@ void NearFeatures::add_features(const StepGeometry& step, const FacePair& pair, 
       }
     }
   }
-  const auto may_touch = [&](int edge) {
-    const FeatureShapes::Edge& shape = step.shapes.edge(edge);
-    return shape.is_clearly_convex || (shape.is_convex && features.edges[edge].is_sharp);
-  };
-  of_b_.clear();
-  for (const int edge : features.owned_edges(pair.b))
-    if (may_touch(edge)) of_b_.push_back(edge);
-  if (of_b_.empty()) return;
   for (const int a : features.owned_edges(pair.a)) {
-    if (!may_touch(a)) continue;
     const Vec3 &a0 = step.x[features.edges[a].nodes[0]], &a1 = step.x[features.edges[a].nodes[1]];
-    for (const int b : of_b_) {
+    for (const int b : features.owned_edges(pair.b)) {
       const auto& nodes = features.edges[b].nodes;
-      if (!apart(a0, a1, step.x[nodes[0]], step.x[nodes[1]], distance)) edges_.push_back({a, b});
+      if (!apart(a0, a1, step.x[nodes[0]], step.x[nodes[1]], distance)) add_edges(step, a, b);
     }
+  }
+}
+
+void NearFeatures::add_edges(const StepGeometry& step, int edge_a, int edge_b) {
+  const ContactEdge &a = step.features.edges[edge_a], &b = step.features.edges[edge_b];
+  const FeatureShapes::Edge &shape_a = step.shapes.edge(edge_a), &shape_b = step.shapes.edge(edge_b);
+  if (!shape_a.is_convex || !shape_b.is_convex) return;
+  const Vec3 u = step.x[a.nodes[1]] - step.x[a.nodes[0]], w = step.x[b.nodes[1]] - step.x[b.nodes[0]];
+  if (u.cross(w).squaredNorm() > step.tolerances.parallel_edges * u.squaredNorm() * w.squaredNorm()) {
+    if (shape_a.is_clearly_convex && shape_b.is_clearly_convex) crossing_.push_back({edge_a, edge_b});
+  } else if (a.is_sharp && b.is_sharp) {
+    parallel_.push_back({edge_a, edge_b});
   }
 }
 

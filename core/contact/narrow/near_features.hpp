@@ -20,13 +20,13 @@ class NearFeatures {
     int node, edge;
     bool node_is_first;
   };
-  struct EdgeAtEdge {  ///< convex ones
+  struct EdgeAtEdge {
     int a, b;
   };
   /// Of two bodies.
   struct OfBodies {
     std::array<int, 2> bodies;
-    std::span<const EdgeAtEdge> edges;
+    std::span<const EdgeAtEdge> crossing, parallel;
     std::span<const VertexAtEdge> corners;
   };
 
@@ -41,34 +41,39 @@ class NearFeatures {
   }
 
   std::span<const FacePair> faces() const { return faces_; }
+  /// Those of them that look at each other, to within the angle of face–face contact.
+  std::span<const FacePair> facing() const { return facing_; }
   std::span<const VertexAtFace> vertices() const { return vertices_; }
   /// Calls `visit` with what is near of two bodies each that have near faces.
   template <class Visit>
   void visit_bodies(const Visit& visit) const {
-    std::size_t edges = 0, corners = 0;
+    Ends begin{};
     for (const Ends& end : ends_) {
-      visit(OfBodies{end.bodies, std::span(edges_).subspan(edges, end.edges - edges),
-                     std::span(corners_).subspan(corners, end.corners - corners)});
-      edges = end.edges, corners = end.corners;
+      visit(OfBodies{end.bodies, std::span(crossing_).subspan(begin.crossing, end.crossing - begin.crossing),
+                     std::span(parallel_).subspan(begin.parallel, end.parallel - begin.parallel),
+                     std::span(corners_).subspan(begin.corners, end.corners - begin.corners)});
+      begin = end;
     }
   }
 
  private:
   struct Ends {
     std::array<int, 2> bodies;
-    std::size_t edges, corners;
+    std::size_t crossing, parallel, corners;
   };
   void clear();
   void add(const StepGeometry& step, const std::array<int, 2>& bodies, std::span<const FacePair> pairs,
            double distance);
   void add_features(const StepGeometry& step, const FacePair& pair, double distance);
 
-  std::vector<FacePair> faces_;
+  void add_edges(const StepGeometry& step, int edge_a, int edge_b);
+
+  std::vector<FacePair> faces_, facing_;
   std::vector<VertexAtFace> vertices_;
   std::vector<VertexAtEdge> corners_;
-  std::vector<EdgeAtEdge> edges_;
+  std::vector<EdgeAtEdge> crossing_;  // clearly convex ones
+  std::vector<EdgeAtEdge> parallel_;  // as good as; convex, sharp ones
   std::vector<Ends> ends_;
-  std::vector<int> of_b_;  // edges of one face
 };
 
 }  // namespace talus

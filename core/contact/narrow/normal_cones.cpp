@@ -1,7 +1,7 @@
 #include "contact/narrow/normal_cones.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace talus {
 
@@ -15,16 +15,24 @@ double rise(const StepGeometry& step, int node, const Vec3& normal) {
   return least;
 }
 
-bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal, double tolerance) {
-  for (const int number : step.features.edges_at(node)) {
-    const ContactEdge& e = step.features.edges[number];
-    if (!e.is_sharp) continue;
-    const Vec3 along = (step.x[e.nodes[1]] - step.x[e.nodes[0]]).stableNormalized();
-    if (std::abs(along.dot(normal)) > tolerance) continue;
+bool is_in_cone(const StepGeometry& step, int node, const Vec3& normal) {
+  const auto ring = step.features.ring(node);
+  return std::none_of(ring.begin(), ring.end(), [&](int q) {
+    const Vec3 along = step.x[q] - step.x[node];
+    const double rises = along.dot(normal);
+    return rises < 0 && rises / along.norm() < -step.cone_tolerance;
+  });
+}
+
+bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal) {
+  const double tolerance = step.cone_tolerance;
+  const auto numbers = step.features.edges_at(node);
+  return std::any_of(numbers.begin(), numbers.end(), [&](int number) {
+    if (!step.features.edges[number].is_sharp) return false;
     const FeatureShapes::Edge& edge = step.shapes.edge(number);
-    if (edge.is_convex && edge.into[0].dot(normal) >= -tolerance && edge.into[1].dot(normal) >= -tolerance) return true;
-  }
-  return false;
+    return edge.is_convex && edge.into[0].dot(normal) >= -tolerance && edge.into[1].dot(normal) >= -tolerance &&
+           std::abs(edge.along.dot(normal)) <= tolerance;
+  });
 }
 
 }  // namespace talus

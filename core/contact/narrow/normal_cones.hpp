@@ -9,9 +9,12 @@ namespace talus {
 /// the node's normal cone.
 double rise(const StepGeometry& step, int node, const Vec3& normal);
 
-/// Whether a convex edge that ends at the node lies along the plane of `normal`, to within `tolerance` (sine), and the
-/// opposite of the normal in the edge's cone. At a convex node that says no more than its own cone. In a concave
+/// Whether it does, to within the angle by which normals may leave a cone.
+bool is_in_cone(const StepGeometry& step, int node, const Vec3& normal);
+
+/// Whether a convex edge that ends at the node lies along the plane of `normal`, to within that angle, and the opposite
+/// of the normal in the edge's cone. At a convex node that says no more than its own cone. In a concave
 /// corner, as of a square hole, the sharp edges that end there may touch though the corner as a whole cannot.
-bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal, double tolerance);
+bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal);
 
 }  // namespace talus

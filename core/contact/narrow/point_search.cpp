@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -15,6 +16,8 @@ constexpr int points_worth_a_thread = 512;
 /// Of the size: pairs of facets that are farther than the reach by less are kept, for two measures of one gap
 /// differ by rounding. What is kept for nothing is found to be no contact.
 constexpr double reach_slack = 1e-9;
+/// Of a depth that is asked for: so deep along all directions are bodies with a point of that depth, but for rounding.
+constexpr double clearly_deep = 1 - 1e-6;
 
 }  // namespace
 
@@ -65,8 +68,32 @@ void PointSearch::find(const StepGeometry& step, std::span<const FacePair> pairs
   join(found);
 }
 
-void PointSearch::find_ahead(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found) {
+/// The pairs of faces of bodies of which one may be deeper than this, of the mesh size, in any other.
+std::span<const FacePair> PointSearch::of_deep_bodies(const StepGeometry& step, std::span<const FacePair> pairs,
+                                                      double depth) {
   divide(step.features, pairs);
+  each_part([&](Part& part) {
+    part.axis.begin();
+    part.deep_bodies.clear();
+    visit_body_pairs(step.features, part.pairs, [&](std::span<const FacePair> of_bodies) {
+      const int a = step.features.faces[of_bodies[0].a].body, b = step.features.faces[of_bodies[0].b].body;
+      if (part.axis.refutes(step, a, b, -clearly_deep * depth * step.broad.size(a, b))) return;
+      part.deep_bodies.insert(part.deep_bodies.end(), {a, b});
+    });
+  });
+  is_deep_.assign(step.widths.size(), 0);
+  for (int i = 0; i < part_count_; ++i)
+    for (const int body : parts_[i].deep_bodies) is_deep_[body] = 1;
+  of_deep_.clear();
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(of_deep_), [&](const FacePair& pair) {
+    return is_deep_[step.features.faces[pair.a].body] || is_deep_[step.features.faces[pair.b].body];
+  });
+  return of_deep_;
+}
+
+void PointSearch::find_ahead(const StepGeometry& step, std::span<const FacePair> pairs, double depth,
+                             FoundPoints& found) {
+  divide(step.features, of_deep_bodies(step, pairs, depth));
   search_features(step);
   join(found);
 }
@@ -77,27 +104,26 @@ void PointSearch::search_features(const StepGeometry& step) {
     find_near(step, part);
     part.found.clear();
     part.axis.begin();
-    part.face_face.find(step, part.near.faces(), part.axis, part.found);
+    part.face_face.find(step, part.near.facing(), part.axis, part.found);
     part.vertex_face.find(step, part.near.vertices(), part.axis, part.found);
   });
   false_vertices_.clear();
   for (int i = 0; i < part_count_; ++i) false_vertices_.add(step, parts_[i].found);
   false_vertices_.drop(step);
-  each_part([&](Part& part) { part.edge_edge.find(step, part.near, part.vertex_face, part.axis, part.found); });
+  each_part([&](Part& part) {
+    std::erase_if(part.found.points,
+                  [](const FoundPoint& point) { return point.dropped; });  // most, where bodies lie flush
+    part.edge_edge.find(step, part.near, part.vertex_face, part.axis, part.found);
+  });
 }
 
 /// Vertex–vertex contact.
 void PointSearch::search_corners(const StepGeometry& step) {
   pressures_.clear();
   for (int i = 0; i < part_count_; ++i) add_pressures(parts_[i].found.points, step.reach, pressures_);
-  std::sort(pressures_.begin(), pressures_.end());
   each_part([&](Part& part) { part.vertex_vertex.find(step, part.near, pressures_, former_, part.axis, part.found); });
   seen_.clear();
-  for (int i = 0; i < part_count_; ++i) {
-    const auto seen = parts_[i].vertex_vertex.seen();
-    seen_.insert(seen_.end(), seen.begin(), seen.end());
-  }
-  std::sort(seen_.begin(), seen_.end(), [](const Sight& p, const Sight& q) { return p.key < q.key; });
+  for (int i = 0; i < part_count_; ++i) add_sights(parts_[i].vertex_vertex.seen(), seen_);
 }
 
 void PointSearch::join(FoundPoints& found) {

@@ -28,8 +28,10 @@ class PointSearch {
 
   /// The points of pairs of facets, which are sorted by bodies. Those found are sorted by key.
   void find(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found);
-  /// The same without vertex–vertex contact, of a step that is not to be accepted.
-  void find_ahead(const StepGeometry& step, std::span<const FacePair> pairs, FoundPoints& found);
+  /// The same without vertex–vertex contact, of a step that is not to be accepted: all points that are deeper than
+  /// `depth` of their mesh size, and such that are not. Two convex bodies that are less deep in each other are looked
+  /// at only where one of them has such a point with a third: that may hang on what else holds a vertex.
+  void find_ahead(const StepGeometry& step, std::span<const FacePair> pairs, double depth, FoundPoints& found);
 
   /// The step was accepted whose features find() saw last.
   void accept() { former_.swap(seen_); }
@@ -46,6 +48,7 @@ class PointSearch {
     EdgeEdgeSearch edge_edge;
     VertexVertexSearch vertex_vertex;
     FoundPoints found;
+    std::vector<int> deep_bodies;
   };
   struct Place {
     std::uint64_t key;
@@ -56,6 +59,7 @@ class PointSearch {
   template <class Work>
   void each_part(const Work& work);
   void find_near(const StepGeometry& step, Part& part) const;
+  std::span<const FacePair> of_deep_bodies(const StepGeometry& step, std::span<const FacePair> pairs, double depth);
   void search_features(const StepGeometry& step);
   void search_corners(const StepGeometry& step);
   void join(FoundPoints& found);
@@ -63,10 +67,12 @@ class PointSearch {
   ContactSettings settings_;
   std::deque<Part> parts_;  // those that were needed so far: lists keep their room
   int part_count_ = 0;
+  std::vector<char> is_deep_;      // a body
+  std::vector<FacePair> of_deep_;  // face pairs of such bodies
   FalseVertices false_vertices_;
-  std::vector<Pressure> pressures_;
-  std::vector<Sight> seen_, former_;  // sorted by key
-  std::vector<Place> places_;         // sorted by key
+  Pressures pressures_;
+  Sights seen_, former_;
+  std::vector<Place> places_;  // sorted by key
 };
 
 }  // namespace talus

@@ -1,9 +1,7 @@
 #include "contact/narrow/step_geometry.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/units.hpp"
 #include "contact/history/contact_memory.hpp"
 
 namespace talus {
@@ -43,9 +41,5 @@ int StepGeometry::common_joint(int facet_a, int facet_b) const {
   const int joint = features.facets[facet_a].joint;
   return joint == features.facets[facet_b].joint ? joint : -1;
 }
-
-double StepGeometry::cone_tolerance() const { return std::sin(radians(tolerances.face_face_angle)); }
-
-double StepGeometry::face_face_cosine() const { return std::cos(radians(tolerances.face_face_angle)); }
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/units.hpp"
 #include "contact/broad/broad_phase.hpp"
 #include "contact/found_point.hpp"
 #include "contact/narrow/feature_shapes.hpp"
@@ -27,6 +28,12 @@ struct StepGeometry {
   std::span<const char> moved;  ///< a body: it took part in a step and was not fixed
   const ContactMemory& memory;
   FeatureShapes& shapes;
+  /// Sine of the angle by which normals may leave the normal cone of a feature.
+  double cone_tolerance = std::sin(radians(tolerances.face_face_angle));
+  /// Cosine of the largest angle between the normal of one facet and the opposite of another's in face–face contact.
+  double face_face_cosine = std::cos(radians(tolerances.face_face_angle));
+  /// Cosine of the largest angle between normals that are along one direction.
+  double flush_cosine = std::cos(radians(tolerances.flush_angle));
   ContactWork& work;  ///< where the searches count what they come up against, …
 
   /// … by one, whoever else counts at the same time.
@@ -84,10 +91,6 @@ struct StepGeometry {
     for (const int node : nodes.subspan(1)) sum += x[node];
     return sum / static_cast<double>(nodes.size());
   }
-  /// Sine of the angle by which normals may leave the normal cone of a feature.
-  double cone_tolerance() const;
-  /// Cosine of the largest angle between the normal of one facet and the opposite of another's in face–face contact.
-  double face_face_cosine() const;
 };
 
 template <class Counts>

@@ -21,15 +21,14 @@ bool beside_the_body(const StepGeometry& step, int face, const Vec3& p) {
     const Vec3 &n = step.normal(step.features.across(edge, face)), &on_edge = step.x[e.nodes[0]],
                inwards = centre - on_edge;
     const double below = -n.dot(inwards);
-    return below > step.cone_tolerance() * inwards.norm() &&
+    return below > step.cone_tolerance * inwards.norm() &&
            n.dot(p - on_edge) > step.tolerances.outside_facet * 3 * below;
   });
 }
 
 /// Whether the node, or an edge that ends there, may lie on a facet of this normal.
 bool may_touch(const StepGeometry& step, int node, const Vec3& normal) {
-  const double tolerance = step.cone_tolerance();
-  return rise(step, node, normal) >= -tolerance || an_edge_lies_along(step, node, normal, tolerance);
+  return is_in_cone(step, node, normal) || an_edge_lies_along(step, node, normal);
 }
 
 /// Whether a facet at the node looks against `normal`. The edges around a vertex amid a flat face rise to neither side:
@@ -88,15 +87,15 @@ void VertexFaceSearch::touch(const StepGeometry& step, int node, int face, bool 
   if (!(gap <= step.reach)) return;
   const int other = step.features.body_of(node);
   if (gap < 0 && gap < -step.depth(f.body, other)) return;
+  if (!may_touch(step, node, n) || !looks_against(step, node, n)) return;  // most do not
   Touch t{vertex_key(node, f.smooth_face), node, -1, node_is_first, {}, -step.tolerances.outside_facet};
   if (std::binary_search(taken_.begin(), taken_.end(), t.key)) return;
   for (const int facet : step.features.facets_of(face)) locate(step, facet, t);
   if (t.facet < 0) return;
-  if (!may_touch(step, node, n) || !looks_against(step, node, n)) return;
   if (node_is_first ? axis.refutes(step, other, f.body, gap) : axis.refutes(step, f.body, other, gap)) return;
   if (gap < 0 && beside_the_body(step, face, step.x[node])) return;
   // An edge that reaches back over the facet lies on it, though it ends at the sharp edge.
-  const auto lies_across = [&](const Vec3& across) { return rise(step, node, across) >= -step.cone_tolerance(); };
+  const auto lies_across = [&](const Vec3& across) { return is_in_cone(step, node, across); };
   if (gap < -step.noticeable_depth(f.body, other) &&
       step.came_past_sharp_edge(face, {&step.x[node], 1}, other, lies_across))
     return;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/units.hpp"
 #include "contact/history/contact_memory.hpp"
 #include "contact/narrow/normal_cones.hpp"
 
@@ -18,6 +17,9 @@ std::uint64_t vertex_vertex_key(int node, int other) {
   return static_cast<std::uint64_t>(node) << 31 | static_cast<std::uint64_t>(other);
 }
 
+/// A node or an edge.
+int first_feature(std::uint64_t key) { return static_cast<int>(key >> 31 & 0x7fffffff); }
+
 void add_faces(const StepGeometry& step, std::span<const int> facets, std::vector<std::pair<int, Vec3>>& faces) {
   for (const int facet : facets) {
     const int smooth_face = step.features.facets[facet].smooth_face;
@@ -28,12 +30,16 @@ void add_faces(const StepGeometry& step, std::span<const int> facets, std::vecto
 
 }  // namespace
 
-void add_pressures(std::span<const FoundPoint> points, double reach, std::vector<Pressure>& pressures) {
+void add_pressures(std::span<const FoundPoint> points, double reach, Pressures& pressures) {
   for (const FoundPoint& p : points) {
     if (p.dropped || p.gap > reach) continue;
-    if (p.smooth_faces[0] >= 0) pressures.push_back({p.smooth_faces[0], p.bodies[1], p.normal, p.position});
-    if (p.smooth_faces[1] >= 0) pressures.push_back({p.smooth_faces[1], p.bodies[0], -p.normal, p.position});
+    if (p.smooth_faces[0] >= 0) pressures.add(p.smooth_faces[0], {p.bodies[1], p.normal, p.position});
+    if (p.smooth_faces[1] >= 0) pressures.add(p.smooth_faces[1], {p.bodies[0], -p.normal, p.position});
   }
+}
+
+void add_sights(std::span<const Sight> seen, Sights& sights) {
+  for (const Sight& sight : seen) sights.add(first_feature(sight.key), sight);
 }
 
 VertexVertexSearch::VertexVertexSearch() {
@@ -41,10 +47,10 @@ VertexVertexSearch::VertexVertexSearch() {
   other_.faces.reserve(usual_faces);
 }
 
-void VertexVertexSearch::find(const StepGeometry& step, const NearFeatures& near, std::span<const Pressure> pressures,
-                              std::span<const Sight> former, SeparatingAxis& axis, FoundPoints& found) {
-  pressures_ = pressures;
-  former_ = former;
+void VertexVertexSearch::find(const StepGeometry& step, const NearFeatures& near, const Pressures& pressures,
+                              const Sights& former, SeparatingAxis& axis, FoundPoints& found) {
+  pressures_ = &pressures;
+  former_ = &former;
   seen_.clear();
   others_.sort(found.points, [](const FoundPoint&) { return true; });
   near.visit_bodies([&](const NearFeatures::OfBodies& of_bodies) {
@@ -62,8 +68,7 @@ void VertexVertexSearch::find_candidates(const StepGeometry& step, const NearFea
   edge_tolerance_ = step.edge_tolerance(near.bodies[0], near.bodies[1]);
   far_ = step.farthest_cores(near.bodies[0], near.bodies[1]);
   for (const auto& [node, edge, node_is_first] : near.corners) add_vertex_at_edge(step, node, edge, node_is_first);
-  for (const auto& [a, b] : near.edges)
-    if (step.features.edges[a].is_sharp && step.features.edges[b].is_sharp) add_edge_along_edge(step, a, b);
+  for (const auto& [a, b] : near.parallel) add_edge_along_edge(step, a, b);
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& p, const Candidate& q) {
     return p.key != q.key ? p.key < q.key : p.apart != q.apart ? p.apart < q.apart : p.other.edge < q.other.edge;
   });
@@ -102,10 +107,8 @@ void VertexVertexSearch::add_edge_along_edge(const StepGeometry& step, int edge_
   const ContactEdge &a = features.edges[edge_a], &b = features.edges[edge_b];
   const Vec3 u = step.x[a.nodes[1]] - step.x[a.nodes[0]], w = step.x[b.nodes[1]] - step.x[b.nodes[0]];
   const double uu = u.squaredNorm(), ww = w.squaredNorm(), squared = u.cross(w).squaredNorm();
-  if (squared > step.tolerances.parallel_edges * uu * ww) return;
   const double r = edge_tolerance_;
   if (!(squared > r * r * std::max(uu, ww))) return;
-  if (!step.shapes.edge(edge_a).is_convex || !step.shapes.edge(edge_b).is_convex) return;
   if (face_face_holds(step, a.facets, b.facets, true)) return;
 
   const auto core = [&](int node) { return Vec3(step.x[node] + r * step.shapes.towards_core(node)); };
@@ -142,8 +145,8 @@ std::array<int, 2> VertexVertexSearch::ends_of(const ContactFeatures& features, 
 
 /// Whether a direction from the other body into this one is opposite to one of the feature's normal cone.
 bool VertexVertexSearch::in_cone(const StepGeometry& step, const Place& place, const Vec3& inwards) {
-  const double tolerance = step.cone_tolerance();
-  if (place.node >= 0) return rise(step, place.node, inwards) >= -tolerance;
+  if (place.node >= 0) return is_in_cone(step, place.node, inwards);
+  const double tolerance = step.cone_tolerance;
   const std::array<Vec3, 2>& into = step.shapes.edge(place.edge).into;
   return into[0].dot(inwards) >= -tolerance && into[1].dot(inwards) >= -tolerance;
 }
@@ -158,7 +161,8 @@ void VertexVertexSearch::take(const StepGeometry& step, const Place& place, Feat
   feature.nodes = {-1, -1};
   feature.faces.clear();
   add_faces(step, facets, feature.faces);
-  for (int k = 0; k < 2; ++k) {
+  if (place.node >= 0) feature.nodes = ends;
+  for (int k = 0; k < 2 && place.node < 0; ++k) {
     if ((step.x[ends[k]] - feature.place).norm() > edge_tolerance_) continue;
     feature.nodes[k] = ends[k];
     add_faces(step, step.features.facets_at(ends[k]), feature.faces);
@@ -249,27 +253,23 @@ bool VertexVertexSearch::face_face_holds(const StepGeometry& step, std::span<con
 /// Does a third body press on a smooth face here as one of the other feature's facets would? Then that facet is flush
 /// with what holds the body already. What presses on the far end of the smooth face does not hold it here.
 bool VertexVertexSearch::lies_flush(const StepGeometry& step, const Feature& own, const Feature& other) const {
-  const double flush = std::cos(radians(step.tolerances.flush_angle)),
-               near = step.largest_edge_tolerance(own.body, other.body);
-  for (const auto& [smooth_face, ignored] : own.faces) {
-    const auto [begin, end] = std::equal_range(pressures_.begin(), pressures_.end(), Pressure{smooth_face, 0, {}, {}});
-    for (auto it = begin; it != end; ++it) {
-      if (it->by == other.body || !((it->place - own.place).norm() < near)) continue;
-      for (const auto& [across, normal] : other.faces)
-        if (it->normal.dot(normal) > flush) return true;
-    }
-  }
-  return false;
+  const double near = step.largest_edge_tolerance(own.body, other.body);
+  const auto presses = [&](const Pressure& pressure) {
+    if (pressure.by == other.body || !((pressure.place - own.place).norm() < near)) return false;
+    return std::any_of(other.faces.begin(), other.faces.end(),
+                       [&](const auto& face) { return pressure.normal.dot(face.second) > step.flush_cosine; });
+  };
+  return std::any_of(own.faces.begin(), own.faces.end(),
+                     [&](const auto& face) { return pressures_->any_of(face.first, presses); });
 }
 
 /// Bodies whose faces lie in one plane slide past each other there though their corners touch. Where such faces are, a
 /// corner is held only if it came from outside of all of them, or was held before. Tells whether it passes instead.
 bool VertexVertexSearch::passes(const StepGeometry& step, std::uint64_t key) {
-  const double most_cosine = -step.face_face_cosine();
+  const double most_cosine = -step.face_face_cosine;
   const Vec3 offset = own_.place - other_.place;
-  const auto former =
-      std::lower_bound(former_.begin(), former_.end(), key, [](const Sight& s, std::uint64_t k) { return s.key < k; });
-  const bool known = former != former_.end() && former->key == key;
+  const Sight* former = former_->find(first_feature(key), [&](const Sight& s) { return s.key == key; });
+  const bool known = former != nullptr;
   const Vec3 displacement = known ? Vec3(offset - former->from_feature) : Vec3(Vec3::Zero());
   const double length = displacement.norm(),
                least = step.tolerances.noticeable_motion * step.broad.size(own_.body, other_.body);
@@ -280,7 +280,7 @@ bool VertexVertexSearch::passes(const StepGeometry& step, std::uint64_t key) {
       if (!(normal.dot(outward) < most_cosine)) continue;
       if (!step.within_edge_tolerance(std::abs(outward.dot(offset)), other_.body, own_.body, outward)) continue;
       flush = true;
-      comes_in = comes_in && outward.dot(displacement) < -step.cone_tolerance() * length;
+      comes_in = comes_in && outward.dot(displacement) < -step.cone_tolerance * length;
     }
   }
   const bool solid = !flush || step.memory.remembers(key) || (known && former->is_solid) || comes_in;
@@ -292,7 +292,7 @@ bool VertexVertexSearch::passes(const StepGeometry& step, std::uint64_t key) {
 /// Those with other normals are dropped for it.
 bool VertexVertexSearch::stands_for_others(const StepGeometry& step, const Vec3& normal, bool own_is_first,
                                            FoundPoints& found) const {
-  const double same_normal = step.face_face_cosine();
+  const double same_normal = step.face_face_cosine;
   const double near =
       step.tolerances.same_place * step.broad.size(own_.body, other_.body) + 2 * (own_.place - other_.place).norm();
   const auto is_of = [](const Feature& feature, int smooth_face) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/narrow/grouped.hpp"
 #include "contact/narrow/near_features.hpp"
 #include "contact/narrow/separating_axis.hpp"
 #include "contact/points_by_bodies.hpp"
@@ -18,17 +19,20 @@ struct Sight {
   Vec3 from_feature;
   bool is_solid;
 };
+using Sights = Grouped<Sight>;  ///< by a feature
+
+void add_sights(std::span<const Sight> seen, Sights& sights);
 
 /// A body that presses on a smooth face.
 struct Pressure {
-  int smooth_face, by;
+  int by;
   Vec3 normal;  ///< towards the body of the smooth face
   Vec3 place;   ///< m
-  bool operator<(const Pressure& p) const { return smooth_face < p.smooth_face; }
 };
+using Pressures = Grouped<Pressure>;  ///< by smooth face
 
 /// Adds those of points that were not dropped.
-void add_pressures(std::span<const FoundPoint> points, double reach, std::vector<Pressure>& pressures);
+void add_pressures(std::span<const FoundPoint> points, double reach, Pressures& pressures);
 
 /// Contact where no feature has a normal of its own: of a corner with a corner or with a convex sharp edge, and of
 /// sharp edges along each other, at the ends of what they have in common and where they cross at a small angle. Both
@@ -40,10 +44,9 @@ class VertexVertexSearch {
  public:
   VertexVertexSearch();
 
-  /// `pressures` on all bodies, sorted; `former`: what searches had seen() when the last step was accepted, sorted by
-  /// key.
-  void find(const StepGeometry& step, const NearFeatures& near, std::span<const Pressure> pressures,
-            std::span<const Sight> former, SeparatingAxis& axis, FoundPoints& found);
+  /// `pressures` on all bodies; `former`: what searches had seen() when the last step was accepted.
+  void find(const StepGeometry& step, const NearFeatures& near, const Pressures& pressures, const Sights& former,
+            SeparatingAxis& axis, FoundPoints& found);
   /// In this search.
   std::span<const Sight> seen() const { return seen_; }
 
@@ -96,8 +99,8 @@ class VertexVertexSearch {
     Vec3 normal;
   };
   std::vector<AdjacentFace> adjacent_faces_;  // at the place that is looked at: those in face–face contact
-  std::span<const Pressure> pressures_;
-  std::span<const Sight> former_;
+  const Pressures* pressures_ = nullptr;
+  const Sights* former_ = nullptr;
   std::vector<Sight> seen_;
   Feature own_, other_;
 };
