@@ -81,15 +81,12 @@ Attachments::Slots::Slots(const Attachments& attachments, int point, const Block
   first_ = attachments.slots_.data() + attachments.slot_begin_[point];
 }
 
-const Vec3& Attachments::moved_by(const Turn& turn, const Increment& d) {
-  const auto unknowns = d.segment<3>(3 * turn.dof_block);
-  if (unknowns == turn.unknowns) return turn.moved;
-  turn.unknowns = unknowns;
+void Attachments::move(const Turn& turn, const Increment& d) {
+  turn.unknowns = d.segment<3>(3 * turn.dof_block);
   const Vec3 theta = turn.unknowns / turn.radius;
   const double angle = theta.norm();
   turn.moved = turn_of(theta, turn.arm);
   turn.stretch = angle > 0 ? cayley_vector(theta).norm() / angle : 1;
-  return turn.moved;
 }
 
 Vec3 Attachments::lever_at(const Turn& turn, const Increment& d, Arms arms) {

@@ -89,7 +89,11 @@ class Attachments {
   void find_slots(const BlockPattern& pattern) const;
   void add_term(int first, int dof_block, double weight);
   void add_turn(int first, const RigidBody& rigid, int node, double weight);
-  static const Vec3& moved_by(const Turn& turn, const Increment& d);
+  static const Vec3& moved_by(const Turn& turn, const Increment& d) {
+    if (d.segment<3>(3 * turn.dof_block) != turn.unknowns) move(turn, d);
+    return turn.moved;
+  }
+  static void move(const Turn& turn, const Increment& d);
   static Vec3 arm_at(const Turn& turn, const Increment& d) { return turn.arm + moved_by(turn, d); }
   /// With which a force turns the body.
   static Vec3 lever_at(const Turn& turn, const Increment& d, Arms arms);

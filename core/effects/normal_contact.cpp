@@ -44,9 +44,9 @@ void NormalContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBl
   if (!links_.moves().any_turns()) return;
   for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
-    const double force = this->force(i, links_.gap(i, d));
+    const double gap = links_.gap(i, d), force = this->force(i, gap);
     if (force != 0) links_.moves().add_turning(i, d, -force * point.normal, arms, sum);
-    if (has_spring(i, links_.gap(i, d)))
+    if (has_spring(i, gap))
       links_.moves().add_lever_difference(i, d, point.normal_stiffness * point.normal * point.normal.transpose(), arms,
                                           sum);
   }

@@ -26,16 +26,18 @@ ContactMode ShearContact::mode(int i, const Increment& d) const {
   return spring_force(i, d).norm() <= strength_[i] ? ContactMode::stick : ContactMode::slip;
 }
 
-Vec3 ShearContact::turned(int i, const Increment& d) const {
+Vec3 ShearContact::turned(int i, const Vec3& spring) const {
   const HeldContact& held = (*held_)[i];
-  const Vec3 along = held.friction.normalized(), spring = spring_force(i, d);
+  const Vec3 along = held.friction.normalized();
   return held.across * (spring - along * along.dot(spring));
 }
 
 Vec3 ShearContact::force(int i, const Increment& d) const {
-  if (is_free(i)) return Vec3::Zero();
-  const Vec3 spring = spring_force(i, d);
-  if (held_) return (*held_)[i].shear == ContactMode::stick ? spring : (*held_)[i].friction + turned(i, d);
+  return is_free(i) ? Vec3(Vec3::Zero()) : force_of(i, spring_force(i, d));
+}
+
+Vec3 ShearContact::force_of(int i, const Vec3& spring) const {
+  if (held_) return (*held_)[i].shear == ContactMode::stick ? spring : (*held_)[i].friction + turned(i, spring);
   const double length = spring.norm();
   return length <= strength_[i] ? spring : Vec3(strength_[i] / length * spring);
 }
@@ -46,7 +48,8 @@ double ShearContact::energy(const Increment& d) const {
     if (held_ && (*held_)[i].shear != ContactMode::stick) {
       const HeldContact& held = (*held_)[i];
       sum -= held.friction.dot(links_.moves().increment(i, d));  // (37)
-      if (held.across > 0) sum += turned(i, d).squaredNorm() / (2 * held.across * links_.point(i).shear_stiffness);
+      if (held.across > 0)
+        sum += turned(i, spring_force(i, d)).squaredNorm() / (2 * held.across * links_.point(i).shear_stiffness);
       continue;
     }
     const double length = spring_force(i, d).norm(), strength = strength_[i], k = links_.point(i).shear_stiffness;
@@ -67,14 +70,13 @@ void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
     const bool set_down = !held_ && strength_[i] == 0 && touching_ > 0 && touches(point, links_.gap(i, d), touching_);
     if (is_free(i) && !set_down) continue;
     const Mat3 stuck = point.shear_stiffness * (Mat3::Identity() - point.normal * point.normal.transpose());
-    links_.moves().add_spring(i, d, set_down ? stuck : spring_at(i, d), sum);
+    links_.moves().add_spring(i, d, set_down ? stuck : spring_at(i, spring_force(i, d)), sum);
   }
 }
 
-Mat3 ShearContact::spring_at(int i, const Increment& d) const {
+Mat3 ShearContact::spring_at(int i, const Vec3& trial) const {
   const ContactPoint& point = links_.point(i);
   const Mat3 stuck = point.shear_stiffness * (Mat3::Identity() - point.normal * point.normal.transpose());
-  const Vec3 trial = spring_force(i, d);
   const double length = trial.norm();
   if (!slides(i, length)) return stuck;
   if (held_) {
@@ -103,11 +105,11 @@ void ShearContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlo
   for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     if (is_free(i)) continue;
-    if (links_.moves().any_turns()) {
-      links_.moves().add_turning(i, d, -force(i, d), arms, sum);
-      links_.moves().add_lever_difference(i, d, spring_at(i, d), arms, sum);
-    }
     const Vec3 trial = spring_force(i, d);
+    if (links_.moves().any_turns()) {
+      links_.moves().add_turning(i, d, -force_of(i, trial), arms, sum);
+      links_.moves().add_lever_difference(i, d, spring_at(i, trial), arms, sum);
+    }
     const double length = trial.norm();
     if (held_ || !slides(i, length) || !resists_elastically(point, links_.gap(i, d))) continue;
     const double growth = point.friction * point.normal_stiffness;  // N/m, of the strength as the gap closes

@@ -73,9 +73,11 @@ class ShearContact final : public Effect {
     return spring_force > strength_[point] || (!slides_on_.empty() && slides_on_[point]);
   }
   /// Force across the held friction of a point that slides: what friction gains as it turns with the sliding [N].
-  Vec3 turned(int point, const Increment& d) const;
+  Vec3 turned(int point, const Vec3& spring_force) const;
+  /// Of a point that bears shear.
+  Vec3 force_of(int point, const Vec3& spring_force) const;
   /// By how much the force falls as the point moves, in stick or in slip, its strength held [N/m].
-  Mat3 spring_at(int point, const Increment& d) const;
+  Mat3 spring_at(int point, const Vec3& spring_force) const;
 
   /// Whether a point bears no shear.
   bool is_free(int point) const { return held_ ? (*held_)[point].shear == ContactMode::open : strength_[point] == 0; }
