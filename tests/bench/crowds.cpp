@@ -2,14 +2,17 @@
 //   OPENBLAS_NUM_THREADS=1 build/release/tests/bench/bench_crowds [--large] [--tolerance T] [--seconds S] [NAME…]
 // Without names all crowds that a step of which takes no minute; with --large also those of thousands of blocks.
 // Milliseconds are the processor's, but for the column of two threads, which divides wall times of the same steps.
+// Below the table stands how the time of a step grows with the number of blocks, for each kind of crowd.
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +35,7 @@ namespace {
 struct Entry {
   std::string name{};  ///< as on the command line: "slope_12"
   std::string title{};
+  std::string kind{};  ///< crowds of one kind differ in their number of blocks alone; empty: it stands alone
   bool large = false;
   std::function<CaseScene()> build{};
   int skip = 0;    ///< steps before those that count
@@ -49,6 +53,7 @@ CaseScene built(Project project, const std::filesystem::path& folder = ".") {
 Entry crowd(CrowdKind kind, int n, Entry more = {}, BodyKind body = BodyKind::rigid, int seed = 1) {
   const Crowd asked{kind, n, seed, body, 0.01, more.skip + more.steps, more.sleeps};
   more.title = name_of(asked);
+  if (body == BodyKind::rigid && seed == 1) more.kind = more.title.substr(0, more.title.find(' '));
   more.name = more.title;
   std::erase(more.name, ',');
   std::replace(more.name.begin(), more.name.end(), ' ', '_');
@@ -86,6 +91,7 @@ std::vector<Entry> all_entries() {
   return {
       crowd(pile, 6),
       crowd(pile, 10),
+      crowd(pile, 22, {.large = true}),
       crowd(slide, 5),
       crowd(slide, 10),
       crowd(slope, 6),
@@ -218,7 +224,30 @@ struct Asked {
   std::vector<std::string> names;
 };
 
-void measure(const Entry& entry, const Asked& asked) try {
+/// Number of blocks and milliseconds a step of what was measured of each kind.
+using Growth = std::map<std::string, std::vector<std::pair<double, double>>>;
+
+/// The exponent of growth by least squares of logarithms.
+double exponent_of(const std::vector<std::pair<double, double>>& sizes) {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const auto& [blocks, milliseconds] : sizes) {
+    const double a = std::log(blocks), b = std::log(milliseconds);
+    x += a, y += b, xx += a * a, xy += a * b;
+  }
+  const double n = static_cast<double>(sizes.size());
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+void print_growth(const Growth& growth) {
+  for (const auto& [kind, sizes] : growth) {
+    if (sizes.size() < 2) continue;
+    const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+    std::printf("\n%s: a step's time grows as the number of blocks to the power of %.2f, from %.0f to %.0f blocks\n",
+                kind.c_str(), exponent_of(sizes), least->first, most->first);
+  }
+}
+
+void measure(const Entry& entry, const Asked& asked, Growth& growth) try {
   const double begin = wall_seconds();
   CaseScene scene = entry.build();
   const double building = wall_seconds() - begin;
@@ -228,19 +257,23 @@ void measure(const Entry& entry, const Asked& asked) try {
   const Measured one = measure(entry, scene, 1, entry.steps, asked.seconds);
   const Measured two = one.steps > 0 ? measure(entry, scene, 2, one.steps, 10 * asked.seconds) : Measured{};
   print_row(entry, static_cast<int>(blocks), building, one, two, bullet_milliseconds(entry, scene, entry.steps));
+  if (!entry.kind.empty() && one.steps > 0)
+    growth[entry.kind].emplace_back(static_cast<double>(blocks), one.milliseconds());
 } catch (const std::exception& error) {
   std::printf("\n%s: %s\n\n", entry.title.c_str(), error.what());
 }
 
 int measure_all(const Asked& asked) {
   print_head();
+  Growth growth;
   int measured = 0;
   for (const Entry& entry : all_entries()) {
     const bool named = std::find(asked.names.begin(), asked.names.end(), entry.name) != asked.names.end();
     if (!(asked.names.empty() ? asked.large || !entry.large : named)) continue;
-    measure(entry, asked);
+    measure(entry, asked, growth);
     ++measured;
   }
+  print_growth(growth);
   if (measured > 0) return 0;
   std::printf("no such crowd; there are:");
   for (const Entry& entry : all_entries()) std::printf(" %s", entry.name.c_str());
