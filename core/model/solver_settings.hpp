@@ -134,7 +134,7 @@ struct SolverSettings {
   /// Empty: springs as they are in static stages, 5e-4 in dynamic ones, where no joint has a normal stiffness of its
   /// own.
   std::optional<double> penetration_tolerance;
-  double tolerance = reference_tolerance.value;  ///< residual over the largest force at which a step has converged
+  double tolerance = standard_tolerance.value;  ///< residual over the largest force at which a step has converged
   OpenCloseMethod open_close = OpenCloseMethod::newton;
   int open_close_limit = 160;  ///< iterations before the step is cut
   StaticInertia static_inertia = StaticInertia::fading;

@@ -2966,8 +2966,8 @@
         <translation>woher der Wert kommt</translation>
     </message>
     <message>
-        <source>force that a step leaves out of balance on a block, over the largest force on it: draft (1e-3), standard (1e-6), reference (1e-10, when absent), or a number from 1e-12 to 0.01</source>
-        <translation>Kraft, die ein Schritt an einem Block unausgeglichen lässt, bezogen auf die größte Kraft an ihm: grob (1e-3), üblich (1e-6), fein (1e-10, wenn nichts dasteht) oder eine Zahl von 1e-12 bis 0,01</translation>
+        <source>force that a step leaves out of balance on a block, over the largest force on it: draft (1e-3), standard (1e-6, when absent), reference (1e-10), or a number from 1e-12 to 0.01</source>
+        <translation>Kraft, die ein Schritt an einem Block unausgeglichen lässt, bezogen auf die größte Kraft an ihm: grob (1e-3), üblich (1e-6, wenn nichts dasteht), fein (1e-10) oder eine Zahl von 1e-12 bis 0,01</translation>
     </message>
     <message>
         <source>Preset</source>

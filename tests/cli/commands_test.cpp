@@ -65,7 +65,8 @@ TEST_F(Commands, SolvePrintsTheSummaryAsOneJsonObject) {
     EXPECT_EQ(effect["built"], effect["active"] ? 1 : 0) << effect;
     EXPECT_EQ(effect["evaluations"] > 0, effect["active"]) << effect;
   }
-  EXPECT_GE(summary["work"]["linear_solves"], 100);
+  EXPECT_GT(summary["iterations"], 0);
+  EXPECT_GE(summary["work"]["linear_solves"], summary["iterations"]);
   EXPECT_EQ(summary["work"]["contact_points"], 0);
   for (const char* file : {"results.h5", "results.xdmf", "history.csv", "steps.csv", "summary.json", "project.talus"})
     EXPECT_TRUE(std::filesystem::exists(*folder / "fall.results" / file)) << file;

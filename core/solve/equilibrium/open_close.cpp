@@ -180,7 +180,8 @@ void OpenClose::balance_alone(Increment& d) {
 
 bool OpenClose::balances(int system) const {
   if (residual_.norm_of_system(system) <= tolerance_ * residual_.force_scale_of_system(system)) return true;
-  return enough_ > 0 && !elimination_.is_active() && residual_.system_within(system, enough_);
+  if (body_residual_ > 0 && residual_.each_body_balances(system, body_residual_)) return true;
+  return enough_ > 0 && !elimination_.is_active() && residual_.each_body_within(system, enough_);
 }
 
 double OpenClose::norm_left() const {
@@ -191,7 +192,7 @@ double OpenClose::norm_left() const {
 }
 
 bool OpenClose::has_converged(const OpenCloseResult& now, bool stalled, const Increment& d) const {
-  if (norm_left() == 0 || each_body_balances()) return true;
+  if (norm_left() == 0) return true;
   const double rounding =
       std::max(tolerances_.rounding_residual * now.force_scale, tolerances_.rounding_factor * residual_.rounding());
   const bool is_rounding = stalled && norm_left() <= rounding;
@@ -323,7 +324,7 @@ int OpenClose::converge_with_frozen_friction(Increment& d, int limit) {
     if (norm_left() > std::max(tolerances_.frozen_reduction * before, rounding)) continue;
     residual_.evaluate(d, Friction::coupled);
     before = norm_left();
-    if (before <= rounding || each_body_balances() || coupled_iteration_leads_on(d)) return count;
+    if (before <= rounding || coupled_iteration_leads_on(d)) return count;
     residual_.freeze(d);
   }
   residual_.evaluate(d, Friction::coupled);

@@ -125,7 +125,6 @@ class OpenClose {
   /// vain.
   bool is_hopeless(int iterations_left) const;
 
-  bool each_body_balances() const { return body_residual_ > 0 && residual_.each_body_balances(body_residual_); }
   bool has_converged(const OpenCloseResult& now, bool stalled, const Increment& d) const;
   int worst_dof_block() const;
 

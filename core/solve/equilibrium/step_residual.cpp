@@ -82,9 +82,25 @@ void StepResidual::measure_systems(const Eigen::VectorXd& vector, double System:
   for (System& system : systems_) system.*norm = std::sqrt(system.*norm);
 }
 
-bool StepResidual::system_within(int system, double fraction) const {
+void StepResidual::add_works(const Increment& d) {
+  for (System& system : systems_) system.work_of_effect = 0;
+  for (std::size_t n = 0; n < system_of_.size(); ++n)
+    systems_[system_of_[n]].work_of_effect += part_.segment<3>(3 * n).dot(d.segment<3>(3 * n));
+  for (System& system : systems_) {
+    system.work += system.work_of_effect;
+    system.works_together += std::abs(system.work_of_effect);
+  }
+}
+
+bool StepResidual::each_body_within(int system, double fraction) const {
   const std::vector<int>& bodies = systems_[system].bodies;
   return std::all_of(bodies.begin(), bodies.end(), [&](int b) { return body_within(b, fraction); });
+}
+
+bool StepResidual::each_body_balances(int system, double tolerance) const {
+  const System& s = systems_[system];
+  if (std::abs(s.work) > tolerances_.work_of_residual * tolerance * s.works_together) return false;
+  return each_body_within(system, tolerance);
 }
 
 double StepResidual::norm_of_body(const Eigen::VectorXd& vector, int body) const {
@@ -95,18 +111,6 @@ double StepResidual::norm_of_body(const Eigen::VectorXd& vector, int body) const
 void StepResidual::norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const {
   norms.resize(bodies());
   for (int b = 0; b < bodies(); ++b) norms[b] = norm_of_body(vector, b);
-}
-
-bool StepResidual::each_body_balances(double tolerance) const {
-  double work = 0, all_work = 0;
-  for (const double of_effect : works_) {
-    work += of_effect;
-    all_work += std::abs(of_effect);
-  }
-  if (std::abs(work) > tolerances_.work_of_residual * tolerance * all_work) return false;
-  for (int s = 0; s < systems(); ++s)
-    if (!system_within(s, tolerance)) return false;
-  return true;
 }
 
 bool StepResidual::body_within(int body, double fraction) const {
@@ -182,7 +186,10 @@ void StepResidual::evaluate(const Increment& d, Friction friction) {
   part_.resize(d.size());
   scaled_ = smooth_fraction_ * d;
   force_scale_ = looked_at_.empty() ? momentum_scale_ : 0;
-  for (System& system : systems_) system.scale = looked_at_.empty() ? system.momentum : 0;
+  for (System& system : systems_) {
+    system.scale = looked_at_.empty() ? system.momentum : 0;
+    system.work = system.works_together = 0;
+  }
   body_forces_ = body_momenta_;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
@@ -197,6 +204,7 @@ void StepResidual::evaluate(const Increment& d, Friction friction) {
     const double counts = effect.account() == EnergyAccount::elastic ? tolerances_.elastic_force_weight : 1;
     force_scale_ = std::max(force_scale_, counts * norms_[i]);
     measure_systems(part_, &System::of_effect);
+    add_works(d);
     for (System& system : systems_) system.scale = std::max(system.scale, counts * system.of_effect);
     norms_by_body(part_, body_norms_);
     body_forces_ = body_forces_.cwiseMax(counts * body_norms_);

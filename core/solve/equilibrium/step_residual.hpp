@@ -42,9 +42,6 @@ class StepResidual {
   /// The gradient at D = 0 without inertia's force.
   void evaluate_without_inertia();
   double force_scale() const { return force_scale_; }  ///< N, of the forces that the last gradient is the sum of
-  /// Whether on each body alone so much of the forces on it is out of balance at most, a grain beside a mountain being
-  /// no rounding, and what is left does next to no work, which the ledger would add up.
-  bool each_body_balances(double tolerance) const;
   /// Bodies that are coupled to no others balance apart from them: the independent systems, in the order of
   /// BlockPattern::connected_parts. A far or heavy body changes nothing of what is measured of another system.
   int systems() const { return static_cast<int>(systems_.size()); }
@@ -52,7 +49,10 @@ class StepResidual {
   double norm_of_system(int system) const { return systems_[system].norm; }          ///< N, of the last gradient
   double force_scale_of_system(int system) const { return systems_[system].scale; }  ///< N, as force_scale
   /// Whether on each body of a system no more than this fraction of the forces on it is out of balance.
-  bool system_within(int system, double fraction) const;
+  bool each_body_within(int system, double fraction) const;
+  /// Whether on each so much is out of balance at most, a grain beside a mountain being no rounding, and what is left
+  /// does next to no work, which the ledger would add up.
+  bool each_body_balances(int system, double tolerance) const;
   /// Bodies with more than `fraction` of the forces on them out of balance, by their places in BodySet::moving.
   void list_unbalanced(double fraction, std::vector<int>& bodies) const;
   /// From the next D on all forces but those on these degree-of-freedom blocks, ascending, are left out; none: all
@@ -109,10 +109,13 @@ class StepResidual {
   struct System {
     std::vector<int> bodies;                                  // with nodes in it: places in BodySet::moving
     double norm = 0, scale = 0, momentum = 0, of_effect = 0;  // N
+    double work = 0, works_together = 0, work_of_effect = 0;  // J: ∇Π·D, Σ |∇Π_e·D| and that of an effect
   };
   void find_systems(const BlockPattern& pattern);
   /// Norm of the part of a vector that belongs to each system.
   void measure_systems(const Eigen::VectorXd& vector, double System::*norm);
+  /// The work of the effect whose gradient at D is in `part_`.
+  void add_works(const Increment& d);
   /// Norm of the part of a vector that belongs to a moving body, and to each of them.
   double norm_of_body(const Eigen::VectorXd& vector, int body) const;
   void norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const;

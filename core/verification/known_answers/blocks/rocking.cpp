@@ -39,6 +39,8 @@ struct RockingColumn {
 
   CaseScene scene(double time_step, double duration) const {
     CaseScene scene = rock_scene(45);
+    // What an impact keeps hangs on when in its step it comes: at standard two scales differ by 5e-6 of it.
+    scene.project.solver.tolerance = reference_tolerance.value;
     scene.project.joints[0].restitution = 0;  // the edge that comes down stays there
     scene.add_fixed_box("floor", Vec3(-4, -2, -1), Vec3(4, 2, 0));
     std::array<Vec3, 8> corners;

@@ -39,8 +39,8 @@ TEST(Ladder, TakesTheValuesThatAreGiven) {
 TEST(Ladder, GoesAlongTheToleranceOfTheSolver) {
   const Ladder usual = make_ladder(sample("incline_slide"), parse_ladder_wish({"tolerance"}, {}));
   EXPECT_THAT(labels(usual), testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · tolerance draft",
-                                                  "tetrahedra · tolerance standard"));
-  EXPECT_EQ(usual.finest, 0) << "the project is solved to that of reference";
+                                                  "tetrahedra · tolerance reference"));
+  EXPECT_EQ(usual.finest, 2) << "the project is solved to that of standard";
   Project draft = sample("incline_slide");
   draft.solver.tolerance = draft_tolerance.value;
   const Ladder finer = make_ladder(draft, parse_ladder_wish({}, {"tolerance=draft,1e-5"}));
