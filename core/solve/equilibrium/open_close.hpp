@@ -111,7 +111,8 @@ class OpenClose {
   bool another_iteration_leads_on(Increment& d);
 
   /// What is tried where Newton's method goes round in circles: frozen friction; then once the interior-point method;
-  /// then frozen friction again. Adds its iterations. False: a shorter step is the better way.
+  /// then frozen friction again. The interior-point method goes first where it led on the last time. Adds its
+  /// iterations. False: a shorter step is the better way.
   bool converge_with_fallbacks(Increment& d, int limit, int& iterations, bool& interior_point_left);
   /// Friction stays frozen while the potential that there is then falls to its minimum, which it does from anywhere;
   /// then it is taken anew, until a coupled iteration leads on. Returns the number of iterations.
@@ -141,6 +142,7 @@ class OpenClose {
   NonlinearElimination elimination_;
   int elimination_limit_;
   InteriorPoint interior_;
+  bool interior_point_first_ = false;  ///< it led on when it was tried last
   DisjointSets together_;
   Eigen::VectorXd part_, direction_, zero_;
   Increment scaled_, start_, second_start_, first_guess_, before_alone_;
