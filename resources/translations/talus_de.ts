@@ -3638,6 +3638,10 @@
         <source>Solving and writing on this machine, foreseen from the first steps of the run and from the whole of it in outline, with rigid blocks in long steps. The error is that of the project&apos;s accuracy study, or else what its time steps leave out (step doubling).</source>
         <translation>Rechnen und Schreiben auf diesem Rechner, vorausgesehen aus den ersten Schritten des Laufs und aus dem ganzen im Umriss, mit starren Blöcken in langen Schritten. Der Fehler ist der aus der Genauigkeitsuntersuchung des Projekts, oder sonst was seine Zeitschritte auslassen (Schrittverdopplung).</translation>
     </message>
+    <message>
+        <source>This run took %1, error %2</source>
+        <translation>Dieser Lauf hat %1 gebraucht, Fehler %2</translation>
+    </message>
 </context>
 <context>
     <name>talus::CurrentProject</name>
@@ -4284,6 +4288,10 @@ Z %3</translation>
         <source>none, it is not closed</source>
         <translation>keines, sie ist nicht geschlossen</translation>
     </message>
+    <message>
+        <source>%1: %2; %3</source>
+        <translation>%1: %2; %3</translation>
+    </message>
 </context>
 <context>
     <name>talus::JointActions</name>
@@ -4860,6 +4868,10 @@ Z %3</translation>
     <message>
         <source>refine the mesh near a face</source>
         <translation>das Netz bei einer Fläche verfeinern</translation>
+    </message>
+    <message>
+        <source>There is no rock yet</source>
+        <translation>Noch ist kein Fels da</translation>
     </message>
 </context>
 <context>

@@ -81,5 +81,29 @@ TEST_F(CostAheadTest, MakesRoomForTheRun) {
   ASSERT_TRUE(wait([&] { return !session->run.job().isBusy(); }));
 }
 
+TEST_F(CostAheadTest, SaysWhatItTookOnceTheProjectWasRun) {
+  openAndMesh(slidingCube(5));
+  session->display.goTo(WorkflowPage::solve);
+  EXPECT_EQ(said(), QStringLiteral("This run: estimating…"));
+  session->solve();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy() && session->playback.frame(); }));
+  session->display.goTo(WorkflowPage::solve);
+  const auto* ahead = window->findChild<CostAhead*>();
+  ASSERT_TRUE(ahead->isVisible());
+  EXPECT_TRUE(said().startsWith(QStringLiteral("This run took "))) << said().toStdString();
+  EXPECT_FALSE(ahead->job().isBusy()) << "nothing is left to be foreseen";
+  window->open(folder / "cube.results");
+  ASSERT_TRUE(wait([&] { return session->playback.frame() != nullptr; }));
+  session->display.goTo(WorkflowPage::solve);
+  EXPECT_TRUE(said().startsWith(QStringLiteral("This run took "))) << "of results: " << said().toStdString();
+
+  Project changed = session->project.document().project();
+  changed.joints[0].friction_angle += 1;
+  session->project.document().change(changed, {});
+  EXPECT_FALSE(said().startsWith(QStringLiteral("This run took "))) << "another run: " << said().toStdString();
+  session->project.document().undoStack().undo();
+  EXPECT_TRUE(said().startsWith(QStringLiteral("This run took "))) << "as it was run: " << said().toStdString();
+}
+
 }  // namespace
 }  // namespace talus

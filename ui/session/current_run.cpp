@@ -223,6 +223,10 @@ void CurrentRun::takeReport(const RunReport& report) {
   emit effectsChanged();
 }
 
+bool CurrentRun::isDone() const {
+  return !isBusy() && report_ && report_->status == RunStatus::completed && playback_.isCurrent();
+}
+
 QString CurrentRun::shortfall() const {
   if (report_) return shortfallOf(*report_);
   return steps_.empty() ? QString() : tr("the run was not brought to its end");

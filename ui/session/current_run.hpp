@@ -49,6 +49,8 @@ class CurrentRun : public QObject {
   const std::vector<std::string>& stageNames() const { return stageNames_; }
   const std::vector<std::string>& monitorNames() const { return monitorNames_; }
   const std::optional<RunReport>& report() const { return report_; }
+  /// The project as it is now was run to its end; its results are open.
+  bool isDone() const;
   /// In what the run that has ended falls short: "stopped at 0.3 s", "1 of 2 expected values missed"; empty: in
   /// nothing.
   QString shortfall() const;

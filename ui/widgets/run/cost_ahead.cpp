@@ -43,6 +43,7 @@ CostAhead::CostAhead(CurrentProject& project, CurrentRun& run)
   column->addWidget(words_);
   connect(&run_, &CurrentRun::effectsChanged, this, &CostAhead::refresh);
   connect(&project_, &CurrentProject::studyChanged, this, &CostAhead::tell);
+  connect(&run_, &CurrentRun::reportChanged, this, &CostAhead::refresh);
   connect(&run_.job(), &SolverJob::stateChanged, this, &CostAhead::refresh);
   connect(&job_, &ForecastJob::arrived, this, [this](const Forecast& forecast) {
     forecast_ = forecast;
@@ -76,9 +77,14 @@ void CostAhead::refresh() {
 }
 
 void CostAhead::estimate() {
+  if (run_.isDone() && job_.isBusy()) {  // begun as soon as the run had ended, before it was known how
+    job_.cancel();
+    system_.reset();
+  }
   const Project& project = project_.document().project();
-  const bool can = run_.whyNotSolve().isEmpty() && project_.systemIsCurrent();
-  if (can && system_ == project_.system() && of_ == project) return;
+  const bool can = run_.whyNotSolve().isEmpty() && project_.systemIsCurrent() && !run_.isDone();
+  const bool has = system_ && system_ == project_.system() && of_ == project;
+  if (has && (can || run_.isDone())) return;
   forecast_.reset();
   failure_.clear();
   system_ = can ? project_.system() : nullptr;
@@ -89,14 +95,18 @@ void CostAhead::estimate() {
     job_.cancel();
 }
 
-std::optional<double> CostAhead::error() const {
+QString CostAhead::error() const {
   const StudyRecord* study = project_.study();
-  const auto studied = study ? error_of(*study, project_.document().project()) : std::nullopt;
-  return studied ? studied : forecast_ ? forecast_->error : std::nullopt;
+  auto off = study ? error_of(*study, project_.document().project()) : std::nullopt;
+  if (!off && forecast_) off = forecast_->error;
+  return off ? tr("about %1").arg(inOneLine(text(error_text(*off)))) : tr("not known");
 }
 
 void CostAhead::tell() {
-  if (!failure_.isEmpty()) {
+  if (run_.isDone()) {
+    words_->setText(
+        tr("This run took %1, error %2").arg(inOneLine(numbers::duration(run_.report()->wall_seconds)), error()));
+  } else if (!failure_.isEmpty()) {
     words_->setText(tr("This run cannot be estimated: %1.").arg(failure_));
   } else if (!system_) {
     const QString whyNot = run_.whyNotSolve();
@@ -108,10 +118,8 @@ void CostAhead::tell() {
     words_->setText(tr("This run will not converge; it ends after about %1 of solving: %2")
                         .arg(secondsWords(*forecast_), text(forecast_->failure)));
   } else {
-    const auto off = error();
     words_->setText(tr("This run: about %1, %2, error %3")
-                        .arg(secondsWords(*forecast_), inOneLine(memoryWords(forecast_->memory)),
-                             off ? tr("about %1").arg(inOneLine(text(error_text(*off)))) : tr("not known")));
+                        .arg(secondsWords(*forecast_), inOneLine(memoryWords(forecast_->memory)), error()));
   }
   words_->setToolTip(tr(
       "Solving and writing on this machine, foreseen from the first steps of the run and from the whole of it in "

@@ -12,7 +12,8 @@ class CurrentProject;
 class CurrentRun;
 
 /// Before a run: how long it will take, the memory that it needs and how far off its answer will be. Estimated while it
-/// can be seen, of the project as it is; gone while a run goes on.
+/// can be seen, of the project as it is; gone while a run goes on. Once the project has been run it says what that
+/// took.
 class CostAhead : public QWidget {
   Q_OBJECT
  public:
@@ -27,8 +28,8 @@ class CostAhead : public QWidget {
   void refresh();
   void estimate();
   void tell();
-  /// Relative; of the study where it has this project's setting, else of the forecast. Empty: not known.
-  std::optional<double> error() const;
+  /// In words; of the study where it has this project's setting, else of the forecast.
+  QString error() const;
 
   CurrentProject& project_;
   CurrentRun& run_;
