@@ -56,6 +56,10 @@ TEST(Tokens, EveryPairThatIsReadHasEnoughContrast) {
       EXPECT_GE(contrastRatio(pair.front, pair.back), pair.least) << (tokens->dark ? "dark " : "light ") << pair.name;
 }
 
+TEST(Tokens, WhatLiesOverTheViewHidesItsLabels) {
+  for (const Tokens* tokens : {&lightTokens(), &darkTokens()}) EXPECT_EQ(tokens->colours.overlay.alpha(), 255);
+}
+
 TEST(Tokens, ContrastIsThatOfWcag) {
   EXPECT_NEAR(contrastRatio(Qt::black, Qt::white), 21, 1e-9);
   EXPECT_NEAR(contrastRatio(QColor(0x77, 0x77, 0x77), Qt::white), 4.478, 1e-3);

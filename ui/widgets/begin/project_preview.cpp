@@ -25,12 +25,14 @@ QImage imageOf(const Image& image) {
   return made;
 }
 
-ProjectPreview::Drawn drawing(const Project& project, QSize size, Theme theme, Progress& progress) {
+/// Size and height of the writing in pixels of the screen.
+ProjectPreview::Drawn drawing(const Project& project, QSize size, double text_height, Theme theme, Progress& progress) {
   ProjectPreview::Drawn drawn;
   try {
     const BlockSystem system = build_blocks(project, ".", progress);
     SceneSettings settings;
     settings.theme = theme;
+    settings.text_height = text_height;
     settings.legend = settings.time_stamp = false;
     Scene scene(system, settings);
     look_at_slope(scene, system, nullptr);
@@ -77,14 +79,17 @@ void ProjectPreview::draw() {
   if (job_.isBusy() || !project_) return;  // it is drawn when the one before has ended
   stale_ = false;
   const QSize pixels = size() * devicePixelRatioF();
+  const double writing = theme::now().type.small * devicePixelRatioF();
   const Theme theme = theme::now().dark ? Theme::dark : Theme::light;
-  job_.start<Drawn>([project = *project_, pixels, theme](
-                        Progress& progress, const auto& ended) { ended(drawing(project, pixels, theme, progress)); },
-                    [this](const Drawn& drawn) {
-                      if (!stale_ && project_) drawn_ = drawn;
-                      update();
-                      emit this->drawn();
-                    });
+  job_.start<Drawn>(
+      [project = *project_, pixels, writing, theme](Progress& progress, const auto& ended) {
+        ended(drawing(project, pixels, writing, theme, progress));
+      },
+      [this](const Drawn& drawn) {
+        if (!stale_ && project_) drawn_ = drawn;
+        update();
+        emit this->drawn();
+      });
 }
 
 void ProjectPreview::resizeEvent(QResizeEvent* event) {

@@ -73,8 +73,11 @@ MeshPanel::MeshPanel(Session& session) : session_(session), table_(new BlockTabl
   connect(&session_.survey, &BlockSurvey::changed, this, &MeshPanel::refresh);
   connect(&session_.project.document(), &Document::projectChanged, this, [this] {
     emit titleChanged(title());
+    offerRefining();
     if (isVisible()) showAhead();
   });
+  connect(&session_.project, &CurrentProject::opened, this, &MeshPanel::offerRefining);
+  offerRefining();
   refresh();
 }
 
@@ -87,6 +90,7 @@ QWidget* MeshPanel::makeHead() {
     connect(button, &QToolButton::clicked, this, [=, this] {
       session_.picking.ask(question, 1, [=, this](const auto& places) { refineAt(places.front(), wholeFace); });
     });
+    refining_.emplace_back(button, button->toolTip());
     row->addWidget(button);
   };
   addRefining(makeAction(QStringLiteral("point"), tr("Refine near a place"),
@@ -103,6 +107,14 @@ QWidget* MeshPanel::makeHead() {
   ahead_->setObjectName(QStringLiteral("ahead"));
   row->addWidget(ahead_, 1);
   return head;
+}
+
+void MeshPanel::offerRefining() {
+  const bool isRock = !session_.project.document().project().solids.empty();
+  for (const auto& [button, words] : refining_) {
+    button->setEnabled(isRock);
+    button->setToolTip(isRock ? words : tr("There is no rock yet"));
+  }
 }
 
 QWidget* MeshPanel::makeChart() {

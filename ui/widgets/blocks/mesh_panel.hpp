@@ -1,9 +1,13 @@
 #pragma once
 
+#include <QString>
 #include <QWidget>
+#include <utility>
+#include <vector>
 
 class QComboBox;
 class QLabel;
+class QToolButton;
 
 namespace talus {
 
@@ -37,10 +41,13 @@ class MeshPanel : public QWidget {
   void showWorst();
   void showAhead();
   void goTo(int row);
+  /// Where there is rock to refine the mesh of.
+  void offerRefining();
   /// Makes the mesh finer near what was picked, or near the whole flat face there.
   void refineAt(const PickedPlace& place, bool wholeFace);
 
   Session& session_;
+  std::vector<std::pair<QToolButton*, QString>> refining_;  ///< with what each does
   BlockTable* table_;
   QLabel* ahead_;  ///< what meshing anew would come to
   QComboBox* measure_;

@@ -286,9 +286,10 @@ void ImportDialog::offerOrigin(const SolidSurface& surface) {
 void ImportDialog::showReading() {
   const bool good = reading_.surface.has_value();
   for (auto* fact : {extent_, volume_, triangles_}) fact->setText(good ? QString() : QStringLiteral("–"));
-  state_->setText(
-      good ? tr("Drag turns it, the wheel zooms.")
-           : sentenceCase(tr("%1; %2").arg(text(reading_.problem->problem()), text(reading_.problem->remedy()))));
+  state_->setText(good ? tr("Drag turns it, the wheel zooms.")
+                       : tr("%1: %2; %3")
+                             .arg(text(reading_.problem->place()), text(reading_.problem->problem()),
+                                  text(reading_.problem->remedy())));
   setRole(state_, good ? "small" : "error");
   view_->setVisible(good);
   clearLayout(*findings_);

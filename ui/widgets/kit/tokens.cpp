@@ -40,7 +40,7 @@ Tokens makeLight() {
   c.edge = rgb("#3a4340");
   c.rock = rgb("#c9c6bd");
   c.pick = rgb("#d2580a");
-  c.overlay = QColor(255, 255, 255, 232);
+  c.overlay = rgb("#ffffff");
   c.overlayBorder = rgb("#d3d8d6");
   c.grid = rgb("#e6e8e5");
   return tokens;
@@ -78,7 +78,7 @@ Tokens makeDark() {
   c.edge = rgb("#0e1212");
   c.rock = rgb("#a3a198");
   c.pick = rgb("#ff9a4d");
-  c.overlay = QColor(30, 34, 35, 226);
+  c.overlay = rgb("#1e2223");
   c.overlayBorder = rgb("#41494a");
   c.grid = rgb("#303637");
   return tokens;
