@@ -53,6 +53,35 @@ class Typing : public DrivenWindow {
   }
 };
 
+TEST_F(Typing, UndoAfterATitleWasTypedIsTheProjects) {
+  window->open(slidingCube(40));
+  window->activateWindow();
+  session->project.selection().select({});
+  rest(30);
+  const auto title = [&] {
+    for (auto* one : window->findChildren<QLineEdit*>())
+      if (one->accessibleName() == QStringLiteral("Title") && one->isVisible()) return one;
+    throw std::runtime_error("no field of the title");
+  };
+  title()->setFocus();
+  title()->selectAll();
+  QTest::keyClicks(title(), QStringLiteral("Quarry"));
+  QTest::keyClick(title(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(session->project.document().undoStack().count(), 0) << "what is typed is the field's until it is entered";
+  title()->selectAll();
+  QTest::keyClicks(title(), QStringLiteral("Quarry"));
+  QTest::keyClick(title(), Qt::Key_Return);
+  EXPECT_EQ(session->project.document().name(), QStringLiteral("Quarry"));
+  rest(30);
+  title()->setFocus();
+  QTest::keyClick(title(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(session->project.document().name(), QStringLiteral("Sliding cube"));
+  rest(30);
+  title()->setFocus();
+  QTest::keyClick(title(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(session->project.document().name(), QStringLiteral("Quarry"));
+}
+
 TEST_F(Typing, EscapeAndDigitsInAFieldAreTheFields) {
   openAndMesh(slidingCube(40));
   window->activateWindow();

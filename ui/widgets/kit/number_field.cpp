@@ -103,12 +103,11 @@ bool NumberField::event(QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return QLineEdit::event(event);
   auto* keys = static_cast<QKeyEvent*>(event);
   const bool typedIn = isModified() || property("state").isValid();
-  // Escape takes back what was typed, and nothing else in the window; while nothing was typed, the project is undone.
+  // Escape takes back what was typed, and nothing else in the window.
   if (keys->key() == Qt::Key_Escape && typedIn) {
     event->accept();
     return true;
   }
-  if ((keys->matches(QKeySequence::Undo) || keys->matches(QKeySequence::Redo)) && !typedIn) return false;
   return QLineEdit::event(event);
 }
 

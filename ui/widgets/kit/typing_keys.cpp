@@ -17,6 +17,13 @@ bool isField(const QObject* watched) {
          qobject_cast<const QTextEdit*>(watched);
 }
 
+/// Nothing was typed that is not the project's yet: undo and redo are the project's.
+bool undoesTheProject(const QObject* watched, const QKeyEvent& key) {
+  const auto* field = qobject_cast<const QLineEdit*>(watched);
+  return field && !field->isModified() && !field->property("state").isValid() &&
+         (key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo));
+}
+
 bool isFunctionKey(int key) { return key >= Qt::Key_F1 && key <= Qt::Key_F35; }
 
 }  // namespace
@@ -24,6 +31,10 @@ bool isFunctionKey(int key) { return key >= Qt::Key_F1 && key <= Qt::Key_F35; }
 bool TypingKeys::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && isField(watched)) {
     const auto* key = static_cast<QKeyEvent*>(event);
+    if (undoesTheProject(watched, *key)) {
+      event->ignore();
+      return true;
+    }
     const bool command = key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
     if (!command && !isFunctionKey(key->key())) {
       event->accept();
