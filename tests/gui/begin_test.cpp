@@ -20,6 +20,7 @@
 #include "widgets/begin/samples.hpp"
 #include "widgets/begin/start_page.hpp"
 #include "widgets/kit/number_field.hpp"
+#include "widgets/kit/theme.hpp"
 
 namespace talus {
 namespace {
@@ -152,6 +153,9 @@ TEST_F(Begun, AnEmptyProjectIsOpenedSavedAndOpenedAgainAndSaysWhatItLacks) {
                           [](const Problem& one) { return one.field == QStringLiteral("/solids"); }));
   EXPECT_FALSE(stripIsShown()) << "what is not there yet is no fault";
   EXPECT_TRUE(button(window->viewport(), "Import geometry…")->isEnabled()) << "there is no rock yet";
+  const auto* refine = window->findChild<QToolButton*>(QStringLiteral("refine"));
+  EXPECT_FALSE(refine->isEnabled()) << "no place can be clicked";
+  EXPECT_EQ(refine->toolTip(), QStringLiteral("There is no rock yet"));
   ASSERT_TRUE(session->project.saveAs(folder / "empty.talus"));
   EXPECT_TRUE(session->project.document().isSaved());
   window->open(folder / "empty.talus");
@@ -185,6 +189,42 @@ TEST_F(Begun, APictureIsReadWhenItsCardComesIntoView) {
   ASSERT_TRUE(picture.save(file)) << "written after the card was made";
   card.resize(216, 200);
   EXPECT_EQ(card.grab().toImage().pixelColor(100, 50), QColor(Qt::red));
+}
+
+TEST_F(Begun, PicturesOfCardsAreThoseOfTheTheme) {
+  const QString file = QString::fromStdString((folder / "preview.png").string());
+  const auto write = [](QString name, Qt::GlobalColor colour) {
+    QPixmap picture(1200, 750);
+    picture.fill(colour);
+    ASSERT_TRUE(picture.save(name));
+  };
+  write(file, Qt::red);
+  write(QString::fromStdString((folder / "preview-dark.png").string()), Qt::blue);
+  StartCard card(QStringLiteral("Sample"), QStringLiteral("It slides."), file);
+  card.resize(216, 200);
+  const auto shown = [&card] { return card.grab().toImage().pixelColor(100, 50); };
+  EXPECT_EQ(shown(), QColor(Qt::red));
+  theme::install(true);
+  EXPECT_EQ(shown(), QColor(Qt::blue));
+  theme::install(false);
+  EXPECT_EQ(shown(), QColor(Qt::red)) << "back again";
+}
+
+TEST_F(Begun, NoCardIsLightInTheDark) {
+  for (const bool dark : {false, true}) {
+    theme::install(dark);
+    const QList<StartCard*> cards = window->findChildren<StartCard*>();
+    EXPECT_GE(cards.size(), 18) << "templates, the empty one and samples";
+    for (StartCard* one : cards) {
+      const QImage image = one->grab().toImage().convertToFormat(QImage::Format_Grayscale8);
+      double sum = 0;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) sum += qGray(image.pixel(x, y));
+      const double mean = sum / (image.width() * image.height());
+      EXPECT_EQ(mean < 128, dark) << one->accessibleName().toStdString() << ", lightness " << mean << " of 255";
+    }
+  }
+  theme::install(false);
 }
 
 TEST_F(Begun, TheStartPageLeadsBackToTheProject) {
@@ -259,17 +299,23 @@ TEST_F(Begun, AProjectOrAResultsFolderIsDropped) {
   EXPECT_EQ(session->project.document().name(), QStringLiteral("Sliding cube"));
 }
 
-/// Not a test: draws the templates' pictures for the start page, into the folder that TALUS_PICTURES names.
+/// Not a test: draws the templates' pictures for the start page, light and dark, into the folder that TALUS_PICTURES
+/// names.
 TEST_F(Begun, DISABLED_DrawsTheTemplates) {
-  for (const ProjectTemplate& candidate : project_templates()) {
-    ProjectPreview preview;
-    preview.resize(560, 315);
-    preview.show();
-    preview.setProject(project_from(candidate));
-    ASSERT_TRUE(wait([&] { return preview.isUpToDate() && !preview.picture().isNull(); }));
-    preview.picture().save(qEnvironmentVariable("TALUS_PICTURES") + u'/' + QString::fromStdString(candidate.key) +
-                           QStringLiteral(".png"));
+  for (const bool dark : {false, true}) {
+    theme::install(dark);
+    for (const ProjectTemplate& candidate : project_templates()) {
+      ProjectPreview preview;
+      preview.resize(560, 315);
+      preview.show();
+      preview.setProject(project_from(candidate));
+      ASSERT_TRUE(wait([&] { return preview.isUpToDate() && !preview.picture().isNull(); }));
+      ASSERT_TRUE(preview.picture().save(qEnvironmentVariable("TALUS_PICTURES") + u'/' +
+                                         QString::fromStdString(candidate.key) +
+                                         (dark ? QStringLiteral("-dark.png") : QStringLiteral(".png"))));
+    }
   }
+  theme::install(false);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <QPixmap>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <utility>
+#include <optional>
 
 #include "templates/templates.hpp"
 #include "widgets/begin/new_dialog.hpp"
@@ -26,8 +26,15 @@ constexpr int cards_in_a_row = 4, left_width = 296;
 constexpr double height_of_width = 0.56;  // of a card's picture
 constexpr int usual_width = 216, widest = 480;
 
+/// Of a picture "wedge.png" the one that was drawn for the dark, "wedge-dark.png", where it is dark and there is one.
+QString inTheme(const QString& file, bool dark) {
+  const QFileInfo light(file);
+  const QString other = light.path() + u'/' + light.completeBaseName() + QStringLiteral("-dark.") + light.suffix();
+  return dark && QFileInfo::exists(other) ? other : file;
+}
+
 /// The sample's picture, filling its place; the program's sign where it has none. It is read when it comes into view,
-/// and kept as large as cards become.
+/// anew where the theme has changed, and kept as large as cards become.
 class Preview : public QWidget {
  public:
   explicit Preview(const QString& file) : file_(file) {
@@ -41,7 +48,7 @@ class Preview : public QWidget {
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
-    if (!file_.isEmpty()) readPicture();
+    if (isOfDark_ != theme::now().dark) readPicture();
     if (picture_.isNull()) {
       painter.fillRect(rect(), theme::colours().window);
       const QRect sign(width() / 2 - 20, height() / 2 - 20, 40, 40);
@@ -59,14 +66,17 @@ class Preview : public QWidget {
 
  private:
   void readPicture() {
-    picture_ = QPixmap(std::exchange(file_, {}));
+    isOfDark_ = theme::now().dark;
+    picture_ = QPixmap(inTheme(file_, *isOfDark_));
+    shown_ = {};
     const QSize most = QSize(widest, heightForWidth(widest)) * devicePixelRatioF();
     if (picture_.width() > most.width() && picture_.height() > most.height())
       picture_ = picture_.scaled(most, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
   }
 
-  QString file_;             ///< empty once it has been read
-  QPixmap picture_, shown_;  ///< of all cards' sizes; in the size of this one
+  QString file_;
+  std::optional<bool> isOfDark_;  ///< the theme that it was read for; none: it was not read yet
+  QPixmap picture_, shown_;       ///< of all cards' sizes; in the size of this one
 };
 
 QString inHome(const std::filesystem::path& folder) {
