@@ -3,6 +3,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "images/compare.hpp"
@@ -103,6 +104,41 @@ TEST(ActionImage, DarkStressInSituAndVelocities) {
                         {.block = "B9", .linear = {0, 0, 0}, .angular = {0, 1, 0}}};
   scene.set_actions(action_glyphs(project, slope));
   expect_baseline(draw_image(scene, picture_width, picture_height));
+}
+
+/// Joint sets, what acts and blocks take their colours from three palettes; an olive arrow on an olive block has a rim.
+TEST(ActionImage, HasARimThatLeavesItsColourToBeSeen) {
+  constexpr int width = 400, height = 250;
+  const BlockSystem boxes = two_boxes();
+  const auto plate = static_cast<int>(boxes.blocks.size()) - 1;
+  const Vec3 middle(1, 0.5, 0.5);
+  std::vector<ActionGlyph> glyphs{
+      {.kind = Kind::load, .block = plate, .at = middle, .arrow = {0, 1, 0}, .label = {}},
+      {.kind = Kind::support, .block = plate, .at = middle, .held = {true, false, false}, .label = {}},
+      {.kind = Kind::velocity, .block = plate, .at = middle, .arrow = {0, 1, 0}, .label = {}},
+      {.kind = Kind::stress, .block = plate, .at = middle, .label = {}},
+      {.kind = Kind::monitor, .block = plate, .at = middle, .label = {}}};
+  glyphs[3].cross[0] = {.direction = {0, 0, 1}, .value = -1e6};
+  constexpr std::array<std::size_t, 5> colour{4, 2, 5, 1, 0};
+  const auto grey = std::make_shared<BlockColours>();
+  grey->colours.assign(boxes.blocks.size(), colours(Theme::light).rock);
+  for (const Theme theme : {Theme::light, Theme::dark})
+    for (std::size_t i = 0; i < glyphs.size(); ++i) {
+      SCOPED_TRACE(testing::Message() << "kind " << i << (theme == Theme::dark ? ", dark" : ", light"));
+      const Rgb own = curve_palette(theme).at(colour.at(i)), rim = colours(theme).surface;
+      SceneSettings settings;
+      settings.theme = theme;
+      settings.block_colours = grey;
+      settings.triad = false;  // its axes have colours of their own
+      Scene scene(boxes, settings);
+      scene.look(View::front);
+      const Image plain = draw_image(scene, width, height);
+      scene.set_actions({glyphs[i]});
+      const Image shown = draw_image(scene, width, height);
+      EXPECT_GT(count_of(shown, rim), count_of(plain, rim) + 5);
+      EXPECT_FALSE(shows_lit(plain, own));
+      EXPECT_TRUE(shows_lit(shown, own)) << "the rim lies over the sign";
+    }
 }
 
 TEST(ActionImage, FitKeepsWholeArrowsInView) {

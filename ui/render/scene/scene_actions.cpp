@@ -18,7 +18,7 @@ using Kind = ActionGlyph::Kind;
 
 // In text heights.
 constexpr double longest_arrow = 6, shortest_arrow = 1.8, shaft = 0.13, head = 1.1, head_radius = 0.4;
-constexpr double cone = 1.3, cone_radius = 0.5, ball = 0.34, longest_bar = 3, bar = 0.11;
+constexpr double cone = 1.3, cone_radius = 0.5, ball = 0.34, longest_bar = 3, bar = 0.11, rim = 0.1;
 constexpr double reach = 0.7;  ///< of the hand beside a glyph
 
 Rgb shown_colour(const ActionGlyph& glyph, Theme theme) {
@@ -143,8 +143,8 @@ void Scene::State::add_cross(std::size_t i) {
 }
 
 void Scene::State::shape_actions() {
-  action_shapes.clear();
   const double em = metres_per_pixel() * text_height();
+  action_shapes.clear(rim * em, colours(settings.theme).surface);
   for (std::size_t i = 0; settings.actions && i < actions.size(); ++i) {
     const ActionGlyph& glyph = actions[i];
     const Rgb colour = shown_colour(glyph, settings.theme);

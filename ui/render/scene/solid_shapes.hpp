@@ -14,15 +14,14 @@ class vtkRenderer;
 
 namespace talus {
 
-/// Round bars, cones and balls as one shaded mesh that is drawn in front of everything: signs in the picture, which the
-/// rock does not hide.
-class SolidShapes {
+/// Triangles that grow one by one, with a colour and a normal at each corner, and what draws them in front of the rock.
+class SolidMesh {
  public:
-  SolidShapes();
-  void add_to(vtkRenderer& renderer);
-
+  SolidMesh();
+  vtkActor& actor() { return *actor_; }
   void clear();
-  /// Round about the line from `start` to `end`, m from the scene's origin, of these radii, m; a cone where one is 0.
+  /// A round bar about the line from `start` to `end`, m from the scene's origin, of these radii, m; a cone where one
+  /// is 0.
   void add_bar(const Vec3& start, const Vec3& end, double start_radius, double end_radius, Rgb colour);
   void add_ball(const Vec3& centre, double radius, Rgb colour);
   /// Shows what was added since `clear`.
@@ -38,6 +37,26 @@ class SolidShapes {
   std::vector<std::array<int, 3>> triangles_;
   vtkNew<vtkPolyData> mesh_;
   vtkNew<vtkActor> actor_;
+};
+
+/// Round bars, cones and balls, shaded, in front of everything: signs in the picture, which the rock does not hide.
+/// Each has a rim, so that it is seen on rock of its own colour too.
+class SolidShapes {
+ public:
+  SolidShapes();
+  void add_to(vtkRenderer& renderer);
+
+  /// What is added from now on has rims of this width, m, and colour.
+  void clear(double rim, Rgb rim_colour);
+  /// As a SolidMesh has them.
+  void add_bar(const Vec3& start, const Vec3& end, double start_radius, double end_radius, Rgb colour);
+  void add_ball(const Vec3& centre, double radius, Rgb colour);
+  void finish();
+
+ private:
+  SolidMesh shapes_, rims_;  ///< a rim is the far side of a larger shape
+  double rim_ = 0;
+  Rgb rim_colour_;
 };
 
 }  // namespace talus
