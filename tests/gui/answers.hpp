@@ -45,6 +45,7 @@ class FileAnswer : public QObject {
       auto* name = dialog ? dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")) : nullptr;
       if (!name || !dialog->isActiveWindow()) return;
       asked_ = dialog->windowTitle();
+      proposed_ = name->text();
       timer_.stop();
       name->selectAll();
       QTest::keyClicks(name, QString::fromStdString(file.string()));
@@ -55,10 +56,11 @@ class FileAnswer : public QObject {
   }
   /// The title of the dialog; empty where none came.
   const QString& asked() const { return asked_; }
+  const QString& proposed() const { return proposed_; }  ///< the name that it began with
 
  private:
   QTimer timer_;
-  QString asked_;
+  QString asked_, proposed_;
 };
 
 }  // namespace talus

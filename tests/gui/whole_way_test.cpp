@@ -332,6 +332,7 @@ void WholeWay::theProjectIsSavedAndEqualsTheReference() {
   const FileAnswer answer(saved);
   press(Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(fs::exists(saved)) << answer.asked().toStdString();
+  EXPECT_EQ(answer.proposed(), QStringLiteral("pit_wall.talus"));
   EXPECT_TRUE(fs::exists(folder / "slope.step") && fs::exists(folder / "ground.asc")) << "what it names comes along";
   const fs::path reference = fs::path(TALUS_SOURCE_DIR) / "tests/gui/whole_way.talus";
   if (fs::exists(reference) && read_whole_file(saved) == read_whole_file(reference)) return;

@@ -96,6 +96,8 @@ class MainWindow : public QMainWindow {
   void showAbout();
   ExportTask exportTask(const std::filesystem::path& path, int width);
   QString folderForDialogs() const;
+  /// What a dialog for saving begins with: beside the project under its name, or under its title where it has no file.
+  QString proposedFile(const QString& ending) const;
   void updateTitle();
 
   Session session_;

@@ -2,6 +2,7 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QStackedWidget>
 
 #include "base/error.hpp"
@@ -83,6 +84,14 @@ QString MainWindow::folderForDialogs() const {
   return document.file().empty() ? QString() : text(document.folder().string());
 }
 
+QString MainWindow::proposedFile(const QString& ending) const {
+  const Document& document = session_.project.document();
+  if (!document.file().empty()) return text((document.folder() / document.file().stem()).string()) + ending;
+  static const QRegularExpression no_letter(QStringLiteral("[^\\p{L}\\p{N}]+"));
+  QString name = document.name().replace(no_letter, QStringLiteral(" ")).trimmed().toLower();
+  return name.replace(u' ', u'_') + ending;
+}
+
 void MainWindow::showRecent() {
   auto* menu = topBar_->recentMenu();
   menu->clear();
@@ -103,8 +112,8 @@ void MainWindow::askForResults() {
 }
 
 bool MainWindow::saveAs() {
-  const QString name =
-      QFileDialog::getSaveFileName(this, tr("Save the project"), folderForDialogs(), tr("Talus projects (*.talus)"));
+  const QString name = QFileDialog::getSaveFileName(
+      this, tr("Save the project"), proposedFile(QStringLiteral(".talus")), tr("Talus projects (*.talus)"));
   if (name.isEmpty() || !session_.project.saveAs(withEnding(name, ".talus"))) return false;
   rememberRecent(session_.project.document().file());
   return true;
@@ -117,14 +126,14 @@ void MainWindow::solve() {
 }
 
 void MainWindow::askForPicture() {
-  const QString name =
-      QFileDialog::getSaveFileName(this, tr("Save a picture"), folderForDialogs(), tr("Pictures (*.png)"));
+  const QString name = QFileDialog::getSaveFileName(this, tr("Save a picture"), proposedFile(QStringLiteral(".png")),
+                                                    tr("Pictures (*.png)"));
   if (!name.isEmpty()) savePicture(withEnding(name, ".png"));
 }
 
 void MainWindow::askForFilm() {
-  const QString name =
-      QFileDialog::getSaveFileName(this, tr("Save a film"), folderForDialogs(), tr("Films (*.mp4 *.gif)"));
+  const QString name = QFileDialog::getSaveFileName(this, tr("Save a film"), proposedFile(QStringLiteral(".mp4")),
+                                                    tr("Films (*.mp4 *.gif)"));
   if (!name.isEmpty()) saveFilm(withEnding(name, ".mp4"));
 }
 
