@@ -22,8 +22,6 @@ class Grouped {
 
   int size() const { return static_cast<int>(items_.size()); }
   const Item& operator[](int place) const { return items_[place]; }
-  /// Whether this place is that of one of each group.
-  bool stands_for_group(int place) const { return first_[links_[place].number] == place; }
   /// One of those with this number for which it holds, or null.
   template <class Holds>
   const Item* find(int number, const Holds& holds) const {
@@ -35,11 +33,6 @@ class Grouped {
   template <class Holds>
   bool any_of(int number, const Holds& holds) const {
     return find(number, holds) != nullptr;
-  }
-  void swap(Grouped& other) {
-    items_.swap(other.items_);
-    links_.swap(other.links_);
-    first_.swap(other.first_);
   }
 
  private:

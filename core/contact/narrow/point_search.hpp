@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/contact_settings.hpp"
@@ -34,7 +35,7 @@ class PointSearch {
   void find_ahead(const StepGeometry& step, std::span<const FacePair> pairs, double depth, FoundPoints& found);
 
   /// The step was accepted whose features find() saw last.
-  void accept() { former_.swap(seen_); }
+  void accept() { std::swap(former_, seen_); }
 
  private:
   struct Part {
