@@ -89,7 +89,7 @@ QString MainWindow::proposedFile(const QString& ending) const {
   if (!document.file().empty()) return text((document.folder() / document.file().stem()).string()) + ending;
   static const QRegularExpression no_letter(QStringLiteral("[^\\p{L}\\p{N}]+"));
   QString name = document.name().replace(no_letter, QStringLiteral(" ")).trimmed().toLower();
-  return name.replace(u' ', u'_') + ending;
+  return name.isEmpty() ? name : name.replace(u' ', u'_') + ending;
 }
 
 void MainWindow::showRecent() {
