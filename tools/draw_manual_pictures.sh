@@ -8,10 +8,7 @@
 # has changed; look at each before it is committed. It takes some minutes: the rockslide of README.md is solved first.
 set -e
 cd "$(dirname "$0")/.."
-build=$(realpath "${1:-build/release}")
-folder=$(mktemp -d) && trap 'rm -rf "$folder"' EXIT
-export QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1
-export HOME=$folder XDG_CONFIG_HOME=$folder XDG_RUNTIME_DIR=$folder XDG_STATE_HOME=$folder  # nobody's own settings
+. tools/drawing.sh
 
 TALUS_PICTURES=$folder TALUS_SIZE=1280x720 "$build/tests/gui/test_gui" --gtest_also_run_disabled_tests \
   --gtest_filter=EveryPlace.DISABLED_DrawsPictures

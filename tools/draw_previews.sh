@@ -8,10 +8,7 @@
 # too: it takes some minutes. Look at each picture before it is committed.
 set -e
 cd "$(dirname "$0")/.."
-build=$(realpath "${1:-build/release}")
-folder=$(mktemp -d) && trap 'rm -rf "$folder"' EXIT
-export QT_QPA_PLATFORM=offscreen OPENBLAS_NUM_THREADS=1
-export HOME=$folder XDG_CONFIG_HOME=$folder XDG_RUNTIME_DIR=$folder XDG_STATE_HOME=$folder  # nobody's own settings
+. tools/drawing.sh
 
 TALUS_PICTURES=$PWD/resources/templates "$build/tests/gui/test_gui" --gtest_also_run_disabled_tests \
   --gtest_filter='*DrawsTheTemplates'
