@@ -32,14 +32,14 @@ class FittedView : public DrivenWindow {
       }
     return {QPointF(left, top), QPointF(right, bottom)};
   }
-  void expectFitted(const char* where) {
+  void expectFitted(const char* where, double used = 0.7) {
     const QRectF seen = rock();
     const double free = view().tools()->x();
     EXPECT_GE(seen.left(), 0) << where;
     EXPECT_GE(seen.top(), 0) << where;
-    EXPECT_LE(seen.right(), free) << where;
+    EXPECT_LE(seen.right(), free - 4) << where << ": not even at their edge";
     EXPECT_LE(seen.bottom(), view().height()) << where;
-    EXPECT_GT(std::max(seen.width() / free, seen.height() / view().height()), 0.7) << where << ": the room is used";
+    EXPECT_GT(std::max(seen.width() / free, seen.height() / view().height()), used) << where << ": the room is used";
   }
   void trigger(const char* words) {
     for (auto* action : window->actions())
@@ -56,6 +56,25 @@ TEST_F(FittedView, FillsWhatTheToolsLeaveWhateverTheWindowsSize) {
   trigger("The view alone");
   rest(50);
   expectFitted("the view alone");
+}
+
+/// A legend takes room beside the rock: what was fitted without it would be moved under the tools.
+TEST_F(FittedView, MakesRoomForALegendThatComesWithResults) {
+  session->solve();
+  ASSERT_TRUE(
+      wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }, 20000));
+  rest(50);
+  const auto withLegend = [&](bool shown) {
+    SceneSettings settings = session->display.settings();
+    settings.legend = shown;
+    session->display.set(settings);
+    rest(50);
+    shown ? expectFitted("beside the legend", 0.6) : expectFitted("without it");
+    return rock();
+  };
+  const QRectF with = withLegend(true), without = withLegend(false);
+  EXPECT_GT(with.left(), without.left() + 20);
+  EXPECT_NEAR(withLegend(true).left(), with.left(), 1);
 }
 
 /// An arrow has its length on the screen, and would reach out of a view that just holds the rock.

@@ -151,7 +151,9 @@ void Scene::take_fit(const CameraPose& pose) {
   set_pose(pose);
   state_->fits_itself = true;
   state_->fit_is_stale = false;
-  state_->fitted_size = state_->size();
+  state_->overlay.text_height = state_->text_height();
+  const auto [width, height] = state_->size();
+  state_->fitted_area = state_->area_for_rock(width, height);
 }
 
 CameraPose Scene::pose() const { return state_->pose(); }

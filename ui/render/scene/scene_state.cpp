@@ -363,12 +363,12 @@ void Scene::State::prepare_drawing() {
   renderer->SetMaximumNumberOfPeels(settings.fine ? most_layers : layers_in_motion);
   renderer->SetUseFXAA(settings.fine && settings.smooth_outlines && pixel_scale == 1);
   overlay.text_height = text_height();
-  if (fits_itself && (fit_is_stale || fitted_size != size())) fit_to(size()[0], size()[1]);
+  const auto [width, height] = size();
+  const PixelRect area = area_for_rock(width, height);
+  if (fits_itself && (fit_is_stale || fitted_area != area)) fit_to(width, height);
   if (section_is_stale) fill_section();
   apply_lines();
   shape_actions();
-  const auto [width, height] = size();
-  const PixelRect area = area_for_rock(width, height);
   // The camera looks at the middle of the free part, not of the picture.
   renderer->GetActiveCamera()->SetWindowCenter(1 - (area.left + area.right) / width,
                                                1 - (area.bottom + area.top) / height);
@@ -391,6 +391,7 @@ void Scene::State::look_from(double azimuth, double elevation) {
 void Scene::State::fit_to(double width, double height) {
   overlay.text_height = text_height();
   PixelRect area = area_for_rock(width, height);
+  fitted_area = area;
   ViewExtent wanted = hidden.empty() ? extent : ViewExtent();
   for (const BlockActors* part : parts())
     include_blocks(wanted, part->surface(), part->positions(), [&](int block) { return part->shows(block); });
@@ -413,16 +414,15 @@ void Scene::State::fit_to(double width, double height) {
   }
   fits_itself = true;
   fit_is_stale = false;
-  fitted_size = {width, height};
 }
 
 /// Beside what stands over the right edge, where that leaves enough.
 PixelRect Scene::State::area_for_rock(double width, double height) const {
-  constexpr double enough = 0.4;
+  constexpr double enough = 0.4, gap = 0.6;  // of the width; text heights
   PixelRect area = free_area(overlay, width, height);
   for (const PixelRect& place : covered)
     if (place.left < area.right && place.right > area.right - (area.right - area.left) / 2)
-      area.right = std::max(place.left, area.left + enough * width);
+      area.right = std::max(place.left - gap * text_height(), area.left + enough * width);
   return area;
 }
 

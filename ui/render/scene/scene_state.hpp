@@ -129,8 +129,8 @@ struct Scene::State {
   ViewExtent extent;
   bool fits_itself = true;  ///< no pose was set since the last look or fit
   bool fit_is_stale = false;
-  std::array<double, 2> fitted_size{};  ///< pixels, of the window when it was fitted
-  double pixel_scale = 1;               ///< supersampling: pixels drawn for each pixel of the picture
+  PixelRect fitted_area{};  ///< pixels that were free for the rock when it was fitted: a legend may come later
+  double pixel_scale = 1;   ///< supersampling: pixels drawn for each pixel of the picture
 
   Overlay overlay;
   vtkNew<vtkRenderer> renderer;
