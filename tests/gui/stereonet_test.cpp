@@ -11,6 +11,8 @@
 #include "driven_window.hpp"
 #include "listed_runs.hpp"
 #include "widgets/kit/number_field.hpp"
+#include "widgets/kit/tokens.hpp"
+#include "widgets/orientation/net_artist.hpp"
 #include "widgets/orientation/paste_joints.hpp"
 #include "widgets/orientation/stereonet_panel.hpp"
 #include "widgets/orientation/stereonet_view.hpp"
@@ -88,6 +90,14 @@ TEST_F(StereonetWindow, TellsTheSetsWithMeanAndKappa) {
   EXPECT_EQ(cell(sets, 0, 3), "131");  // 1/(2 − 2 cos 5°)
   EXPECT_EQ(cell(sets, 1, 1), "1");
   EXPECT_EQ(cell(sets, 1, 3), "–");
+}
+
+TEST_F(StereonetWindow, TheTableOfSetsLiesBelowItsHeading) {
+  auto& net = panel();
+  net.resize(1100, 900);  // more than its side needs
+  rest(50);
+  const PlainTable& sets = table(net, "sets");
+  EXPECT_EQ(sets.parentWidget()->height(), sets.parentWidget()->sizeHint().height());
 }
 
 TEST_F(StereonetWindow, AClickOnAPoleSelectsItsCutAndASelectionIsShown) {
@@ -359,6 +369,18 @@ TEST_F(StereonetWindow, JointsWithoutAPlaceGoThroughTheMiddleOfRockFromAFile) {
   ASSERT_TRUE(wait([&] { return session->surfaces.current() && !session->surfaces.isBusy(); }));
   click(*paste("45 120 J\n").findChild<QPushButton*>(QStringLiteral("add")));
   EXPECT_LT((project().cuts.back().through - Vec3(80, 60, 50)).norm(), 1e-6);
+}
+
+/// The lightest band in the light and the darkest in the dark lie beside the paper, and in the legend on it.
+TEST(StereonetBands, AreToldFromThePaperAndFromEachOther) {
+  for (const Theme theme : {Theme::light, Theme::dark}) {
+    QColor before = colourOf(colours(theme).surface);
+    for (std::size_t band = 0; band < 6; ++band) {
+      const QColor colour = colourOf(band_colour(band, 6, theme));
+      EXPECT_GE(contrastRatio(colour, before), band == 0 ? 1.4 : 1.1) << band;
+      before = colour;
+    }
+  }
 }
 
 }  // namespace

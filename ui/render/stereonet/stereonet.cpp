@@ -247,9 +247,9 @@ NetSymbol set_symbol(std::size_t set) {
 Rgb band_colour(std::size_t band, std::size_t count, Theme theme) {
   const double share = count > 1 ? static_cast<double>(band) / static_cast<double>(count - 1) : 0.5;
   // From near the paper to far from it, so that what is dense stands out in both themes.
-  // Batlow's pink end is left out: critical zones have it.
+  // Batlow's pink end is left out: critical zones have it; its dark one is no lighter than a dark paper.
   return theme == Theme::light ? mix(batlow().at(0.72 - 0.62 * share), rgb(0xffffff), 0.55 * (1 - share))
-                               : batlow().at(0.06 + 0.66 * share);
+                               : batlow().at(0.2 + 0.54 * share);
 }
 
 Rgb face_colour(Theme theme) { return colours(theme).text; }

@@ -64,6 +64,7 @@ void PlainTable::fitHeight(int most) {
   if (horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) height += horizontalScrollBar()->sizeHint().height();
   for (int row = 0; row < std::min(rowCount(), most); ++row) height += rowHeight(row);
   setFixedHeight(height);
+  setSizePolicy(sizePolicy().horizontalPolicy(), QSizePolicy::Fixed);  // or its section takes room that it leaves
 }
 
 }  // namespace talus
