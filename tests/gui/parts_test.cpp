@@ -23,6 +23,16 @@ TEST(Numbers, TimesAreRoundedAsTheyAreRead) {
   EXPECT_EQ(numbers::duration(NAN).toStdString(), "–");
 }
 
+TEST(Numbers, OfTheCoresSentencesAreWrittenAsAllOthers) {
+  const auto written = [](const char* said) { return numbers::inSentence(said).toStdString(); };
+  EXPECT_EQ(written("falls at -1.73 m/s"), "falls at −1.73 m/s");
+  EXPECT_EQ(written("(0, -2, -1e+06) m"), "(0, −2, −1\u2009000\u2009000) m");
+  EXPECT_EQ(written("Cubes of masses 1 : 1e8, 5.5e-3 deep"), "Cubes of masses 1 : 1×10⁸, 0.0055 deep");
+  EXPECT_EQ(written("3.25e-07."), "3.25×10⁻⁷.");
+  for (const char* name : {"wall-3", "Dips 1-2", "e5", "x1e5", "2012, 28(6), 1602–1616", "v1.2.3", "pp. 12-15"})
+    EXPECT_EQ(written(name), name);
+}
+
 TEST(Numbers, AreReadAsPeopleTypeThem) {
   double value = 0;
   EXPECT_TRUE(numbers::parse(QStringLiteral(" 12 500,5 "), value));

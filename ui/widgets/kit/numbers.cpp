@@ -44,6 +44,21 @@ QString inField(double value, int figures) {
   return QString::number(value, 'g', figures).replace(exponent, QStringLiteral("e\\1")).replace(u'-', QChar(0x2212));
 }
 
+QString inSentence(const std::string& sentence) {
+  // Whole ones alone: "wall-3" and "x2" are names.
+  static const QRegularExpression number(QStringLiteral("(?<![\\w.-])(-?)(\\d+(?:\\.\\d+)?)(e[+-]?\\d+)?(?!\\w)"));
+  QString said = text(sentence);
+  for (qsizetype from = 0;;) {
+    const QRegularExpressionMatch found = number.match(said, from);
+    if (!found.hasMatch()) return said;
+    const bool hasPower = found.capturedLength(3) > 0;
+    const QString written =
+        hasPower ? figure(found.captured().toDouble(), all_figures) : found.captured().replace(u'-', QChar(0x2212));
+    said.replace(found.capturedStart(), found.capturedLength(), written);
+    from = found.capturedStart() + written.size();
+  }
+}
+
 QString quantity(double value, const char* unit) {
   const DisplayUnit shown = display_unit(unit, std::abs(value));
   return significant(value * shown.factor) + u' ' + text(shown.name);

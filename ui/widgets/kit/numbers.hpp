@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <concepts>
+#include <string>
 
 /// Numbers as the window writes them, on top of render/numbers.hpp, so that panels and pictures agree.
 namespace talus::numbers {
@@ -21,6 +22,8 @@ QString figure(double value, int figures);
 constexpr int all_figures = 12;  // of a number in a field
 /// As a field shows it, to be typed over: so many figures at most, "2600", "1e-5", "−3".
 QString inField(double value, int figures = all_figures);
+/// What the core says, with its numbers as the window writes them: "1e6 m, -1.73 off" → "1 000 000 m, −1.73 off".
+QString inSentence(const std::string& sentence);
 /// With the prefix that suits it: "25 GPa", "0.2 MPa"; `unit` is SI.
 QString quantity(double value, const char* unit);
 /// What values are divided by, and the unit that they have then.

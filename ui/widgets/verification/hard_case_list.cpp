@@ -24,18 +24,19 @@ RunListWords hardCaseWords() {
 
 QString expectationsOf(const HardCase& hardCase) {
   QStringList expectations;
-  for (const HardCaseExpectation& expectation : hardCase.expected) expectations << text(expectation.words);
+  for (const HardCaseExpectation& expectation : hardCase.expected)
+    expectations << numbers::inSentence(expectation.words);
   return expectations.join(QStringLiteral("; "));
 }
 
 std::vector<RunItem> itemsOf(const std::vector<HardCase>& cases) {
   std::vector<RunItem> items;
   for (const HardCase& hardCase : cases)
-    items.push_back({.title = text(hardCase.title),
+    items.push_back({.title = numbers::inSentence(hardCase.title),
                      .tip = text(hardCase.name),
                      .group = text(hardCase.group),
                      .facts = {expectationsOf(hardCase)},
-                     .caution = text(hardCase.shortfall),
+                     .caution = numbers::inSentence(hardCase.shortfall),
                      .takesLong = hardCase.takes_long});
   return items;
 }

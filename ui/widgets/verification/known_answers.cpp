@@ -1,6 +1,7 @@
 #include "widgets/verification/known_answers.hpp"
 
 #include "verification/verify_json.hpp"
+#include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
 
 namespace talus {
@@ -25,7 +26,7 @@ RunListWords knownAnswerWords() {
 std::vector<RunItem> itemsOf(const std::vector<KnownCase>& cases) {
   std::vector<RunItem> items;
   for (const KnownCase& known : cases)
-    items.push_back({.title = text(known.title),
+    items.push_back({.title = numbers::inSentence(known.title),
                      .tip = text(known.name),
                      .group = {},
                      .facts = {},

@@ -17,18 +17,19 @@ constexpr int most_trial_rows = 8;
 void TrialPage::show(const HardCase& hardCase, const Trial* trial) {
   const std::string& known = hardCase.shortfall;
   if (!trial)
-    begin(text(hardCase.title), "chip", tr("not run yet"));
+    begin(numbers::inSentence(hardCase.title), "chip", tr("not run yet"));
   else if (trial->passed())
-    begin(text(hardCase.title), "chipOk", tr("holds, %1").arg(numbers::duration(trial->seconds)));
+    begin(numbers::inSentence(hardCase.title), "chipOk", tr("holds, %1").arg(numbers::duration(trial->seconds)));
   else
-    begin(text(hardCase.title), known.empty() ? "chipError" : "chipWarn",
+    begin(numbers::inSentence(hardCase.title), known.empty() ? "chipError" : "chipWarn",
           (known.empty() ? tr("does not hold, %1") : tr("falls short, known, %1"))
               .arg(numbers::duration(trial->seconds)));
   QStringList expectations;
-  for (const HardCaseExpectation& expectation : hardCase.expected) expectations << text(expectation.words);
+  for (const HardCaseExpectation& expectation : hardCase.expected)
+    expectations << numbers::inSentence(expectation.words);
   addSentence(tr("Must come to: %1").arg(expectations.join(QStringLiteral("; "))));
   if (trial) addFaults(*trial);
-  if (!known.empty()) addSentence(tr("Known to fall short: %1").arg(text(known)), "warn");
+  if (!known.empty()) addSentence(tr("Known to fall short: %1").arg(numbers::inSentence(known)), "warn");
   if (trial) addFigures(*trial);
   addSentence(tr("Group: %1").arg(text(hardCase.group)), "muted");
   if (!hardCase.source.empty()) addSentence(tr("Source: %1").arg(text(hardCase.source)), "muted");
@@ -37,7 +38,7 @@ void TrialPage::show(const HardCase& hardCase, const Trial* trial) {
 }
 
 void TrialPage::addFaults(const Trial& trial) {
-  for (const std::string& fault : faults(trial)) addSentence(text(fault), "error");
+  for (const std::string& fault : faults(trial)) addSentence(numbers::inSentence(fault), "error");
   for (const TrialRepetition& again : trial.repetitions)
     if (again.difference.empty())
       addSentence(tr("Again on %1: the same bits").arg(numbers::counted(again.threads, "thread")));
