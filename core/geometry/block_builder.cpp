@@ -167,8 +167,9 @@ std::vector<InputError> broken_files(const Project& project, const std::filesyst
     try {
       check_alone(solid, project.origin, folder, progress);
     } catch (const InputError& error) {
+      const bool is_of_solid = error.place() == "solid " + solid.name;  // as is the place here
       broken.emplace_back("/solids/" + std::to_string(i) + key_of_file(solid.shape),
-                          error.place() + ": " + error.problem(), error.remedy());
+                          is_of_solid ? error.problem() : error.place() + ": " + error.problem(), error.remedy());
     }
   }
   return broken;

@@ -63,7 +63,7 @@ TEST_F(Problems, AreSaidInTheWordsOfTheForms) {
   QStringList said;
   for (const auto* row : rows()) said << row->accessibleName() + u'|' + row->accessibleDescription();
   const std::string all = said.join(u'\n').toStdString();
-  EXPECT_THAT(all, testing::HasSubstr("add one with a type, a 'Time step', and steps or a duration"));
+  EXPECT_THAT(all, testing::HasSubstr("add one with a type, a time step, and steps or a duration"));
   EXPECT_EQ(all.find('_'), std::string::npos) << all;
 
   window->open(write("short.talus", R"({"talus": 1,
@@ -81,7 +81,7 @@ TEST_F(Problems, AreSaidInTheWordsOfTheForms) {
   rest(30);
   auto* problem = window->findChild<QLabel*>(QStringLiteral("/stages/0/duration#problem"));
   ASSERT_NE(problem, nullptr);
-  EXPECT_THAT(problem->text().toStdString(), testing::HasSubstr("lengthen the duration or shorten 'Time step'"));
+  EXPECT_THAT(problem->text().toStdString(), testing::HasSubstr("lengthen the duration or shorten the time step"));
 }
 
 TEST_F(Problems, ABrokenFileIsToldOfWhenTheProjectIsOpenedAndNothingCanBeSolvedUntilItIsMended) {

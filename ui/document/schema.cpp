@@ -66,7 +66,10 @@ QString inWordsOfForms(QString sentence) {
     const QRegularExpressionMatch found = keys.match(sentence, from);
     if (!found.hasMatch()) break;
     const auto title = titles.find(found.captured(2));
-    const QString words = title == titles.end() ? found.captured(0) : u'\'' + title->second + u'\'';
+    const bool isQuoted = found.capturedLength(1) > 0;
+    const QString words = title == titles.end() ? found.captured(0)
+                          : isQuoted            ? u'\'' + title->second + u'\''
+                                                : withinSentence(title->second);
     sentence.replace(found.capturedStart(), found.capturedLength(), words);
     from = found.capturedStart() + words.size();
   }

@@ -24,13 +24,13 @@ void check_length(const Stage& stage, const Place& place) {
   require_positive(*stage.duration, place / "duration", "the duration", "seconds");
   require(*stage.duration >= stage.time_step, place / "duration",
           "the stage is shorter than one time step of " + number_text(stage.time_step) + " s",
-          "lengthen the duration or shorten time_step");
+          "lengthen the duration or shorten the time_step");
 }
 
 void check_equilibrium(const Stage& stage, const Place& place) {
   require(!stage.until_equilibrium || stage.kind == StageKind::static_, place / "until_equilibrium",
           "a dynamic stage does not end at equilibrium",
-          "make the stage static, or leave until_equilibrium out and give its duration");
+          "make the stage static, or leave 'until_equilibrium' out and give its duration");
   require_positive(stage.equilibrium_tolerance, place / "equilibrium_tolerance", "the equilibrium tolerance",
                    "unbalanced force over the largest force; 1e-5 is usual");
   require(stage.until_equilibrium || stage.equilibrium_tolerance == Stage{}.equilibrium_tolerance,

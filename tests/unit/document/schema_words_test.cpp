@@ -58,7 +58,10 @@ TEST(SchemaWords, ARuleKnowsTheDefinitionThatItRefersTo) {
 
 TEST(SchemaWords, TakeThePlaceOfKeysOfTheFile) {
   EXPECT_EQ(inWordsOfForms(QStringLiteral("raise open_close_limit: 3 iterations were allowed")).toStdString(),
-            "raise 'Open–close limit': 3 iterations were allowed");
+            "raise open–close limit: 3 iterations were allowed");
+  EXPECT_EQ(inWordsOfForms(QStringLiteral("add one with a type, a time_step, and a duration")).toStdString(),
+            "add one with a type, a time step, and a duration")
+      << "no word is quoted among others that are not";
   EXPECT_EQ(inWordsOfForms(QStringLiteral("add 'spacing_law', \"fisher_kappa\" or a seed")).toStdString(),
             "add 'Law of spacing', 'Scatter κ' or a seed");
   EXPECT_EQ(inWordsOfForms(QStringLiteral("no block is called 'my_time_step' or x_y")).toStdString(),

@@ -93,6 +93,17 @@ TEST_F(SurfaceFiles, WithLargeHolesAreShownAndNotCut) {
   EXPECT_THAT(broken[0].what(), StartsWith("/solids/0/file: open.stl: its surface has 1 hole"));
 }
 
+TEST_F(SurfaceFiles, OfTerrainAreToldOfAtTheirSolidOnce) {
+  write("land.xyz", "0 0 10\n10 0 10\n0 10 10\n10 10 12\n");
+  NoProgress nobody;
+  const std::vector<InputError> broken =
+      broken_files(project_of({solid("hill", TerrainShape{.path = "land.xyz", .base = 20})}), folder(), nobody);
+  ASSERT_EQ(broken.size(), 1u);
+  EXPECT_THAT(broken[0].what(), StartsWith("/solids/0/terrain"));
+  EXPECT_EQ(broken[0].remedy(), "give a lower base");
+  EXPECT_THAT(broken[0].problem(), testing::Not(HasSubstr("solid hill")));
+}
+
 TEST_F(SurfaceFiles, ThatCrossThemselvesAreRefusedWithThePlace) {
   write_stl("crossing.stl", together(cube_surface(), cube_surface({5, 5, 5}, {15, 15, 15})));
   const SolidSurface surface = surface_in("crossing.stl");
