@@ -270,7 +270,9 @@ TEST_F(Begun, RecentFilesHaveAPictureAndOneThatIsGoneIsForgotten) {
   const auto file = slidingCube();
   openAndMesh(file);
   window->open(sample("free_fall"));
-  EXPECT_FALSE(pictureOf(file).isNull()) << "kept when the project was left";
+  const QImage light = pictureOf(file, false).toImage(), dark = pictureOf(file, true).toImage();
+  ASSERT_FALSE(light.isNull() || dark.isNull()) << "kept when the project was left";
+  EXPECT_GT(light.pixelColor(2, 2).lightness(), 2 * dark.pixelColor(2, 2).lightness()) << "the sky of each theme";
   ASSERT_GE(recentFiles().size(), 2U);
   EXPECT_EQ(recentFiles()[1].path, file);
   std::filesystem::remove(file);
@@ -284,7 +286,7 @@ TEST_F(Begun, RecentFilesHaveAPictureAndOneThatIsGoneIsForgotten) {
   click(forget);
   rest(30);
   for (const RecentFile& recent : recentFiles()) EXPECT_NE(recent.path, file);
-  EXPECT_TRUE(pictureOf(file).isNull());
+  for (const bool isDark : {false, true}) EXPECT_TRUE(pictureOf(file, isDark).isNull());
 }
 
 TEST_F(Begun, AProjectOrAResultsFolderIsDropped) {

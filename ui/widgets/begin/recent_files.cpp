@@ -19,10 +19,10 @@ const QString recent_key = QStringLiteral("recent");
 QString nameOf(const std::filesystem::path& path) { return text(std::filesystem::absolute(path).string()); }
 
 /// Where a project's picture lies in the cache: by its path, which may hold anything.
-QString pictureFile(const std::filesystem::path& path) {
+QString pictureFile(const std::filesystem::path& path, bool dark) {
   const auto key = QCryptographicHash::hash(nameOf(path).toUtf8(), QCryptographicHash::Sha1).toHex();
   return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/pictures/") +
-         QString::fromLatin1(key) + QStringLiteral(".png");
+         QString::fromLatin1(key) + (dark ? QStringLiteral("-dark.png") : QStringLiteral(".png"));
 }
 
 }  // namespace
@@ -50,15 +50,17 @@ void forgetRecent(const std::filesystem::path& path) {
   QStringList names = QSettings().value(recent_key).toStringList();
   names.removeAll(nameOf(path));
   QSettings().setValue(recent_key, names);
-  QFile::remove(pictureFile(path));
+  for (const bool dark : {false, true}) QFile::remove(pictureFile(path, dark));
 }
 
-void keepPicture(const std::filesystem::path& path, const QPixmap& picture) {
-  const QString file = pictureFile(path);
-  QDir().mkpath(QFileInfo(file).path());
-  picture.scaledToWidth(picture_width, Qt::SmoothTransformation).save(file);
+void keepPictures(const std::filesystem::path& path, const QPixmap& light, const QPixmap& dark) {
+  for (const bool isDark : {false, true}) {
+    const QString file = pictureFile(path, isDark);
+    QDir().mkpath(QFileInfo(file).path());
+    (isDark ? dark : light).scaledToWidth(picture_width, Qt::SmoothTransformation).save(file);
+  }
 }
 
-QPixmap pictureOf(const std::filesystem::path& path) { return QPixmap(pictureFile(path)); }
+QPixmap pictureOf(const std::filesystem::path& path, bool dark) { return QPixmap(pictureFile(path, dark)); }
 
 }  // namespace talus

@@ -17,9 +17,9 @@ std::vector<RecentFile> recentFiles();
 void rememberRecent(const std::filesystem::path& path);
 void forgetRecent(const std::filesystem::path& path);
 
-/// Keeps the last picture of a project in the user's cache.
-void keepPicture(const std::filesystem::path& path, const QPixmap& picture);
+/// Keeps the last pictures of a project, for the light and for the dark, in the user's cache.
+void keepPictures(const std::filesystem::path& path, const QPixmap& light, const QPixmap& dark);
 /// Null where none was kept.
-QPixmap pictureOf(const std::filesystem::path& path);
+QPixmap pictureOf(const std::filesystem::path& path, bool dark);
 
 }  // namespace talus

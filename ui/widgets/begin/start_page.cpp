@@ -91,7 +91,7 @@ constexpr int thumb_width = 62, row_height = 48;
 /// A recent file as a button: its last picture, its name, where it is and of when; faint where it is gone.
 class RecentButton : public QToolButton {
  public:
-  explicit RecentButton(const RecentFile& file) : file_(file), picture_(pictureOf(file.path)) {
+  explicit RecentButton(const RecentFile& file) : file_(file) {
     setFixedHeight(row_height);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const QString name = talus::text(file.path.string());
@@ -107,6 +107,7 @@ class RecentButton : public QToolButton {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const QRect thumb(4, 4, thumb_width, height() - 8);
     painter.fillRect(thumb, theme::colours().sunken);
+    if (isOfDark_ != theme::now().dark) readPicture();
     if (file_.isThere && !picture_.isNull())
       painter.drawPixmap(thumb, picture_, cut(thumb.size()));
     else
@@ -126,6 +127,10 @@ class RecentButton : public QToolButton {
   }
 
  private:
+  void readPicture() {
+    isOfDark_ = theme::now().dark;
+    picture_ = pictureOf(file_.path, *isOfDark_);
+  }
   QDateTime lastChange() const { return QFileInfo(talus::text(file_.path.string())).lastModified(); }
   /// The middle of the picture in the shape of its place.
   QRect cut(QSize place) const {
@@ -134,6 +139,7 @@ class RecentButton : public QToolButton {
   }
 
   RecentFile file_;
+  std::optional<bool> isOfDark_;  ///< the theme that the picture was read for; none: it was not read yet
   QPixmap picture_;
 };
 

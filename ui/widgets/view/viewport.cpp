@@ -425,8 +425,6 @@ std::optional<CameraPose> Viewport::pose() const {
   return scene_ ? std::optional<CameraPose>(scene_->pose()) : std::nullopt;
 }
 
-QPixmap Viewport::picture() { return surface_->widget()->grab(); }
-
 bool Viewport::hasRock() const { return !project().solids.empty(); }
 
 void Viewport::showEmptyState() {

@@ -95,6 +95,8 @@ class Viewport : public QWidget {
   const RenderSurface& surface() const { return *surface_; }
   /// What the view shows, without its tools.
   QPixmap picture();
+  /// The same as it is in a theme.
+  QPixmap picture(Theme theme);
   /// The toolbar over the view's right edge; the window adds to it.
   QWidget* tools() { return tools_; }
   /// Strips and tools that lie over the view get their places again.

@@ -95,4 +95,19 @@ void Viewport::keepScenes(const std::function<bool(const Drawn&)>& isKept) {
   });
 }
 
+QPixmap Viewport::picture() { return surface_->widget()->grab(); }
+
+QPixmap Viewport::picture(Theme theme) {
+  if (!scene_) return picture();
+  const SceneSettings before = scene_->settings();
+  SceneSettings settings = before;
+  settings.theme = theme;
+  scene_->set_settings(settings);
+  surface_->requestRender();
+  const QPixmap taken = picture();
+  scene_->set_settings(before);
+  surface_->requestRender();
+  return taken;
+}
+
 }  // namespace talus

@@ -67,7 +67,7 @@ void MainWindow::openCopy(const std::filesystem::path& sample) {
 void MainWindow::keepPictureOfProject() {
   const Document& document = session_.project.document();
   if (document.file().empty() || !session_.project.system() || !viewport_->isVisible()) return;
-  keepPicture(document.file(), viewport_->picture());
+  keepPictures(document.file(), viewport_->picture(Theme::light), viewport_->picture(Theme::dark));
 }
 
 void MainWindow::offerRecovery() {
