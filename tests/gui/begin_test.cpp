@@ -110,6 +110,25 @@ TEST_F(Begun, AWrongNumberIsToldBesideItsFieldAndCreatesNothing) {
   EXPECT_FALSE(session->project.document().isOpen());
 }
 
+TEST_F(Begun, AFieldShowsWhatWasTypedWhenTheKeyboardHasLeftIt) {
+  auto* dialog = openDialog();
+  dialog->choose("wedge");
+  auto* plunge = field(*dialog, "Plunge ψ");
+  type(plunge, QStringLiteral("45"));
+  QTest::keyClick(plunge, Qt::Key_Tab);
+  EXPECT_EQ(plunge->text(), QStringLiteral("45 °"));
+  type(plunge, QStringLiteral("70"));
+  QTest::keyClick(plunge, Qt::Key_Tab);
+  EXPECT_EQ(plunge->text(), QStringLiteral("70"));
+  EXPECT_EQ(plunge->property("state").toString(), QStringLiteral("error")) << "and that it is refused";
+  EXPECT_FALSE(button(*dialog, "Create")->isEnabled());
+  EXPECT_TRUE(words(*dialog).contains(QStringLiteral("is 70")));
+  QTest::keyClick(plunge, Qt::Key_Escape);
+  EXPECT_EQ(plunge->text(), QStringLiteral("45 °"));
+  EXPECT_FALSE(words(*dialog).contains(QStringLiteral("is 70")));
+  EXPECT_TRUE(button(*dialog, "Create")->isEnabled());
+}
+
 TEST_F(Begun, EveryFieldAndSentenceIsWholeToBeSeen) {
   auto* dialog = openDialog();
   for (const ProjectTemplate& candidate : project_templates()) {

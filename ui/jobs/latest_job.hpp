@@ -24,6 +24,7 @@ class LatestJob : public QObject {
       using Result = std::invoke_result_t<Work, Progress&>;
       work_.start<Result>([work](Progress& progress, const auto& ended) { ended(work(progress)); },
                           [this, take](const Result& result) {
+                            hasCome_ = true;
                             if (!dropped_) take(result);
                           });
     };
@@ -33,7 +34,7 @@ class LatestJob : public QObject {
   void cancel();
 
  signals:
-  /// Of what goes on: at most ten times a second, 0…1 of it.
+  /// Of what goes on: at most ten times a second, 0…1 of it; not any more once its result has been taken.
   void progressed(double fraction, const QString& what);
   /// Nothing is wanted any more, and nothing goes on.
   void rested();
@@ -44,6 +45,7 @@ class LatestJob : public QObject {
   QTimer quiet_;
   std::function<void()> wanted_;
   bool dropped_ = false;  ///< what goes on is not wanted any more
+  bool hasCome_ = false;  ///< its result has; only its thread ends yet
   BackgroundJob work_;    ///< last: its thread ends before the others go
 };
 

@@ -127,7 +127,7 @@ void NewDialog::refresh() {
   }
   create_->setEnabled(good);
   create_->setToolTip(good ? QString() : tr("A number is not one that the template takes"));
-  if (good) preview_->setProject(form() ? std::optional(project()) : std::nullopt);
+  preview_->setProject(form() ? std::optional(project()) : std::nullopt);  // of the last good numbers
 }
 
 }  // namespace talus

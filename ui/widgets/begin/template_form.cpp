@@ -43,6 +43,9 @@ TemplateForm::TemplateForm(const ProjectTemplate& chosen) : chosen_(chosen) {
     rows_.push_back({&number, field, note, number.preset});
     connect(field, &QLineEdit::textEdited, this,
             [this, index = rows_.size() - 1](const QString& typed) { check(rows_[index], typed); });
+    const auto checkShown = [this, field, index = rows_.size() - 1] { check(rows_[index], field->text()); };
+    connect(field, &NumberField::committed, this, checkShown);  // the field calls any number good
+    connect(field, &NumberField::takenBack, this, checkShown);
   }
 }
 

@@ -1,9 +1,11 @@
 #include "widgets/kit/number_field.hpp"
 
 #include <QKeyEvent>
+#include <QPointer>
 #include <QStyle>
 #include <QStyleOptionFrame>
 #include <QTimer>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/quantity_text.hpp"
@@ -93,7 +95,14 @@ void NumberField::commit() {
         read_quantity(QLineEdit::text().toStdString(), units_.kept.toStdString(), units_.shown.toStdString());
     setProblem({});
     if (number == value_) return show();
+    const QPointer<NumberField> stays(this);  // a form may be made anew for another number
+    const auto before = std::exchange(value_, number);
     emit committed(number);
+    if (!stays) return;
+    if (property("state").isValid())
+      value_ = before;  // it was refused: Escape goes back there
+    else
+      show();
   } catch (const InputError& error) {
     setProblem(QObject::tr("%1; %2").arg(talus::text(error.problem()), talus::text(error.remedy())));
   }
@@ -129,6 +138,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     setModified(false);
     setProblem({});
     show();
+    emit takenBack();
     return;
   }
   QLineEdit::keyPressEvent(event);

@@ -31,6 +31,8 @@ class NumberField : public QLineEdit {
   void committed(double value);
   /// The user has taken the number away.
   void cleared();
+  /// What was typed was given up: it shows the number from before again.
+  void takenBack();
   /// Why what was typed is no number of this kind; empty once it is.
   void problemChanged(const QString& sentence);
 
