@@ -53,7 +53,11 @@ GlSurface::GlSurface(QWidget* parent) : QOpenGLWidget(parent), context_(std::mak
   setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
 }
 
-GlSurface::~GlSurface() { release(); }
+GlSurface::~GlSurface() {
+  release();
+  // The context goes after this has gone, and would tell of it.
+  if (context() != nullptr) context()->disconnect(this);
+}
 
 void GlSurface::initializeGL() {
   // Floating or docking the view gives it a new context: everything on the card goes with the old one.
