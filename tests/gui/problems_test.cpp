@@ -58,6 +58,17 @@ TEST_F(Problems, WhatIsOddIsListedAndEnterLeadsToItsField) {
   EXPECT_EQ(count(), QStringLiteral("No problems"));
 }
 
+TEST_F(Problems, OfWhatIsNotThereYetLeadToThePlusThatMakesIt) {
+  window->open(write("bare.talus", R"({"talus": 1, "materials": {}, "solids": [], "stages": []})"));
+  for (const auto& [list, page] : {std::pair("stages", "new/stages"), {"solids", "new/geometry"}}) {
+    for (auto* row : rows())
+      if (row->accessibleName().startsWith(QLatin1String(list))) click(button(*row, "Go there"));
+    rest(50);
+    ASSERT_NE(QApplication::focusWidget(), nullptr);
+    EXPECT_EQ(QApplication::focusWidget()->objectName().toStdString(), page);
+  }
+}
+
 TEST_F(Problems, AreSaidInTheWordsOfTheForms) {
   window->open(write("bare.talus", R"({"talus": 1, "materials": {}, "solids": [], "stages": []})"));
   QStringList said;

@@ -77,7 +77,7 @@ bool is_held(const Project& project) {
 
 void look_at_the_run(const Project& project, std::vector<ProjectProblem>& problems) {
   if (!project.solids.empty() && !is_held(project))
-    add(problems, Kind::warning, Place() / "solids", "nothing is held: every block falls freely",
+    add(problems, Kind::warning, Place() / "solids" / 0 / "body", "nothing is held, every block falls freely",
         "give a solid the body 'fixed', or support a block");
   if (project.gravity.isZero(0) && project.loads.empty() && project.velocities.empty())
     add(problems, Kind::warning, Place() / "gravity", "neither gravity nor a load nor a velocity moves anything",

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QThread>
+#include <memory>
 
 namespace talus {
 namespace {
@@ -26,6 +27,9 @@ bool wait(const Condition& condition) {
 }
 
 TEST(LatestJob, SaysNothingOfProgressOnceItsResultHasBeenTaken) {
+  int argc = 0;
+  std::unique_ptr<QCoreApplication> application;
+  if (!QCoreApplication::instance()) application = std::make_unique<QCoreApplication>(argc, nullptr);
   LatestJob job(0);
   QString said;
   bool rested = false;

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "document/item_place.hpp"
 #include "document/schema.hpp"
 #include "document/things.hpp"
 #include "model/stage_length.hpp"
@@ -141,6 +142,21 @@ void ProjectTree::offerNew(WorkflowPage page, const std::vector<Item::Kind>& kin
     showMenuOf(*button, choices);
   }
   setItemWidget(groups_.at(page), 2, button);
+}
+
+bool ProjectTree::focusNew(const QString& list) {
+  for (const auto& [page, kinds] : offered_new) {
+    const bool makesOne = std::ranges::any_of(kinds, [&](Item::Kind kind) {
+      const char* key = listKey(kind);
+      return key && list == QLatin1String(key);
+    });
+    auto* button = findChild<QToolButton*>(QStringLiteral("new/") + QLatin1String(pageKey(page)));
+    if (!makesOne || !button) continue;
+    scrollToItem(groups_.at(page));
+    button->setFocus(Qt::ShortcutFocusReason);
+    return true;
+  }
+  return false;
 }
 
 QTreeWidgetItem* ProjectTree::addRow(QTreeWidgetItem* group, const Item& item, const QString& name,

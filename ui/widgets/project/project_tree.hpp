@@ -25,6 +25,8 @@ class ProjectTree : public QTreeWidget {
   QTreeWidgetItem* rowOf(const Item& item) const;
   /// Another choice behind the plus of a page's group than one of the schema's things.
   void setNewMenu(WorkflowPage page, QMenu* menu);
+  /// Puts the keyboard on the plus that makes a thing of this list of the project; false where there is none.
+  bool focusNew(const QString& list);
 
  signals:
   /// Of what is selected, at a point of the screen.

@@ -237,7 +237,9 @@ void MainWindow::showPage() {
 }
 
 /// Fields are named after their place in the project file; where one has none, the thing that it belongs to has.
+/// A list that lacks a thing has the button that makes one.
 void MainWindow::focusField(QString place) {
+  if (place.count(u'/') == 1 && left_->findChild<ProjectTree*>()->focusNew(place.mid(1))) return;
   for (; !place.isEmpty(); place.truncate(place.lastIndexOf(u'/'))) {
     auto* field = right_->findChild<QWidget*>(place);
     if (!field) continue;

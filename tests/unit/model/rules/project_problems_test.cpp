@@ -82,7 +82,7 @@ TEST(ProjectProblems, OddThingsAreWarningsAndHints) {
   project.monitors.clear();
   EXPECT_THAT(places(project, Kind::error), testing::IsEmpty());
   EXPECT_THAT(places(project, Kind::warning),
-              testing::ElementsAre("/materials/clay/density", "/materials/clay/young", "/solids"));
+              testing::ElementsAre("/materials/clay/density", "/materials/clay/young", "/solids/0/body"));
   EXPECT_THAT(places(project, Kind::hint), testing::ElementsAre("/monitors", "/materials/clay", "/joints/J2"));
 }
 
