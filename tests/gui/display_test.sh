@@ -1,6 +1,6 @@
 #!/bin/sh
 # `talus` on an X server, where the driver draws the view and not OSMesa: it opens, draws and ends in peace.
-talus=$1 samples=$2 xvfb=$3
+talus=$1 samples=$2 xvfb=$3 tests=$4
 folder=$(mktemp -d) && trap 'kill "$server" 2> /dev/null; rm -rf "$folder"' EXIT
 fail() { echo "$1" >&2; exit 1; }
 export HOME=$folder XDG_CONFIG_HOME=$folder XDG_RUNTIME_DIR=$folder
@@ -15,3 +15,4 @@ DISPLAY=:$(cat "$folder/display"); export DISPLAY
 "$talus" --screenshot "$folder/blocks.png" --size 1280x720 --page blocks "$folder/free_fall/free_fall.talus" ||
   fail "no picture, or it did not end in peace: exit code $?"
 [ -s "$folder/blocks.png" ] || fail "no picture was written"
+"$tests" --gtest_brief=1 --gtest_filter='OnADisplay.*' || fail "the view is not seen as it is drawn"

@@ -5,6 +5,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QPainter>
+#include <QResizeEvent>
 #include <QSurfaceFormat>
 
 #include <vtkNew.h>
@@ -70,6 +71,15 @@ void GlSurface::release() {
   makeCurrent();
   window_->release_context();
   doneCurrent();
+}
+
+/// A view that was resized and back while it was hidden gets an event as well. Qt 6.4 would make another texture, and go
+/// on showing the one before, whose place the rest of the window takes.
+void GlSurface::resizeEvent(QResizeEvent* event) {
+  const QSizeF pixels = QSizeF(event->size()) * devicePixelRatioF();
+  if (isValid() && pixels == pixels_) return;
+  pixels_ = pixels;
+  QOpenGLWidget::resizeEvent(event);
 }
 
 void GlSurface::resizeGL(int, int) { fitWindowTo(*this); }

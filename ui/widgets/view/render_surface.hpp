@@ -49,12 +49,14 @@ class GlSurface : public QOpenGLWidget, public RenderSurface {
 
  protected:
   void initializeGL() override;
+  void resizeEvent(QResizeEvent* event) override;
   void resizeGL(int width, int height) override;
   void paintGL() override;
 
  private:
   void release();
   std::unique_ptr<GlContext> context_;
+  QSizeF pixels_;  ///< that Qt was last asked to make room for
 };
 
 /// Everywhere else (no X server, the `offscreen` platform): OSMesa draws a picture and the widget shows it.
