@@ -7126,7 +7126,7 @@ Nr. %3</translation>
     </message>
     <message>
         <source>1× real</source>
-        <translation>1× wahr</translation>
+        <translation>1× Echtzeit</translation>
     </message>
     <message>
         <source>Speed of play</source>
