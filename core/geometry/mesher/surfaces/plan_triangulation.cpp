@@ -18,28 +18,29 @@
 #include <utility>
 
 namespace talus {
-namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_2;
 
 /// What a face has to represent: points over it that are no corners, and the one farthest from it.
-struct Burden {
+struct BurdenOfFace {
   std::vector<int> points;
   int worst = -1;
   double error = 0;  ///< m, of the worst
   int depth = -1;    ///< how many kept edges lie between it and the outside; −1: not known
 };
 
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using PlanPoint = Kernel::Point_2;
+
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<Burden, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<BurdenOfFace, Kernel,
+                                                           CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_tag>;
 using Face = Triangulation::Face_handle;
 
-Point in_plan(const Vec3& point) { return {point.x(), point.y()}; }
+PlanPoint in_plan(const Vec3& point) { return {point.x(), point.y()}; }
 
 }  // namespace
 
@@ -72,7 +73,7 @@ struct PlanTriangulation::Inside {
   void burden(int point, Face hint) {
     const Face face = face_at(point, hint);
     const double error = error_of(point, face);
-    Burden& load = face->info();
+    BurdenOfFace& load = face->info();
     load.points.push_back(point);
     face_of[static_cast<std::size_t>(point)] = face;
     if (load.worst >= 0 && error <= load.error) return;
@@ -124,7 +125,7 @@ struct PlanTriangulation::Inside {
       const auto [error, point] = worst_points.top();
       worst_points.pop();
       if (error <= tolerance) break;
-      const Burden& load = face_of[static_cast<std::size_t>(point)]->info();
+      const BurdenOfFace& load = face_of[static_cast<std::size_t>(point)]->info();
       if (is_corner(point) || load.worst != point || load.error != error) continue;  // its face has changed since
       make_corner(point);
       taken = true;
@@ -149,11 +150,11 @@ PlanTriangulation::PlanTriangulation(const std::vector<Vec3>& points) : inside_(
 PlanTriangulation::~PlanTriangulation() = default;
 
 void PlanTriangulation::take(const std::vector<int>& points) {
-  std::vector<Point> places;
+  std::vector<PlanPoint> places;
   for (const int point : points) places.push_back(in_plan(inside_->at(point)));
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  using Places = CGAL::Pointer_property_map<Point>::type;
+  using Places = CGAL::Pointer_property_map<PlanPoint>::type;
   CGAL::spatial_sort(order.begin(), order.end(),
                      CGAL::Spatial_sort_traits_adapter_2<Kernel, Places>(CGAL::make_property_map(places)));
   Face hint;

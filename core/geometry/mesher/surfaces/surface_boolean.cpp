@@ -10,23 +10,23 @@ namespace talus {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
-using Point = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using ExactPoint = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
+using ExactMesh = CGAL::Surface_mesh<ExactPoint>;
 
-Mesh mesh_of(const TriangleSolid& solid) {
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> vertices;
+ExactMesh mesh_of(const TriangleSolid& solid) {
+  ExactMesh mesh;
+  std::vector<ExactMesh::Vertex_index> vertices;
   for (const Vec3& vertex : solid.vertices)
-    vertices.push_back(mesh.add_vertex(Point(vertex.x(), vertex.y(), vertex.z())));
+    vertices.push_back(mesh.add_vertex(ExactPoint(vertex.x(), vertex.y(), vertex.z())));
   const auto at = [&](int v) { return vertices[static_cast<std::size_t>(v)]; };
   for (const auto& [a, b, c] : solid.triangles) mesh.add_face(at(a), at(b), at(c));
   return mesh;
 }
 
-PolygonSoup soup_of(const Mesh& mesh) {
+PolygonSoup soup_of(const ExactMesh& mesh) {
   PolygonSoup soup;
   for (const auto v : mesh.vertices()) {
-    const Point& point = mesh.point(v);
+    const ExactPoint& point = mesh.point(v);
     soup.points.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
   }
   for (const auto face : mesh.faces()) {
@@ -38,7 +38,7 @@ PolygonSoup soup_of(const Mesh& mesh) {
 }
 
 /// False when the result would meet itself in a line or a point.
-bool combine(CombineOperation operation, Mesh& first, Mesh& second, Mesh& result) {
+bool combine(CombineOperation operation, ExactMesh& first, ExactMesh& second, ExactMesh& result) {
   switch (operation) {
     case CombineOperation::subtract:
       return pmp::corefine_and_compute_difference(first, second, result);
@@ -53,9 +53,9 @@ bool combine(CombineOperation operation, Mesh& first, Mesh& second, Mesh& result
 }  // namespace
 
 MendedSurface combined(CombineOperation operation, const std::vector<TriangleSolid>& parts, const std::string& place) {
-  Mesh sum = mesh_of(parts.front());
+  ExactMesh sum = mesh_of(parts.front());
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    Mesh next = mesh_of(parts[i]), result;
+    ExactMesh next = mesh_of(parts[i]), result;
     if (!combine(operation, sum, next, result))
       throw InputError(place, "its parts touch in a line or a point alone", "move one of them a little");
     result.collect_garbage();
