@@ -73,8 +73,8 @@ void GlSurface::release() {
   doneCurrent();
 }
 
-/// A view that was resized and back while it was hidden gets an event as well. Qt 6.4 would make another texture, and go
-/// on showing the one before, whose place the rest of the window takes.
+/// A view that was resized and back while it was hidden gets an event as well. Qt 6.4 would make another texture, and
+/// go on showing the one before, whose place the rest of the window takes.
 void GlSurface::resizeEvent(QResizeEvent* event) {
   const QSizeF pixels = QSizeF(event->size()) * devicePixelRatioF();
   if (isValid() && pixels == pixels_) return;
