@@ -10,10 +10,6 @@ target_compile_options(talus_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-res
 if(TALUS_WARNINGS_AS_ERRORS)
   target_compile_options(talus_options INTERFACE -Werror)
 endif()
-# ccache keeps what uses a precompiled header, and GCC collects no garbage below 1.5 GB, a tenth of its time.
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  target_compile_options(talus_options INTERFACE -fpch-preprocess "SHELL:--param ggc-min-heapsize=1500000")
-endif()
 # Results must be the same bits wherever they are computed: no contraction into fused multiply-adds.
 target_compile_options(talus_options INTERFACE -ffp-contract=off)
 # gold links the window's tests in 0.3 s, where GNU ld takes 1.8.
@@ -54,39 +50,33 @@ function(talus_compile_by_room target)
   endforeach()
 endfunction()
 
-# talus_share_headers(TARGET core|quick|window|test)  What the units of TARGET include most is read once for all targets
-# that share the same (docs/developing.md has the figures): of the method where it computes and where it does not, of
-# the window, of the tests.
-set(talus_headers_core LIBRARIES Eigen3::Eigen HEADERS <Eigen/Dense>)
-set(talus_headers_quick LIBRARIES Eigen3::Eigen HEADERS <Eigen/Dense> <nlohmann/json.hpp>
-  OPTIONS $<$<CONFIG:Release>:-O1>)
-set(talus_headers_window LIBRARIES Eigen3::Eigen Qt6::Widgets HEADERS <Eigen/Dense> <nlohmann/json.hpp> <QtWidgets>
-  OPTIONS $<$<CONFIG:Release>:-O1>)
-set(talus_headers_test LIBRARIES Eigen3::Eigen GTest::gmock HEADERS <gmock/gmock.h> <Eigen/Dense> <nlohmann/json.hpp>
-  OPTIONS $<$<CONFIG:Release>:-O1> -fPIC)  # those of the window's tests are position-independent code, as Qt's must be
-function(talus_share_headers target name)
+# talus_share_test_headers(TARGET)  What tests include most, GoogleMock and Eigen above all, is read once for all test
+# programs (docs/developing.md has the figures). All are position-independent code, as Qt's must be.
+function(talus_share_test_headers target)
   if(NOT TALUS_BY_ROOM)
     return()
   endif()
-  set(shared talus_${name}_headers)
-  cmake_parse_arguments(ARG "" "" "LIBRARIES;HEADERS;OPTIONS" ${talus_headers_${name}})
-  if(NOT TARGET ${shared})
-    file(WRITE ${CMAKE_BINARY_DIR}/${shared}.cpp "")
-    add_library(${shared} OBJECT ${CMAKE_BINARY_DIR}/${shared}.cpp)
-    set_target_properties(${shared} PROPERTIES AUTOMOC OFF)
-    target_link_libraries(${shared} PRIVATE talus_options ${ARG_LIBRARIES})
-    target_compile_options(${shared} PRIVATE ${ARG_OPTIONS})
-    target_precompile_headers(${shared} PRIVATE ${ARG_HEADERS} <algorithm> <array> <cmath> <cstdint> <filesystem>
-      <fstream> <functional> <limits> <map> <memory> <numbers> <optional> <set> <span> <string> <utility> <vector>)
+  set(for_all -fPIC)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # ccache keeps what uses the header; GCC collects no garbage below 1.5 GB
+    list(APPEND for_all -fpch-preprocess "SHELL:--param ggc-min-heapsize=1500000")
   endif()
-  target_compile_options(${target} PRIVATE ${ARG_OPTIONS})
-  target_precompile_headers(${target} REUSE_FROM ${shared})
+  if(NOT TARGET talus_test_headers)
+    file(WRITE ${CMAKE_BINARY_DIR}/talus_test_headers.cpp "")
+    add_library(talus_test_headers OBJECT ${CMAKE_BINARY_DIR}/talus_test_headers.cpp)
+    set_target_properties(talus_test_headers PROPERTIES AUTOMOC OFF)
+    target_link_libraries(talus_test_headers PRIVATE talus_options Eigen3::Eigen GTest::gmock)
+    target_compile_options(talus_test_headers PRIVATE $<$<CONFIG:Release>:-O1> ${for_all})
+    target_precompile_headers(talus_test_headers PRIVATE <gmock/gmock.h> <Eigen/Dense> <nlohmann/json.hpp>
+      <algorithm> <cmath> <filesystem> <fstream> <functional> <map> <memory> <numbers> <optional> <string> <vector>)
+  endif()
+  target_link_libraries(${target} PRIVATE GTest::gmock)
+  target_compile_options(${target} PRIVATE ${for_all})
+  target_precompile_headers(${target} REUSE_FROM talus_test_headers)
 endfunction()
 
-# talus_library(FOLDER [QUICK] [HEADERS name] [EXCEPT subfolder] [APART room...] [PUBLIC dep...] [PRIVATE dep...])  the
-# folder with all rooms below it. HEADERS: those that it shares, or `own`; core or quick where nothing is said.
+# talus_library(FOLDER [QUICK] [EXCEPT subfolder] [APART room...] [PUBLIC dep...] [PRIVATE dep...])  the folder with all rooms below it
 function(talus_library folder)
-  cmake_parse_arguments(ARG "QUICK" "HEADERS;EXCEPT" "PUBLIC;PRIVATE;APART" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK" "EXCEPT" "PUBLIC;PRIVATE;APART" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.hpp)
   if(ARG_EXCEPT)
@@ -103,18 +93,10 @@ function(talus_library folder)
   target_include_directories(talus_${folder} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(talus_${folder} PUBLIC ${ARG_PUBLIC} PRIVATE talus_options ${ARG_PRIVATE})
   set(quick)
-  set(headers core)
   if(ARG_QUICK)
     set(quick QUICK)
-    set(headers quick)
-  endif()
-  if(ARG_HEADERS)
-    set(headers ${ARG_HEADERS})
   endif()
   talus_compile_by_room(talus_${folder} ${quick} APART ${ARG_APART})
-  if(NOT headers STREQUAL own)
-    talus_share_headers(talus_${folder} ${headers})
-  endif()
 endfunction()
 
 # talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [EACH_TEST] [LONG pattern] [BLAS_KERNELS name])  a
@@ -132,7 +114,7 @@ function(talus_test name)
   target_link_libraries(${name} PRIVATE talus_options ${ARG_LIBRARIES} GTest::gmock_main)
   target_compile_definitions(${name} PRIVATE TALUS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   talus_compile_by_room(${name} QUICK)
-  talus_share_headers(${name} test)
+  talus_share_test_headers(${name})
   set(properties ENVIRONMENT OPENBLAS_NUM_THREADS=1 ${kernels})
   if(ARG_LABELS)
     set(labels LABELS ${ARG_LABELS})
