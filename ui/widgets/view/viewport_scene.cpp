@@ -98,7 +98,7 @@ void Viewport::keepScenes(const std::function<bool(const Drawn&)>& isKept) {
 QPixmap Viewport::picture() { return surface_->widget()->grab(); }
 
 QPixmap Viewport::picture(Theme theme) {
-  if (!scene_) return picture();
+  if (!scene_ || scene_->settings().theme == theme) return picture();
   const SceneSettings before = scene_->settings();
   SceneSettings settings = before;
   settings.theme = theme;
