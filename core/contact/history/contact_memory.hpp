@@ -50,8 +50,8 @@ class ContactMemory {
   bool remembers(std::uint64_t key) const { return with_key(key) != nullptr; }
 
   /// How deep the body lay, when the last step was accepted, in those that pushed it along `direction`, other than
-  /// `but`; 0 where none did. [m]
-  double depth_along(int body, const Vec3& direction, int but) const;
+  /// `but` (−1: nobody); 0 where none did. [m]
+  double depth_along(int body, const Vec3& direction, int but = -1) const;
   /// How far a spring of this stiffness [N/m] may give at a point from the beginning, and neither push harder nor hold
   /// more than one did between the same bodies, along this normal or nearly so, when the last step was accepted. [m]
   double known_compression(const FoundPoint& point, double stiffness) const;

@@ -26,6 +26,12 @@ bool StepGeometry::within_edge_tolerance(double distance, int body, int other, c
   return distance < tolerances.edge_tolerance_per_penetration * held;
 }
 
+double StepGeometry::sunk_past_edge(int other, int body, const Vec3& across) const {
+  if (!moved[other]) return 0;
+  const double deeper = memory.depth_along(other, -across, body) - memory.depth_along(other, across);
+  return tolerances.edge_tolerance_per_penetration * std::max(0.0, deeper);
+}
+
 double StepGeometry::noticeable_depth(int body_a, int body_b) const {
   return tolerances.least_edge_tolerance / 2 * broad.size(body_a, body_b);
 }

@@ -54,6 +54,11 @@ struct StepGeometry {
   /// `across` in the last step, and the distance is no more than a few times as deep as they lay in it: blocks that lie
   /// on a third sink into it, their faces are out of line by about as much, and they must slide past each other.
   bool within_edge_tolerance(double distance, int body, int other, const Vec3& across) const;
+  /// How far places of `other` may lie past a convex sharp edge of `body`, the facet across which has the normal
+  /// `across`, and yet be held by the facet on this side: a few times as much deeper as `other` lay in what pushed it
+  /// back over the edge in the last step than in what pushed it on. A block on a floor has sunk below the foot of a
+  /// wall that stands there, too. [m]
+  double sunk_past_edge(int other, int body, const Vec3& across) const;
   /// How deep features of two bodies can lie in each other. At most as deep as the tolerances say, and as half the
   /// width of the thinner body, for beyond its middle a feature belongs to its far side. Once they have moved, also no
   /// deeper than this step can add to what the last one left: a feature that seems to lie deeper has passed beside the

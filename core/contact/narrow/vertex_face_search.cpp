@@ -26,6 +26,32 @@ bool beside_the_body(const StepGeometry& step, int face, const Vec3& p) {
   });
 }
 
+/// Where a vertex of the body `other` would be on a face, had its body not sunk over a convex sharp edge of it: at the
+/// edge. `gap`: from the face [m].
+struct HeldPlace {
+  Vec3 at;
+  Vec3 across;  ///< normal of the facet across that edge; zero where it has not sunk over one
+};
+HeldPlace held_place(const StepGeometry& step, int node, int face, int other, double gap) {
+  const int body = step.features.faces[face].body;
+  const Vec3& p = step.x[node];
+  const double near = step.edge_tolerance(body, other);
+  if (-gap > near) return {p, Vec3::Zero()};
+  for (const int edge : step.features.sides(face)) {
+    const ContactEdge& e = step.features.edges[edge];
+    if (!e.is_sharp) continue;
+    const FeatureShapes::Edge& shape = step.shapes.edge(edge);
+    if (!shape.is_convex) continue;
+    const int across = step.features.across(edge, face);
+    const Vec3 &outward = step.normal(across), r = p - step.x[e.nodes[0]];
+    const double past = outward.dot(r);
+    if (std::abs(past) > near || std::abs(past) > step.sunk_past_edge(other, body, outward)) continue;
+    const Vec3& into = shape.into[e.facets[0] == across ? 1 : 0];
+    return {p + std::max({0.0, -into.dot(r), past / -into.dot(outward)}) * into, outward};
+  }
+  return {p, Vec3::Zero()};
+}
+
 /// Whether the node, or an edge that ends there, may lie on a facet of this normal.
 bool may_touch(const StepGeometry& step, int node, const Vec3& normal) {
   return is_in_cone(step, node, normal) || an_edge_lies_along(step, node, normal);
@@ -90,22 +116,25 @@ void VertexFaceSearch::touch(const StepGeometry& step, int node, int face, bool 
   if (!may_touch(step, node, n) || !looks_against(step, node, n)) return;  // most do not
   Touch t{vertex_key(node, f.smooth_face), node, -1, node_is_first, {}, -step.tolerances.outside_facet};
   if (std::binary_search(taken_.begin(), taken_.end(), t.key)) return;
-  for (const int facet : step.features.facets_of(face)) locate(step, facet, t);
+  const HeldPlace held = held_place(step, node, face, other, gap);
+  for (const int facet : step.features.facets_of(face)) locate(step, facet, held.at, t);
   if (t.facet < 0) return;
   if (node_is_first ? axis.refutes(step, other, f.body, gap) : axis.refutes(step, f.body, other, gap)) return;
-  if (gap < 0 && beside_the_body(step, face, step.x[node])) return;
+  if (gap < 0 && beside_the_body(step, face, held.at)) return;
   // An edge that reaches back over the facet lies on it, though it ends at the sharp edge.
-  const auto lies_across = [&](const Vec3& across) { return is_in_cone(step, node, across); };
+  const auto lies_across = [&](const Vec3& across) {
+    return is_in_cone(step, node, across) && !(across.dot(held.across) > step.flush_cosine);
+  };
   if (gap < -step.noticeable_depth(f.body, other) &&
       step.came_past_sharp_edge(face, {&step.x[node], 1}, other, lies_across))
     return;
   touches_.push_back(t);
 }
 
-/// Whether the vertex lies on this facet, farther inside than it is known to lie on others of the same face.
-void VertexFaceSearch::locate(const StepGeometry& step, int facet, Touch& t) {
+/// Whether the place of the vertex is on this facet, farther inside than on others of the same face.
+void VertexFaceSearch::locate(const StepGeometry& step, int facet, const Vec3& place, Touch& t) {
   const auto& nodes = step.features.facets[facet].nodes;
-  const Vec3 &origin = step.x[nodes[0]], r = step.x[t.node] - origin;
+  const Vec3 &origin = step.x[nodes[0]], r = place - origin;
   const Vec3 e1 = step.x[nodes[1]] - origin, e2 = step.x[nodes[2]] - origin, twice = e1.cross(e2);
   const double squared = twice.squaredNorm();
   if (!(squared > 0)) return;

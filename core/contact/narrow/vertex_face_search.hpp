@@ -29,7 +29,7 @@ class VertexFaceSearch {
     double inside;             // the smallest of them: of a smooth face's facets the one where it is largest is taken
   };
   void touch(const StepGeometry& step, int node, int face, bool node_is_first, SeparatingAxis& axis);
-  static void locate(const StepGeometry& step, int facet, Touch& touch);
+  static void locate(const StepGeometry& step, int facet, const Vec3& place, Touch& touch);
   void add(const StepGeometry& step, const Touch& touch, FoundPoints& found);
 
   std::vector<Touch> touches_;

@@ -63,6 +63,41 @@ TEST(SharpEdges, WhatAThirdBodyCarriesPasses) {
   for (const ContactPoint& p : scene.contacts.points) EXPECT_NEAR(p.normal.x(), 0, 1e-9) << p.normal.transpose();
 }
 
+TEST(SharpEdges, WhatLiesDeeperInWhatCarriesItThanInWhatPressesItDownPasses) {
+  // A corner ahead of its block, 1e-4 m above the top of the one that it slides over.
+  const Mat3 turn = Eigen::AngleAxisd(radians(-45), Vec3::UnitZ()).toRotationMatrix();
+  Scene scene;
+  scene.add(box({-1, -1, -1}, {0, 1, 0}), true);
+  scene.add(mapped(box({0, 0, 0}, {1, 1, 1}),
+                   [&](const Vec3& p) { return Vec3(turn * p + Vec3(0.5 * p.z() - 2e-4, 0, 1e-4)); }));
+  scene.add(box({0.3, -1, -1}, {2, 1, 5e-4}), true);
+  scene.add(box({0, -1, 1 - 1e-4}, {2, 1, 2}), true);
+  accept_as_found(scene, scene.detect(reach));
+  EXPECT_FALSE(scene.detect(reach).points.empty());
+  for (const ContactPoint& p : scene.contacts.points) EXPECT_NEAR(p.normal.x(), 0, 1e-9) << p.normal.transpose();
+}
+
+TEST(SharpEdges, ACornerThatHasSunkIntoAFloorIsHeldByTheFootOfAWallThatStandsThere) {
+  // An edge that leans as the wall does comes to lie on it; its lower end is 5e-4 m deep in the floor.
+  const Mat3 turn = Eigen::AngleAxisd(radians(45), Vec3::UnitZ()).toRotationMatrix();
+  for (const double leaning : {0.0, 0.5}) {
+    const auto lean = [=](const Vec3& p) { return Vec3(p + leaning * p.z() * Vec3::UnitX()); };
+    Scene scene;
+    scene.add(box({-3, -2, -1}, {2, 2, 0}), true);
+    const int wall = scene.add(mapped(box({0, -2, 0}, {1, 2, 2}), lean), true);
+    const int block = scene.add(
+        mapped(box({-1, 0, 0}, {0, 1, 1}), [&](const Vec3& p) { return Vec3(lean(turn * p) - Vec3(5e-3, 0, 5e-4)); }));
+    accept_as_found(scene, scene.detect(reach));
+    scene.move(block, 5.4e-3 * Vec3::UnitX());
+    const Vec3 normal = Vec3(1, 0, -leaning).normalized();
+    int held = 0;
+    for (const ContactPoint& p : scene.detect(reach).points)
+      held += p.bodies[0] == wall && p.bodies[1] == block && (p.normal - normal).norm() < 1e-9 &&
+              p.gap - p.initial_interference < -3e-4;
+    EXPECT_EQ(held, 2) << leaning;  // both ends of the edge
+  }
+}
+
 TEST(SharpEdges, AnEdgeDoesNotTouchTheFaceThatItsEndHasNotComeThrough) {
   // An upright block stands on one corner, 5e-4 m below the top and 9e-3 m from the side: its upright edge passes the
   // block's edge by as much.
