@@ -8,6 +8,16 @@ double normal_force(const ContactPoint& point, double gap) {
   return std::max(-point.tension, point.multiplier - point.normal_stiffness * gap);
 }
 
+double normal_spring_energy(const ContactPoint& point, double normal_force) {
+  if (normal_force == 0 || point.let_go) return 0;
+  const double compression = (normal_force - point.multiplier) / point.normal_stiffness;
+  return 0.5 * point.normal_stiffness * compression * compression;
+}
+
+double shear_spring_energy(const ContactPoint& point, const Vec3& shear_force) {
+  return shear_force.isZero(0) ? 0 : shear_force.squaredNorm() / (2 * point.shear_stiffness);
+}
+
 bool resists_elastically(const ContactPoint& point, double gap) {
   return point.multiplier - point.normal_stiffness * gap > -point.tension;
 }

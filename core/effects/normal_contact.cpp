@@ -63,13 +63,7 @@ void NormalContact::join_touching(const Increment& d, const Eigen::VectorXd& cha
 
 void NormalContact::accept(const Increment& d) {
   stored_ = 0;
-  for (const int i : *points_) {
-    const ContactPoint& point = links_.point(i);
-    const double force = this->force(i, links_.gap(i, d));
-    if (force == 0 || point.let_go) continue;
-    const double compression = (force - point.multiplier) / point.normal_stiffness;
-    stored_ += 0.5 * point.normal_stiffness * compression * compression;
-  }
+  for (const int i : *points_) stored_ += normal_spring_energy(links_.point(i), force(i, links_.gap(i, d)));
 }
 
 double NormalContact::work_on_held(const Increment& d) const {

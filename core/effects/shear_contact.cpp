@@ -119,7 +119,7 @@ void ShearContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlo
 
 void ShearContact::accept(const Increment& d) {
   stored_ = 0;
-  for (const int i : *points_) stored_ += force(i, d).squaredNorm() / (2 * links_.point(i).shear_stiffness);
+  for (const int i : *points_) stored_ += shear_spring_energy(links_.point(i), force(i, d));
 }
 
 double ShearContact::slip(int i, const Increment& d) const {

@@ -47,12 +47,6 @@ class ShearContact final : public Effect {
   double dissipated(const Increment& d) const override;
   double work_on_held(const Increment& d) const override;
 
-  /// Contacts were found anew and D is zero: the stored energy becomes that of their springs.
-  void resume(const Increment& zero) {
-    update_strength(zero);
-    accept(zero);
-  }
-
   /// Takes the strength of every point from the normal forces at D, paper (36).
   void update_strength(const Increment& d);
   /// Joins the degree-of-freedom blocks of points with a strength: while strengths are held, one that has opened since

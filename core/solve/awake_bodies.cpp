@@ -21,10 +21,6 @@ void update_sleepers(SimulationState& s) {
   s.falls_asleep = false;
 }
 
-void account_for_awake_bodies(SimulationState& s) {
-  for (NormalContact* normal : s.composition.normal) normal->accept(s.increment);
-  if (s.composition.shear) s.composition.shear->resume(s.increment);
-  s.energy.awake_changed(s.composition);
-}
+void account_for_awake_bodies(SimulationState& s) { s.energy.awake_changed(s.composition); }
 
 }  // namespace talus

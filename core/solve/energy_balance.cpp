@@ -55,6 +55,7 @@ void EnergyBalance::energy_was_given(const Composition& composition) {
 void EnergyBalance::awake_changed(const Composition& composition) {
   for (std::size_t i = 0; i < composition.effects.size(); ++i) {
     const Effect& effect = *composition.effects[i];
+    if (effect.account() == EnergyAccount::contact) continue;  // as after_step is told of springs at rest
     const double change = effect.stored_energy() - entries_[i].stored;
     entries_[i].stored += change;
     if (effect.account() != EnergyAccount::kinetic) continue;
@@ -64,9 +65,11 @@ void EnergyBalance::awake_changed(const Composition& composition) {
 }
 
 const EnergyLedger& EnergyBalance::after_step(const Composition& composition, const std::vector<double>& works,
-                                              const Increment& d, double by_impacts) {
+                                              const Increment& d, double by_impacts, double springs_at_rest) {
   ledger_.damping_dissipated += by_impacts;
-  ledger_.integration_loss -= by_impacts;
+  ledger_.contact += springs_at_rest - springs_at_rest_;
+  ledger_.integration_loss -= by_impacts + springs_at_rest - springs_at_rest_;
+  springs_at_rest_ = springs_at_rest;
   for (std::size_t i = 0; i < composition.effects.size(); ++i) {
     const Effect& effect = *composition.effects[i];
     if (effect.account() == EnergyAccount::constraint) {

@@ -20,9 +20,10 @@ class EnergyBalance {
   /// What was left of the motion of those that fell asleep is lost.
   void awake_changed(const Composition& composition);
   /// After effects have accepted D and bodies have moved. `works`: ∇Π_e·D over free nodes, an effect; `by_impacts`:
-  /// what impacts took from the kinetic energy at the end of the step [J].
+  /// what impacts took from the kinetic energy at the end of the step [J]; `springs_at_rest`: what springs between
+  /// bodies hold that both rest [J].
   const EnergyLedger& after_step(const Composition& composition, const std::vector<double>& works, const Increment& d,
-                                 double by_impacts = 0);
+                                 double by_impacts, double springs_at_rest);
   const EnergyLedger& ledger() const { return ledger_; }  ///< as of the last step
 
  private:
@@ -34,6 +35,7 @@ class EnergyBalance {
   EnergyLedger ledger_;
   std::vector<Entry> entries_;  ///< one an effect of the stage
   double given_ = 0;
+  double springs_at_rest_ = 0;  ///< J, after the last step
 };
 
 }  // namespace talus

@@ -230,9 +230,9 @@ void accept(SimulationState& s, StepReport& report) {
   if (may_hit) by_impacts += s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes());
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   if (s.dynamic() && s.is_on(EffectKind::sleep)) put_to_sleep(s);
-  report.energy = s.anything_moves()
-                      ? s.energy.after_step(s.composition, s.open_close.residual().works(), s.increment, by_impacts)
-                      : s.energy.ledger();
+  report.energy = s.anything_moves() ? s.energy.after_step(s.composition, s.open_close.residual().works(), s.increment,
+                                                           by_impacts, s.detector.spring_energy_at_rest())
+                                     : s.energy.ledger();
   s.first_guess.remember(s.increment, s.context.length);
 }
 

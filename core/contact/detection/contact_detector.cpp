@@ -373,6 +373,8 @@ std::vector<RestingContact> ContactDetector::resting() const {
   return rows;
 }
 
+double ContactDetector::spring_energy_at_rest() const { return state_->memory.resting().spring_energy(); }
+
 const ContactWork& ContactDetector::work() const { return state_->work; }
 
 const ContactTolerances& ContactDetector::tolerances() const { return state_->settings.tolerances; }

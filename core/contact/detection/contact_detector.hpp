@@ -96,6 +96,7 @@ class ContactDetector {
 
   /// Contacts of bodies that are at rest, one of them asleep: those that detect() does not give. Sorted by bodies.
   std::vector<RestingContact> resting() const;
+  double spring_energy_at_rest() const;  ///< J, of contacts of bodies that both rest, as of their last step
 
   /// What has been looked at so far, in all.
   const ContactWork& work() const;

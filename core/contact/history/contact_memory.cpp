@@ -188,6 +188,7 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
                           .area = p.area,
                           .normal_force = p.let_go ? 0 : o.normal_force,
                           .multiplier = o.multiplier,
+                          .spring_energy = o.spring_energy,
                           .slip = p.slip_start + o.slip,
                           .initial_interference = p.initial_interference + given_by,
                           .penalty_scaling = p.penalty_scaling,

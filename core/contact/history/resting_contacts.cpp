@@ -14,6 +14,7 @@ void RestingContacts::put(const ContactHistory& history) {
   histories.push_back(history);
   for (int body : history.bodies) deepest_[body] = std::max(deepest_[body], -history.gap);
   bonded_ += history.bonded;
+  spring_energy_ += history.spring_energy;
 }
 
 void RestingContacts::take(int body, const std::function<bool(int)>& wakes, std::vector<ContactHistory>& histories) {
@@ -23,7 +24,10 @@ void RestingContacts::take(int body, const std::function<bool(int)>& wakes, std:
   for (int partner : woken) {
     std::erase(partners_[partner], body);
     const auto pair = pairs_.find(std::minmax(body, partner));
-    for (const ContactHistory& history : pair->second) bonded_ -= history.bonded;
+    for (const ContactHistory& history : pair->second) {
+      bonded_ -= history.bonded;
+      spring_energy_ -= history.spring_energy;
+    }
     histories.insert(histories.end(), pair->second.begin(), pair->second.end());
     pairs_.erase(pair);
     measure(partner);

@@ -21,6 +21,7 @@ struct ContactHistory {
   Vec3 position, normal, shear;
   double gap, size, area;
   double normal_force, multiplier;
+  double spring_energy;  ///< J, at the end of the step
   double slip, initial_interference, penalty_scaling;
   ContactMode mode;
   bool bonded;
@@ -39,6 +40,7 @@ class RestingContacts {
   /// How deep the body lies in those that it rests with. [m]
   double deepest(int body) const { return deepest_[body]; }
   bool any_bonded() const { return bonded_ > 0; }
+  double spring_energy() const { return spring_energy_; }  ///< J, of all
   /// Calls `look` with what is remembered of the body's contacts.
   template <class Look>
   void visit(int body, const Look& look) const {
@@ -56,6 +58,7 @@ class RestingContacts {
   std::vector<std::vector<int>> partners_;  // a body
   std::vector<double> deepest_;             // a body
   int bonded_ = 0;
+  double spring_energy_ = 0;  ///< J
 };
 
 }  // namespace talus

@@ -133,6 +133,29 @@ TEST(SimulationSleep, HitOnSleepersGoesAsOneOnThoseThatNeverSlept) {
   }
 }
 
+/// Heaps of three cubes that turn as they fall on each other.
+constexpr int heaps = 6, in_heap = 3;
+BlockSystem heaps_that_fall() {
+  std::vector<Block> blocks{test::box_block("ground", Vec3(-30, -9, -1), Vec3(30, 9, 0), BodyKind::fixed)};
+  for (int i = 0; i < heaps * in_heap; ++i) {
+    const Vec3 at(8.0 * (i / in_heap) - 20 + 0.2 * (i % in_heap), 0.15 * (i % in_heap),
+                  0.3 + (1.2 + 0.1 * i) * (i % in_heap));
+    blocks.push_back(test::box_block("B" + std::to_string(i), at, at + Vec3::Ones(), BodyKind::rigid));
+  }
+  return test::block_system(blocks);
+}
+
+TEST(SimulationSleep, SpringsHoldNoEnergyLessThanNoneWhileSomeFallAsleep) {
+  Project project = test::rock_project(30, {moving(1000, 5e-3)});
+  for (int i = 0; i < heaps * in_heap; ++i)
+    project.velocities.push_back({"B" + std::to_string(i), Vec3::Zero(), Vec3(0.4 + 0.1 * i, 1.1 - 0.1 * i, 0.2)});
+  const Outcome outcome = outcome_of(project, heaps_that_fall());
+  EXPECT_EQ(outcome.most_asleep(), heaps * in_heap);
+  double least = 0;
+  for (const StepReport& step : outcome.steps) least = std::min(least, step.energy.contact);
+  EXPECT_GT(least, -1e-9 * outcome.largest_energy());
+}
+
 TEST(SimulationSleep, NewStageWakesAllAndAJointThatLosesItsStrengthLetsItsBlockGo) {
   Stage slide = moving(50);
   slide.joints = {{"J", 10.0, {}, {}, {}}};
