@@ -34,7 +34,8 @@ void ContactFeatures::add_body(const ContactBody& body, int number) {
   const int first_facet = static_cast<int>(facets.size()), first_edge = static_cast<int>(edges.size());
   facet_begin.push_back(first_facet);
   single_.push_back(body.single_body);
-  convex_.push_back(s.is_convex && (body.single_body || body.fixed));
+  convex_.push_back(s.is_convex);
+  keeps_shape_.push_back(body.single_body || body.fixed);
 
   std::vector<std::pair<int, int>> sharp_edges;
   for (const SurfaceEdge& e : s.edges) {
@@ -107,6 +108,8 @@ void ContactFeatures::add_faces(const ContactBody& body, int number, bool facets
   } else {
     for (int t = 0; t < static_cast<int>(s.triangles.size()); ++t) add({&t, 1}, s.triangles[t].nodes);
   }
+  for (const int face : s.supporting) supporting_.push_back(facets[first_facet + s.faces[face].triangles[0]].face);
+  end_row(supporting_begin_, supporting_);
 
   // Where only two faces meet, a node lies amid a straight edge: no vertex.
   std::vector<int> faces_at(s.ring.size(), 0);
@@ -136,7 +139,7 @@ void ContactFeatures::add_faces(const ContactBody& body, int number, bool facets
 void ContactFeatures::set_movable(const ContactBody& body, bool movable_now) {
   std::fill_n(movable.begin() + body.first_node, body.surface->ring.size(), movable_now);
   const int number = body_of_[body.first_node];
-  if (movable_now && !single_[number]) convex_[number] = false;
+  if (movable_now && !single_[number]) keeps_shape_[number] = false;
 }
 
 void ContactFeatures::link_nodes() {

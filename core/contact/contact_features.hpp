@@ -57,8 +57,14 @@ class ContactFeatures {
 
   int node_count() const { return static_cast<int>(corner.size()); }
   int body_of(int node) const { return body_of_[node]; }
-  /// Whether a body is convex and remains so: it is single, or fixed and was never released.
-  bool is_convex(int body) const { return convex_[body]; }
+  /// Whether a body remains as it is but for rotation and affine deformation: it is single, or fixed and was never
+  /// released.
+  bool keeps_shape(int body) const { return keeps_shape_[body]; }
+  /// Whether a body is convex and remains so.
+  bool is_convex(int body) const { return convex_[body] && keeps_shape_[body]; }
+  /// One face in each plane that has the whole body on one side, as long as the body keeps its shape: of a convex body
+  /// every face, of another those that are also its convex hull's.
+  std::span<const int> supporting_faces(int body) const { return row(supporting_begin_, supporting_, body); }
   /// Whether the node's body is a single one, of one handle.
   bool moves_as_one(int node) const { return single_[body_of_[node]]; }
   std::span<const int> ring(int node) const { return row(ring_begin_, ring_, node); }
@@ -90,9 +96,10 @@ class ContactFeatures {
   void add_faces(const ContactBody& body, int number, bool facets_alone);
   void link_nodes();
 
-  std::vector<int> body_of_;           // a node
-  std::vector<char> single_, convex_;  // a body
+  std::vector<int> body_of_;                         // a node
+  std::vector<char> single_, convex_, keeps_shape_;  // a body
   std::vector<int> ring_begin_, ring_, edges_at_begin_, edges_at_, facets_at_begin_, facets_at_;
+  std::vector<int> supporting_begin_ = {0}, supporting_;
   std::vector<int> facets_of_begin_ = {0}, facets_of_, outline_begin_ = {0}, outline_, sides_;
   std::vector<int> owned_nodes_begin_ = {0}, owned_nodes_, owned_edges_begin_ = {0}, owned_edges_;
   int smooth_face_count_ = 0, sharp_edge_count_ = 0;

@@ -12,6 +12,15 @@ namespace {
 
 constexpr double in_plane = 1e-9;  // of the mesh size: rounding of positions
 
+struct Plane {
+  Vec3 normal, origin;
+  double height(const Vec3& p) const { return normal.dot(p - origin); }
+};
+Plane plane_of(std::span<const Vec3> nodes, const SurfaceTriangle& triangle) {
+  const auto& n = triangle.nodes;
+  return {(nodes[n[1]] - nodes[n[0]]).cross(nodes[n[2]] - nodes[n[0]]).stableNormalized(), nodes[n[0]]};
+}
+
 class Search {
  public:
   Search(std::span<const Vec3> nodes, const Surface& surface)
@@ -114,13 +123,22 @@ std::vector<PlaneFace> plane_faces(std::span<const Vec3> nodes, const Surface& s
   return Search(nodes, surface).run();
 }
 
+std::vector<int> supporting_faces(std::span<const Vec3> nodes, const Surface& surface) {
+  std::vector<int> supporting;
+  for (int face = 0; face < static_cast<int>(surface.faces.size()); ++face) {
+    const Plane plane = plane_of(nodes, surface.triangles[surface.faces[face].triangles[0]]);
+    const auto lies_below = [&](const Vec3& p) { return plane.height(p) < in_plane * surface.size; };
+    if (surface.is_convex || std::all_of(nodes.begin(), nodes.end(), lies_below)) supporting.push_back(face);
+  }
+  return supporting;
+}
+
 bool no_edge_is_concave(std::span<const Vec3> nodes, const Surface& surface) {
   return std::all_of(surface.edges.begin(), surface.edges.end(), [&](const SurfaceEdge& e) {
-    const auto &n = surface.triangles[e.triangles[0]].nodes, &beside = surface.triangles[e.triangles[1]].nodes;
-    const Vec3& origin = nodes[n[0]];
-    const Vec3 normal = (nodes[n[1]] - origin).cross(nodes[n[2]] - origin).stableNormalized();
+    const Plane plane = plane_of(nodes, surface.triangles[e.triangles[0]]);
+    const auto& beside = surface.triangles[e.triangles[1]].nodes;
     return std::all_of(beside.begin(), beside.end(),
-                       [&](int node) { return normal.dot(nodes[node] - origin) < in_plane * surface.size; });
+                       [&](int node) { return plane.height(nodes[node]) < in_plane * surface.size; });
   });
 }
 

@@ -20,6 +20,9 @@ struct PlaneFace {
 /// triangles.
 std::vector<PlaneFace> plane_faces(std::span<const Vec3> nodes, const Surface& surface);
 
+/// The numbers of those plane faces whose plane all nodes lie below, but for rounding.
+std::vector<int> supporting_faces(std::span<const Vec3> nodes, const Surface& surface);
+
 /// But for rounding.
 bool no_edge_is_concave(std::span<const Vec3> nodes, const Surface& surface);
 

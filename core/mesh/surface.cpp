@@ -125,6 +125,7 @@ Surface make_surface(std::span<const Vec3> nodes, std::vector<SurfaceTriangle> t
   flood_smooth_faces(normals, surface);
   surface.faces = plane_faces(nodes, surface);
   surface.is_convex = no_edge_is_concave(nodes, surface);
+  surface.supporting = supporting_faces(nodes, surface);
   find_rings_and_corners(nodes, surface);
   return surface;
 }

@@ -25,6 +25,7 @@ struct Surface {
   int smooth_face_count = 0;
   std::vector<PlaneFace> faces;        ///< every triangle is part of one
   bool is_convex = false;              ///< no edge is concave, but for rounding
+  std::vector<int> supporting;         ///< numbers of `faces` whose plane all nodes lie below, but for rounding
   std::vector<std::vector<int>> ring;  ///< a node: its neighbours along surface edges
   std::vector<bool> corner;            ///< a node where sharp edges do not pass straight through
   double size = 0;                     ///< m, √(2 · mean triangle area)

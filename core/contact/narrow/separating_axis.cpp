@@ -31,7 +31,7 @@ double lowest(const StepGeometry& step, int body, int face, double enough) {
 
 bool SeparatingAxis::refutes(const StepGeometry& step, int body_a, int body_b, double gap) {
   const double enough = gap + step.edge_tolerance(body_a, body_b);
-  if (!(enough < 0) || !step.features.is_convex(body_a) || !step.features.is_convex(body_b)) return false;
+  if (!(enough < 0) || !step.features.keeps_shape(body_a) || !step.features.keeps_shape(body_b)) return false;
   if (bodies_ != std::array{body_a, body_b}) {
     bodies_ = {body_a, body_b};
     widest_ = -std::numeric_limits<double>::infinity();
@@ -40,15 +40,16 @@ bool SeparatingAxis::refutes(const StepGeometry& step, int body_a, int body_b, d
   if (widest_ > enough || complete_) return widest_ > enough;
   look_along_normals(step, body_a, body_b, enough);
   look_along_normals(step, body_b, body_a, enough);
-  look_across_edges(step, enough);
+  if (step.features.is_convex(body_a) && step.features.is_convex(body_b)) look_across_edges(step, enough);
   complete_ = !(widest_ > enough);
   return !complete_;
 }
 
 void SeparatingAxis::look_along_normals(const StepGeometry& step, int body, int other, double enough) {
-  const int end = step.features.face_begin[body + 1];
-  for (int f = step.features.face_begin[body]; f < end && !(widest_ > enough); ++f)
-    widest_ = std::max(widest_, lowest(step, other, f, widest_));
+  for (const int face : step.features.supporting_faces(body)) {
+    if (widest_ > enough) return;
+    widest_ = std::max(widest_, lowest(step, other, face, widest_));
+  }
 }
 
 /// Of two edges whose normals are opposite somewhere no other vertex lies nearer along the direction across both.

@@ -6,9 +6,10 @@
 
 namespace talus {
 
-/// How far two convex bodies are apart along the direction in which they are farthest apart or, where they lie in each
-/// other, least deep: that of a face's normal, or the one across two edges where normals of both are opposite (the
-/// separating axis theorem; Gottschalk, Lin, Manocha 1996, with arcs on the sphere of normals as by Gregorius 2013).
+/// How far two bodies that keep their shape are apart along the direction in which they are farthest apart or, where
+/// they lie in each other, least deep: that of a face's normal, or the one across two edges where normals of both are
+/// opposite (the separating axis theorem; Gottschalk, Lin, Manocha 1996, with arcs on the sphere of normals as by
+/// Gregorius 2013). Of bodies that are not convex only those faces count that have the whole body on one side.
 /// No contact is deeper than that: along the normals of a vertex, an edge or a face that seems to lie deeper the bodies
 /// lie in each other, but along another direction they do not. Directions are looked at one after the other, and no
 /// more of them than a question needs.
@@ -16,8 +17,8 @@ class SeparatingAxis {
  public:
   /// Positions are others now.
   void begin() { bodies_ = {-1, -1}; }
-  /// Whether both bodies are convex, and less deep in each other than a contact with this gap [m] says, by more than
-  /// the edge tolerance.
+  /// Whether both bodies keep their shape, and are less deep in each other than a contact with this gap [m] says, by
+  /// more than the edge tolerance.
   bool refutes(const StepGeometry& step, int body_a, int body_b, double gap);
 
  private:
