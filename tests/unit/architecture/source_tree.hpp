@@ -17,12 +17,14 @@ struct SourceFile {
 
 /// What stands between the quotes or angle brackets, in the file's order.
 inline std::vector<std::string> includes_of(const SourceFile& file, char quote) {
-  const std::regex line(
-      quote == '"' ? R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re" : R"re(^[ \t]*#[ \t]*include[ \t]*<([^>]+)>)re",
-      std::regex::ECMAScript | std::regex::multiline);
+  static const std::regex own(R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re");
+  static const std::regex foreign(R"re(^[ \t]*#[ \t]*include[ \t]*<([^>]+)>)re");
   std::vector<std::string> names;
-  for (std::sregex_iterator match(file.text.begin(), file.text.end(), line), end; match != end; ++match)
-    names.push_back((*match)[1]);
+  std::istringstream text(file.text);
+  std::smatch match;
+  for (std::string line; std::getline(text, line);)
+    if (line.find('#') != std::string::npos && std::regex_search(line, match, quote == '"' ? own : foreign))
+      names.push_back(match[1]);
   return names;
 }
 
