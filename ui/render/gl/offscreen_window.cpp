@@ -3,6 +3,8 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+
 namespace talus {
 namespace {
 
@@ -14,6 +16,10 @@ Image reduced(const unsigned char* drawn, int width, int height, int scale) {
   std::uint8_t* out = image.rgb.data();
   for (int y = 0; y < height; ++y) {
     const unsigned char* top = drawn + row * scale * static_cast<std::size_t>(height - 1 - y);
+    if (scale == 1) {
+      out = std::copy_n(top, row, out);
+      continue;
+    }
     for (int x = 0; x < width; ++x)
       for (int channel = 0; channel < 3; ++channel) {
         int sum = count / 2;
