@@ -24,11 +24,20 @@ if(TALUS_SANITIZE)
   target_link_options(talus_options INTERFACE -fsanitize=${sanitizers})
 endif()
 
-# talus_compile_by_room(TARGET [QUICK] [APART room...])  The files of one folder are compiled together: what they all include, Eigen above
-# all, is read and instantiated once a folder (docs/developing.md has the figures). QUICK: what does not compute is
-# optimized less, which gives the same bits. APART: rooms of files that each have constants of their own. `-Wshadow` in full is the dev preset's, which compiles file by file.
+# talus_collect_no_garbage(TARGET)  GCC's garbage collection took 7 of 42 s of a unit with CGAL's surfaces, 1 of 24 of
+# core/effects: there is none below 1.5 GB.
+function(talus_collect_no_garbage target)
+  target_compile_options(${target} PRIVATE
+    "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1500000>")
+endfunction()
+
+# talus_compile_by_room(TARGET [QUICK] [AS_ONE] [APART room...] [TOGETHER "room..."...])  The files of one room are
+# compiled together: what they all include, Eigen above all, is read and instantiated once a room (docs/developing.md has
+# the figures). TOGETHER: so are those of all rooms in one such list. AS_ONE: of all rooms. APART: rooms of files that each
+# have constants of their own. QUICK: what does not compute is optimized less, which gives the same bits. `-Wshadow` in
+# full is the dev preset's, which compiles file by file.
 function(talus_compile_by_room target)
-  cmake_parse_arguments(ARG "QUICK" "" "APART" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK;AS_ONE" "" "APART;TOGETHER" ${ARGN})
   if(ARG_QUICK)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
@@ -37,16 +46,49 @@ function(talus_compile_by_room target)
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
-  list(FILTER sources INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/.*[.]cpp$")
+  list(FILTER sources INCLUDE REGEX "^/.*[.]cpp$")
   foreach(source ${sources})
+    set(folder ${CMAKE_CURRENT_SOURCE_DIR})
+    cmake_path(IS_PREFIX CMAKE_CURRENT_BINARY_DIR ${source} is_generated)
+    if(is_generated)
+      set(folder ${CMAKE_CURRENT_BINARY_DIR})
+    endif()
     cmake_path(GET source PARENT_PATH room)
-    cmake_path(RELATIVE_PATH room BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    cmake_path(RELATIVE_PATH room BASE_DIRECTORY ${folder})
     cmake_path(GET room FILENAME name)
-    if(name IN_LIST ARG_APART)
+    if(ARG_AS_ONE OR room STREQUAL ".")
+      set(room ${target})
+    elseif(name IN_LIST ARG_APART)
       continue()
     endif()
+    foreach(rooms ${ARG_TOGETHER})
+      if(" ${rooms} " MATCHES " ${name} ")
+        string(REPLACE " " "_" room "${rooms}")
+      endif()
+    endforeach()
     string(REPLACE "/" "_" room ${room})
     set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${room})
+  endforeach()
+endfunction()
+
+# talus_add_meta_objects(TARGET)  What Qt's moc makes of the headers of a library of ui/: a source for each room, in a
+# folder of the room's name below the build folder, so that it is compiled with the room.
+function(talus_add_meta_objects target)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/MetaObjects.cmake)
+  get_target_property(headers ${target} SOURCES)
+  list(FILTER headers INCLUDE REGEX "[.]hpp$")
+  string(REPLACE "${CMAKE_CURRENT_SOURCE_DIR}/" "" headers "${headers}")
+  list(TRANSFORM headers REPLACE "/[^/]*$" "" OUTPUT_VARIABLE rooms)
+  list(REMOVE_DUPLICATES rooms)
+  foreach(room ${rooms})
+    set(of_room ${headers})
+    list(FILTER of_room INCLUDE REGEX "^${room}/[^/]*$")
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${room}/meta_objects.cpp)
+    add_custom_command(OUTPUT ${source}
+      COMMAND ${CMAKE_COMMAND} -DMOC=$<TARGET_FILE:Qt6::moc> -DROOT=${CMAKE_CURRENT_SOURCE_DIR} -DOUTPUT=${source}
+              "-DHEADERS=${of_room}" -P ${script}
+      DEPENDS ${of_room} ${script} VERBATIM)
+    target_sources(${target} PRIVATE ${source})
   endforeach()
 endfunction()
 
@@ -63,7 +105,6 @@ function(talus_share_test_headers target)
   if(NOT TARGET talus_test_headers)
     file(WRITE ${CMAKE_BINARY_DIR}/talus_test_headers.cpp "")
     add_library(talus_test_headers OBJECT ${CMAKE_BINARY_DIR}/talus_test_headers.cpp)
-    set_target_properties(talus_test_headers PROPERTIES AUTOMOC OFF)
     target_link_libraries(talus_test_headers PRIVATE talus_options Eigen3::Eigen GTest::gmock)
     target_compile_options(talus_test_headers PRIVATE $<$<CONFIG:Release>:-O1> ${for_all})
     target_precompile_headers(talus_test_headers PRIVATE <gmock/gmock.h> <Eigen/Dense> <nlohmann/json.hpp>
@@ -74,9 +115,10 @@ function(talus_share_test_headers target)
   target_precompile_headers(${target} REUSE_FROM talus_test_headers)
 endfunction()
 
-# talus_library(FOLDER [QUICK] [EXCEPT subfolder] [APART room...] [PUBLIC dep...] [PRIVATE dep...])  the folder with all rooms below it
+# talus_library(FOLDER [QUICK] [META_OBJECTS] [EXCEPT subfolder] [APART room...] [TOGETHER "room..."...] [PUBLIC dep...]
+# [PRIVATE dep...])  the folder with all rooms below it; META_OBJECTS: its headers ask for Qt's.
 function(talus_library folder)
-  cmake_parse_arguments(ARG "QUICK" "EXCEPT" "PUBLIC;PRIVATE;APART" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK;META_OBJECTS" "EXCEPT" "PUBLIC;PRIVATE;APART;TOGETHER" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.hpp)
   if(ARG_EXCEPT)
@@ -96,7 +138,11 @@ function(talus_library folder)
   if(ARG_QUICK)
     set(quick QUICK)
   endif()
-  talus_compile_by_room(talus_${folder} ${quick} APART ${ARG_APART})
+  talus_collect_no_garbage(talus_${folder})
+  if(ARG_META_OBJECTS)
+    talus_add_meta_objects(talus_${folder})
+  endif()
+  talus_compile_by_room(talus_${folder} ${quick} APART ${ARG_APART} TOGETHER ${ARG_TOGETHER})
 endfunction()
 
 # talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [EACH_TEST] [LONG pattern] [BLAS_KERNELS name])  a
@@ -113,7 +159,7 @@ function(talus_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PRIVATE talus_options ${ARG_LIBRARIES} GTest::gmock_main)
   target_compile_definitions(${name} PRIVATE TALUS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  talus_compile_by_room(${name} QUICK)
+  talus_compile_by_room(${name} QUICK AS_ONE)
   talus_share_test_headers(${name})
   set(properties ENVIRONMENT OPENBLAS_NUM_THREADS=1 ${kernels})
   if(ARG_LABELS)

@@ -15,7 +15,7 @@ namespace {
 constexpr double steps_ahead = 20, least_margin = 0.05, most_margin = 0.2;
 // Of what a pair has gone and is away: left for the rounding of sums.
 constexpr double rounding = 1e-12;
-constexpr std::size_t part_size = 8192;  // pairs of faces that are filtered in a tenth of a millisecond
+constexpr std::size_t part_of_pairs = 8192;  // pairs of faces that are filtered in a tenth of a millisecond
 
 }  // namespace
 
@@ -175,9 +175,9 @@ void BroadPhase::filter(BodyPair& pair, std::span<const Vec3> x, double distance
 /// On all cores. What is near is joined in the order of the neighbours.
 void BroadPhase::filter_due(std::span<const Vec3> x, const std::function<double(int, int)>& nearer) {
   int count = 0;
-  std::size_t candidates = part_size;
+  std::size_t candidates = part_of_pairs;
   for (int i = 0; i < static_cast<int>(due_.size()); ++i) {
-    if (candidates >= part_size) {
+    if (candidates >= part_of_pairs) {
       if (count == static_cast<int>(parts_.size())) parts_.emplace_back();
       parts_[count++].first = i;
       candidates = 0;

@@ -16,7 +16,7 @@
 namespace talus {
 namespace {
 
-constexpr int points_worth_a_thread = 256;
+constexpr int renewed_worth_a_thread = 256;
 
 }  // namespace
 
@@ -192,7 +192,7 @@ void ContactDetector::State::complete_all(ContactSet& contacts) {
   const auto complete_some = [&](int first, int last) {
     for (int i = first; i < last; ++i) contacts.points[i] = complete(origins[i]);
   };
-  in_parallel(static_cast<int>(origins.size()), points_worth_a_thread, std::ref(complete_some));
+  in_parallel(static_cast<int>(origins.size()), renewed_worth_a_thread, std::ref(complete_some));
   if (joints_bond() || memory.any_bonded()) bond(contacts.points);
   if (memory.any_broken()) weaken_broken(contacts.points);
 }

@@ -144,6 +144,8 @@ Mat3 turn_about(const Vec3& axis, double angle) {
   return Eigen::AngleAxisd(radians(angle), axis.normalized()).toRotationMatrix();
 }
 
+Mat3 upside_down() { return turn_about(Vec3::UnitX(), 180); }
+
 void shift_block(CaseScene& scene, const std::string& name, const Vec3& shift) {
   for (Block& block : scene.system.blocks)
     if (block.name == name)

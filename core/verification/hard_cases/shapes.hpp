@@ -40,6 +40,9 @@ TetMesh placed(TetMesh mesh, const Vec3& shift);
 /// The turn about an axis [degrees].
 Mat3 turn_about(const Vec3& axis, double angle);
 
+/// Half a turn about x.
+Mat3 upside_down();
+
 /// Moves a block of the scene, or everything in it: nodes, loads and held points.
 void shift_block(CaseScene& scene, const std::string& name, const Vec3& shift);
 void shift_scene(CaseScene& scene, const Vec3& shift);

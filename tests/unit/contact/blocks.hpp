@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/rotation.hpp"
 #include "contact/detection/contact_detector.hpp"
 #include "mesh/surface.hpp"
 
@@ -87,6 +88,12 @@ inline Shape box(const Vec3& lower, const Vec3& upper, std::array<int, 3> n = {1
                 [&](const Vec3& p) { return Vec3(lower + step.cwiseProduct(p)); });
 }
 
+/// A cube of 1 m that stands on one corner, at `tip`.
+inline Shape on_a_corner(const Vec3& tip, int n = 2) {
+  const Mat3 turn = rotation_onto(Vec3(1, 1, 1), Vec3(0, 0, 1));
+  return mapped(box({0, 0, 0}, {1, 1, 1}, {n, n, n}), [&](const Vec3& p) { return Vec3(turn * p + tip); });
+}
+
 /// Bodies whose contacts are looked for. The first body is fixed unless told otherwise.
 class Scene {
  public:
@@ -111,8 +118,8 @@ class Scene {
     }
     return *detector_;
   }
-  const ContactSet& detect(double reach) {
-    detector().detect(x, reach, contacts);
+  const ContactSet& detect(double within) {
+    detector().detect(x, within, contacts);
     return contacts;
   }
 

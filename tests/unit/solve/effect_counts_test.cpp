@@ -11,14 +11,14 @@
 namespace talus {
 namespace {
 
-struct Scene {
+struct CountedScene {
   Project project;
   BlockSystem system = test::cube_on_slab();
 };
 
 /// A scene that calls for every effect there is.
-Scene with_everything() {
-  Scene scene;
+CountedScene with_everything() {
+  CountedScene scene;
   scene.project =
       test::rock_project(30, {{"stand", StageKind::static_, 0.01, 3, {}}, {"move", StageKind::dynamic, 0.01, 5, {}}});
   scene.project.joints[0].cohesion = 1e4;
@@ -37,7 +37,7 @@ Scene with_everything() {
   return scene;
 }
 
-std::vector<EffectOutcome> effects_after_run(const Scene& scene) {
+std::vector<EffectOutcome> effects_after_run(const CountedScene& scene) {
   Simulation simulation(scene.project, scene.system);
   while (!simulation.finished()) simulation.step();
   EXPECT_TRUE(simulation.converged()) << simulation.failure();
@@ -80,30 +80,30 @@ TEST(EffectCounts, EveryEffectThatIsCalledForIsBuiltOnceAStageAndEvaluated) {
 TEST(EffectCounts, WhatIsNotCalledForIsNeverBuiltAndNeverEvaluated) {
   struct Without {
     std::string effect;
-    std::function<void(Scene&)> take_away;
+    std::function<void(CountedScene&)> take_away;
     std::vector<std::string> with_it{};  ///< what goes along
   };
   const std::vector<Without> scenes{
-      {"elasticity", [](Scene& s) { s.system.blocks[1].body = BodyKind::rigid; }},
-      {"neo-Hookean elasticity", [](Scene& s) { s.project.materials[1].law = MaterialLaw::linear; }},
-      {"initial stress", [](Scene& s) { s.project.in_situ.clear(); }},
-      {"displacement constraint", [](Scene& s) { s.project.constraints.clear(); }},
-      {"point load", [](Scene& s) { s.project.loads.clear(); }},
-      {"body force", [](Scene& s) { s.project.gravity.setZero(); }},
+      {"elasticity", [](CountedScene& s) { s.system.blocks[1].body = BodyKind::rigid; }},
+      {"neo-Hookean elasticity", [](CountedScene& s) { s.project.materials[1].law = MaterialLaw::linear; }},
+      {"initial stress", [](CountedScene& s) { s.project.in_situ.clear(); }},
+      {"displacement constraint", [](CountedScene& s) { s.project.constraints.clear(); }},
+      {"point load", [](CountedScene& s) { s.project.loads.clear(); }},
+      {"body force", [](CountedScene& s) { s.project.gravity.setZero(); }},
       {"normal contact",
-       [](Scene& s) { s.system.blocks = {s.system.blocks[1]}; },
+       [](CountedScene& s) { s.system.blocks = {s.system.blocks[1]}; },
        {"neo-Hookean elasticity", "shear contact", "cohesion and tension", "rebound", "restitution", "missed contacts",
         "updated normals", "penalty scaling", "followed springs", "nonlinear elimination"}},
-      {"shear contact", [](Scene& s) { s.project.joints[0] = {"J", 0, 0, 1e4, {}, {}, {}, 0.5}; }},
-      {"cohesion and tension", [](Scene& s) { s.project.joints[0].cohesion = 0; }},
-      {"rebound", [](Scene& s) { s.project.joints[0].restitution.reset(); }, {"restitution"}},
-      {"sleep", [](Scene& s) { s.project.solver.sleep_tolerance = 0; }},
-      {"acceleration reset", [](Scene& s) { s.project.solver.integrator = Integrator::generalized_alpha; }},
-      {"penalty scaling", [](Scene& s) { s.project.joints[0].normal_stiffness = 1e10; }, {"followed springs"}},
-      {"missed contacts", [](Scene& s) { s.project.solver.contact = ContactModel::facet_wise; }},
-      {"damping", [](Scene& s) { s.project.materials[0].damping = 0; }},
+      {"shear contact", [](CountedScene& s) { s.project.joints[0] = {"J", 0, 0, 1e4, {}, {}, {}, 0.5}; }},
+      {"cohesion and tension", [](CountedScene& s) { s.project.joints[0].cohesion = 0; }},
+      {"rebound", [](CountedScene& s) { s.project.joints[0].restitution.reset(); }, {"restitution"}},
+      {"sleep", [](CountedScene& s) { s.project.solver.sleep_tolerance = 0; }},
+      {"acceleration reset", [](CountedScene& s) { s.project.solver.integrator = Integrator::generalized_alpha; }},
+      {"penalty scaling", [](CountedScene& s) { s.project.joints[0].normal_stiffness = 1e10; }, {"followed springs"}},
+      {"missed contacts", [](CountedScene& s) { s.project.solver.contact = ContactModel::facet_wise; }},
+      {"damping", [](CountedScene& s) { s.project.materials[0].damping = 0; }},
       {"inertia",
-       [](Scene& s) {
+       [](CountedScene& s) {
          s.system.blocks[1].body = s.system.blocks[2].body = BodyKind::fixed;
          s.project.loads.clear();
          s.project.constraints.clear();
@@ -113,7 +113,7 @@ TEST(EffectCounts, WhatIsNotCalledForIsNeverBuiltAndNeverEvaluated) {
         "missed contacts", "updated normals", "penalty scaling", "followed springs", "acceleration reset", "sleep",
         "nonlinear elimination"}}};
   for (const Without& without : scenes) {
-    Scene scene = with_everything();
+    CountedScene scene = with_everything();
     without.take_away(scene);
     for (const EffectOutcome& effect : effects_after_run(scene)) {
       const bool off = effect.name == without.effect ||
@@ -133,14 +133,14 @@ TEST(EffectCounts, WhatIsNotCalledForIsNeverBuiltAndNeverEvaluated) {
 }
 
 TEST(EffectCounts, EffectOfOneStageIsBuiltForThatStageAlone) {
-  Scene scene = with_everything();
+  CountedScene scene = with_everything();
   scene.project.stages[1].loads.emplace();
   EXPECT_EQ(of_name(effects_after_run(scene), "point load").built, 1);
 }
 
 TEST(EffectCounts, SceneWithoutContactFactorsOnceInAWholeRun) {
   for (const BodyKind body : {BodyKind::tetrahedra, BodyKind::rigid}) {
-    Scene scene;
+    CountedScene scene;
     scene.project = test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 40, {}}});
     Block& block = scene.system.blocks[1];
     block.body = body;
@@ -156,7 +156,7 @@ TEST(EffectCounts, SceneWithoutContactFactorsOnceInAWholeRun) {
 }
 
 TEST(EffectCounts, StressIsRecoveredOnlyForFramesAndForThoseWhoWatchIt) {
-  Scene scene = with_everything();
+  CountedScene scene = with_everything();
   scene.project.monitors = {{"P", "B", Vec3(0.5, 0.5, 0.5)}};
   Simulation simulation(scene.project, scene.system);
   for (int i = 0; i < 3; ++i) {

@@ -30,8 +30,8 @@ TEST(SolverTolerance, OfReferenceLeavesEveryValueAsItIs) {
 }
 
 /// A block of 1 m slides down a plane, in steps that need iterations; tolerance and what came of it.
-struct Slide {
-  explicit Slide(double tolerance) {
+struct TolerantSlide {
+  explicit TolerantSlide(double tolerance) {
     Project project = test::rock_project(15, {dynamic_stage(0.01, 1)});
     project.gravity = test::tilted_gravity(30);
     project.solver.tolerance = tolerance;
@@ -52,8 +52,9 @@ struct Slide {
 };
 
 TEST(SolverTolerance, DecidesTheResidualTheIterationsAndTheError) {
-  const Slide draft(draft_tolerance.value), standard(standard_tolerance.value), reference(reference_tolerance.value);
-  for (const Slide* slide : {&draft, &standard, &reference}) EXPECT_TRUE(slide->converged);
+  const TolerantSlide draft(draft_tolerance.value), standard(standard_tolerance.value),
+      reference(reference_tolerance.value);
+  for (const TolerantSlide* slide : {&draft, &standard, &reference}) EXPECT_TRUE(slide->converged);
   EXPECT_LT(draft.iterations, standard.iterations);
   EXPECT_LT(standard.iterations, reference.iterations);
   EXPECT_LT(draft.worst_residual, 3 * draft_tolerance.value) << "of the largest force, a few weights at the start";

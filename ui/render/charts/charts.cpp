@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-constexpr double line_height = 1.35;  ///< of text, in text heights, as all below
+constexpr double text_row = 1.35;  ///< of text, in text heights, as all below
 constexpr double curve_width = 0.13, mark_width = 0.06;
 
 struct Axis {
@@ -79,9 +79,9 @@ class Chart {
     for (const std::string& label : y_.labels) tick_label_width = std::max(tick_label_width, text_width(label, em_));
     for (const Series& series : plot_.series)
       name_width = std::max(name_width, text_width(series.name, em_, FontWeight::semibold));
-    area_.left = 1.2 * em_ + line_height * em_ + 0.8 * em_ + tick_label_width + 0.8 * em_;
+    area_.left = 1.2 * em_ + text_row * em_ + 0.8 * em_ + tick_label_width + 0.8 * em_;
     area_.right = width - 1.2 * em_ - name_width - 1.2 * em_;
-    area_.bottom = 1.2 * em_ + 2 * line_height * em_ + 1.2 * em_;
+    area_.bottom = 1.2 * em_ + 2 * text_row * em_ + 1.2 * em_;
     title_at_ = {area_.left, height - 1.2 * em_};
     const double below_title = height - 1.2 * em_ - (plot_.title.empty() ? 0 : 2.2 * em_) - (has_key() ? 1.9 * em_ : 0);
     marks_ = plot_.marks;
@@ -89,7 +89,7 @@ class Chart {
     for (const EventMark& mark : marks_)
       labels_.push_back({.line = x_pixel(mark.x), .width = text_width(mark.label, label_height())});
     const int rows = arrange(labels_, 0.35 * em_, width - 1.2 * em_);
-    area_.top = below_title - rows * line_height * em_ - (rows > 0 ? 0.4 * em_ : 0);
+    area_.top = below_title - rows * text_row * em_ - (rows > 0 ? 0.4 * em_ : 0);
   }
 
   bool has_key() const {
@@ -99,7 +99,7 @@ class Chart {
   double label_height() const { return 0.9 * em_; }
   double x_pixel(double x) const { return area_.left + area_.width() * (x - x_.low) / (x_.high - x_.low); }
   double y_pixel(double y) const { return area_.bottom + area_.height() * (y - y_.low) / (y_.high - y_.low); }
-  double mark_base(const MarkLabel& label) const { return area_.top + 0.4 * em_ + label.row * line_height * em_; }
+  double mark_base(const MarkLabel& label) const { return area_.top + 0.4 * em_ + label.row * text_row * em_; }
   Rgb colour_of(std::size_t series) const { return curve_palette(plot_.theme)[series]; }
 
   void paint_title(Painter& painter) const {
@@ -151,7 +151,7 @@ class Chart {
     for (std::size_t i = 0; i < marks_.size(); ++i) {
       const MarkLabel& label = labels_[i];
       const double base = mark_base(label);
-      paint_mark_line(painter, {label.line, base + line_height * em_ * 0.85}, {label.line, area_.bottom},
+      paint_mark_line(painter, {label.line, base + text_row * em_ * 0.85}, {label.line, area_.bottom},
                       marks_[i].reference);
     }
     for (std::size_t i = 0; i < marks_.size(); ++i) {

@@ -15,8 +15,8 @@ namespace talus {
 namespace {
 
 // In text heights.
-constexpr double row_height = 1.62, margin = 1.4, tag_radius = 0.72;
-constexpr double front_width = 0.16, bar_width = 0.07;
+constexpr double row_height = 1.62, cost_margin = 1.4, tag_radius = 0.72;
+constexpr double front_width = 0.16, cost_bar_width = 0.07;
 
 constexpr const char* rounding_label = "rounding";
 
@@ -30,8 +30,8 @@ class CostChart {
     std::stable_sort(by_cost_.begin(), by_cost_.end(),
                      [&](std::size_t a, std::size_t b) { return plot_.points[a].seconds < plot_.points[b].seconds; });
     const double lines = static_cast<double>(plot.points.size() + plot.notes.size()) + 8;
-    em_ =
-        std::max(9.0, std::min({height / 46, width / 92, (height - 2 * margin * height / 46) / (lines * row_height)}));
+    em_ = std::max(
+        9.0, std::min({height / 46, width / 92, (height - 2 * cost_margin * height / 46) / (lines * row_height)}));
     make_axes();
     place();
   }
@@ -77,12 +77,12 @@ class CostChart {
     }
     for (const double tick : y_.ticks) tick_width = std::max(tick_width, text_width(error_tick_text(tick), em_));
     if (has_rounding_) tick_width = std::max(tick_width, text_width(rounding_label, em_));
-    error_column_ = width_ - margin * em_ - 5.2 * em_;
+    error_column_ = width_ - cost_margin * em_ - 5.2 * em_;
     label_column_ = error_column_ - error_width - 1.4 * em_ - label_width;
-    area_.left = margin * em_ + 2.2 * em_ + tick_width + 0.8 * em_;
+    area_.left = cost_margin * em_ + 2.2 * em_ + tick_width + 0.8 * em_;
     area_.right = label_column_ - 2 * tag_radius * em_ - 2.2 * em_;
-    area_.bottom = margin * em_ + 3.2 * em_;
-    area_.top = height_ - margin * em_ - 4.6 * em_;
+    area_.bottom = cost_margin * em_ + 3.2 * em_;
+    area_.top = height_ - cost_margin * em_ - 4.6 * em_;
     for (const CostPoint& point : plot_.points) marks_.push_back(at(point.seconds, drawn_error(point)));
     tags_ = place_tags(marks_, tag_radius * em_, area_);
   }
@@ -107,7 +107,7 @@ class CostChart {
     TextStyle style = text(AlignX::left, AlignY::top);
     style.height = 1.3 * em_;
     style.weight = FontWeight::semibold;
-    painter.text({area_.left, height_ - margin * em_}, plot_.title, style);
+    painter.text({area_.left, height_ - cost_margin * em_}, plot_.title, style);
     double x = area_.left;
     const double y = area_.top + 1.2 * em_;
     for (std::size_t g = 0; g < plot_.groups.size(); ++g) {
@@ -140,11 +140,11 @@ class CostChart {
     }
     painter.line({area_.left, area_.bottom}, {area_.left, area_.top}, axis_width * em_, colours_.line);
     painter.line({area_.left, area_.bottom}, {area_.right, area_.bottom}, axis_width * em_, colours_.line);
-    painter.text({(area_.left + area_.right) / 2, margin * em_}, "Processor time of solving (s)",
+    painter.text({(area_.left + area_.right) / 2, cost_margin * em_}, "Processor time of solving (s)",
                  text(AlignX::centre, AlignY::bottom));
     TextStyle upwards = text(AlignX::centre, AlignY::top);
     upwards.upwards = true;
-    painter.text({margin * em_, (area_.bottom + area_.top) / 2}, plot_.error_title, upwards);
+    painter.text({cost_margin * em_, (area_.bottom + area_.top) / 2}, plot_.error_title, upwards);
   }
 
   void paint_target(Painter& painter) const {
@@ -184,10 +184,10 @@ class CostChart {
       if (point.uncertainty <= 0) continue;
       const double x = marks_[i].x, low = clamped_y(point.error - point.uncertainty),
                    high = clamped_y(point.error + point.uncertainty), half = 0.28 * em_;
-      painter.line({x, low}, {x, high}, bar_width * em_, colour_of(point), 0.7);
+      painter.line({x, low}, {x, high}, cost_bar_width * em_, colour_of(point), 0.7);
       for (const double end : {low, high})  // what leaves the chart has no end on it
         if (end > area_.bottom && end < area_.top)
-          painter.line({x - half, end}, {x + half, end}, bar_width * em_, colour_of(point), 0.7);
+          painter.line({x - half, end}, {x + half, end}, cost_bar_width * em_, colour_of(point), 0.7);
     }
   }
 
@@ -212,7 +212,7 @@ class CostChart {
   }
 
   void paint_list(Painter& painter) const {
-    const double seconds_column = width_ - margin * em_;
+    const double seconds_column = width_ - cost_margin * em_;
     double y = area_.top;
     TextStyle heading = text();
     heading.colour = colours_.muted;

@@ -14,7 +14,7 @@ namespace talus {
 
 namespace {
 
-constexpr int smallest_side = 320, largest_side = 8192;
+constexpr int smallest_chart = 320, largest_chart = 8192;
 
 /// Thin curves want more than edges of blocks do; large plots are fine as they are.
 int supersampling(int width, int height) {
@@ -29,7 +29,7 @@ int supersampling(int width, int height) {
 Image painted_image(int width, int height, Rgb paper,
                     const std::function<void(Painter&, double width, double height)>& paint) {
   for (const int side : {width, height})
-    if (side < smallest_side || side > largest_side)
+    if (side < smallest_chart || side > largest_chart)
       throw InputError("plot size " + std::to_string(width) + "x" + std::to_string(height), "cannot be drawn",
                        "use 320 to 8192 pixels a side");
   const int scale = supersampling(width, height);

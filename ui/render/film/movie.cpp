@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-constexpr int smallest_side = 16, highest_rate = 120;
+constexpr int smallest_film = 16, highest_rate = 120;
 
 std::filesystem::path partial(const std::filesystem::path& path) {
   std::filesystem::path name = path;
@@ -21,7 +21,7 @@ void check(const std::filesystem::path& path, int width, int height, int fps) {
   const std::string ending = path.extension().string();
   if (ending != ".mp4" && ending != ".gif")
     throw InputError(path.string(), "unknown kind of film", "end its name with .mp4 or .gif");
-  if (width < smallest_side || height < smallest_side)
+  if (width < smallest_film || height < smallest_film)
     throw InputError(path.string(), "the film is too small", "use at least 16 pixels a side");
   if (fps < 1 || fps > highest_rate)
     throw InputError(path.string(), "a film cannot have " + std::to_string(fps) + " pictures a second", "use 1 to 120");

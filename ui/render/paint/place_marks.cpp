@@ -11,7 +11,7 @@ namespace {
 // In text heights.
 constexpr double ring = 0.95, inner_end = 0.35, outer_end = 1.4;  ///< radius; the cross reaches from here to there
 constexpr double stroke = 0.17, halo = 0.42;                      ///< line widths
-constexpr double padding = 0.4, card_height = 1.5, label_height = 0.9, gap = 0.15;
+constexpr double mark_padding = 0.4, card_height = 1.5, label_height = 0.9, gap = 0.15;
 
 bool inside(const PixelPoint& at, const MarkedPicture& picture) {
   return at.x >= 0 && at.x <= picture.width && at.y >= 0 && at.y <= picture.height;
@@ -41,7 +41,7 @@ void paint_glyph(Painter& painter, const PixelPoint& at, double em, double width
 /// To the right of the mark, or to the left where there is no room.
 PixelRect beside(const PlaceMark& mark, const MarkedPicture& picture) {
   const double em = picture.text_height;
-  const double width = text_width(mark.label, label_height * em, FontWeight::semibold) + 2 * padding * em;
+  const double width = text_width(mark.label, label_height * em, FontWeight::semibold) + 2 * mark_padding * em;
   const double away = (outer_end + gap) * em, bottom = mark.at.y - card_height * em / 2;
   const auto at = [&](double left) { return PixelRect{left, bottom, left + width, bottom + card_height * em}; };
   const PixelRect right = at(mark.at.x + away);
@@ -90,7 +90,7 @@ void paint_cards(Painter& painter, std::span<const PlaceMark> marks, std::span<c
     if (place.width() == 0) continue;
     painter.card(place, 0.3 * em, colour.surface, 0.94, frame, 0.09 * em);
     painter.text(
-        {place.left + padding * em, (place.bottom + place.top) / 2}, marks[i].label,
+        {place.left + mark_padding * em, (place.bottom + place.top) / 2}, marks[i].label,
         {.height = label_height * em, .colour = colour.text, .weight = FontWeight::semibold, .y = AlignY::centre});
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double hairline = 0.06, marker_radius = 0.3;  // in text heights
 constexpr double room_for_words = 1.14;                 // radii that a net with its azimuths takes
-constexpr double line_height = 1.5, room_for_sample = 1.9;
+constexpr double legend_row = 1.5, room_for_sample = 1.9;
 
 /// Draws shapes on a net of `radius` pixels about `centre`.
 class NetPainter {
@@ -93,7 +93,7 @@ class Key {
                   {.height = 0.92 * em_, .colour = colours_.text, .y = AlignY::centre});
     painter_.text({at_.x + width_, middle}, value,
                   {.height = 0.92 * em_, .colour = colours_.text, .x = AlignX::right, .y = AlignY::centre});
-    at_.y -= line_height * em_;
+    at_.y -= legend_row * em_;
     return middle;
   }
 

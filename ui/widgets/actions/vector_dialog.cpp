@@ -18,7 +18,7 @@ namespace talus {
 
 namespace {
 
-constexpr int usual_width = 380;
+constexpr int vector_width = 380;
 enum Way { down, up, by_line, into_face, out_of_face };
 
 }  // namespace
@@ -27,7 +27,7 @@ VectorDialog::VectorDialog(Question question, QWidget* parent)
     : QDialog(parent), question_(std::move(question)), amount_(question_.preset), rows_(new QFormLayout) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(question_.title);
-  resize(usual_width, sizeHint().height());
+  resize(vector_width, sizeHint().height());
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   auto* content = new QVBoxLayout;

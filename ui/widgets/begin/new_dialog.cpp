@@ -13,7 +13,7 @@ namespace talus {
 
 namespace {
 
-const QSize usual_size(960, 580);
+const QSize new_dialog_size(960, 580);
 constexpr int list_width = 172, form_width = 300;
 constexpr int key_role = Qt::UserRole;
 
@@ -27,7 +27,7 @@ Project emptyProject() {
 
 NewDialog::NewDialog(QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("New project"));
-  resize(usual_size);
+  resize(new_dialog_size);
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   auto* row = new QHBoxLayout;

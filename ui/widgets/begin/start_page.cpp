@@ -24,7 +24,7 @@ namespace {
 
 constexpr int cards_in_a_row = 4, left_width = 296;
 constexpr double height_of_width = 0.56;  // of a card's picture
-constexpr int usual_width = 216, widest = 480;
+constexpr int card_width = 216, widest = 480;
 
 /// Of a picture "wedge.png" the one that was drawn for the dark, "wedge-dark.png", where it is dark and there is one.
 QString inTheme(const QString& file, bool dark) {
@@ -43,7 +43,7 @@ class Preview : public QWidget {
     setSizePolicy(grows);
   }
   int heightForWidth(int width) const override { return static_cast<int>(height_of_width * width); }
-  QSize sizeHint() const override { return {usual_width, heightForWidth(usual_width)}; }
+  QSize sizeHint() const override { return {card_width, heightForWidth(card_width)}; }
 
  protected:
   void paintEvent(QPaintEvent*) override {

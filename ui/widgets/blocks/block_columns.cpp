@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 using System = std::shared_ptr<const BlockSystem>;
-const QString none = QStringLiteral("–");
+const QString no_value = QStringLiteral("–");
 
 const Block& blockOf(const System& system, int block) { return system->blocks[static_cast<std::size_t>(block)]; }
 
@@ -30,7 +30,7 @@ BlockColumn numberColumn(const QString& title, const QString& tip, std::function
           .text =
               [number, write](int block) {
                 const auto value = number(block);
-                return value ? write(*value) : none;
+                return value ? write(*value) : no_value;
               }};
 }
 
@@ -105,7 +105,7 @@ std::vector<BlockColumn> blockColumns(System system, const Project& built,
   const auto jointNames = [joints](const BlockFacts& one) {
     QStringList names;
     for (const int joint : one.joints) names << joints.value(joint);
-    return names.isEmpty() ? none : names.join(QStringLiteral(", "));
+    return names.isEmpty() ? no_value : names.join(QStringLiteral(", "));
   };
   const auto factor = [](const BlockFacts& one) { return one.fixed ? std::optional<double>() : one.leaving.factor; };
   return {nameColumn(system),
@@ -129,7 +129,7 @@ std::vector<BlockColumn> blockColumns(System system, const Project& built,
           wordColumn(QObject::tr("Joints"), QObject::tr("Joints of its faces"), factWords(jointNames)),
           shape,
           wordColumn(QObject::tr("Material"), {}, [system, materials](int block) {
-            return materials.value(blockOf(system, block).material, none);
+            return materials.value(blockOf(system, block).material, no_value);
           })};
 }
 

@@ -23,8 +23,8 @@ namespace {
 constexpr int chart_width = 210, worst_width = 240;  // leave the table five whole columns on the smallest screen
 /// Below these a tetrahedron is stiff, and a step of it small: limits that meshers commonly warn at.
 constexpr double poor_ratio = 0.2, poor_angle = 10;
-constexpr double reach = 2, finer = 0.5;  // of a refinement that is made, over the edges of the block
-constexpr double surroundings = 3;        // what the view shows round a tetrahedron, over its edges
+constexpr double refined_reach = 2, finer = 0.5;  // of a refinement that is made, over the edges of the block
+constexpr double surroundings = 3;                // what the view shows round a tetrahedron, over its edges
 
 /// The longest edge [m].
 double sizeOf(const BlockSystem& system, const PoorTetrahedron& one) {
@@ -216,7 +216,7 @@ void MeshPanel::refineAt(const PickedPlace& place, bool wholeFace) {
   if (!system || place.block < 0) return;
   const Block& block = system->blocks.at(static_cast<std::size_t>(place.block));
   const double own = mesh_size(block.mesh.nodes, block.surface);
-  MeshRefinement refinement{place.point, reach * own, finer * own};
+  MeshRefinement refinement{place.point, refined_reach * own, finer * own};
   if (wholeFace)
     for (const Vec3& corner : face_at(block, place.point, place.normal).outline)
       refinement.face.push_back(edits::keptPlace(corner));

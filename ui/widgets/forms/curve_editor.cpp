@@ -17,8 +17,8 @@ namespace talus {
 
 namespace {
 
-constexpr double target = 8, dot = 3.5, chosen_dot = 5;  // pixels: of the hand, of a point
-constexpr double grains = 200;                           // along an axis: what a hand tells apart
+constexpr double hold = 8, dot = 3.5, chosen_dot = 5;  // pixels: of the hand, of a point
+constexpr double grains = 200;                         // along an axis: what a hand tells apart
 
 /// The nearest multiple of 1, 2 or 5 · 10ᵏ that a hand can mean where an axis spans so much.
 double rounded(double value, double span) {
@@ -47,7 +47,7 @@ QPointF CurveEditor::placeOf(const Point& point) const {
 
 CurveEditor::Point CurveEditor::pointAt(QPointF place) const {
   Point nearest;
-  double least = target;
+  double least = hold;
   for (int c = 0; c < static_cast<int>(curves().size()); ++c)
     for (int row = 0; row < static_cast<int>(curves()[static_cast<std::size_t>(c)].x.size()); ++row) {
       const QPointF way = placeOf({c, row}) - place;
@@ -124,7 +124,7 @@ void CurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
   const double time = timeAt(event->position().x());
   for (const Curve& curve : curves()) {
     const auto value = valueAt(curve, time);
-    if (!value || std::abs(yAt(*value) - event->position().y()) > target) continue;
+    if (!value || std::abs(yAt(*value) - event->position().y()) > hold) continue;
     if (pointAt(event->position()).isThere()) return;
     return emit inserted(rounded(time, timeAt(area().right()) - timeAt(area().left())));
   }

@@ -17,7 +17,7 @@ namespace talus {
 namespace {
 
 constexpr double axis_left = 56, axis_bottom = 34, axis_top = 14, axis_right = 18;  // pixels
-constexpr double reach = 8;         // pixels: what a hand means by "on it"
+constexpr double hand_reach = 8;    // pixels: what a hand means by "on it"
 constexpr double handle = 4;        // pixels, half a handle's side
 constexpr double usual_grid = 0.5;  // m
 constexpr double notch = 0.85;
@@ -96,7 +96,7 @@ std::array<double, 2> SectionPlot::snapped(std::array<double, 2> corner) const {
 
 int SectionPlot::cornerAt(QPointF pixel) const {
   int nearest = -1;
-  double least = reach;
+  double least = hand_reach;
   for (std::size_t i = 0; i < corners_.size(); ++i)
     if (const double away = distance(pixelOf(corners_[i]), pixel); away <= least) {
       least = away;
@@ -107,7 +107,7 @@ int SectionPlot::cornerAt(QPointF pixel) const {
 
 std::optional<std::pair<int, QPointF>> SectionPlot::edgeAt(QPointF pixel) const {
   std::optional<std::pair<int, QPointF>> found;
-  double least = reach;
+  double least = hand_reach;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const QPointF on = nearestOn(pixelOf(corners_[i]), pixelOf(corners_[(i + 1) % corners_.size()]), pixel);
     if (const double away = distance(on, pixel); away <= least) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double arrow = 0.85;         // of the ring's radius: from the plane to the arrow's knob
 constexpr double least_radius = 0.01;  // m
-constexpr double reach = 45;  // degrees from where a knob is that are looked at: rings seen edge on double back
+constexpr double knob_turn = 45;  // degrees from where a knob is that are looked at: rings seen edge on double back
 
 Vec3 level(double azimuth) { return {std::sin(radians(azimuth)), std::cos(radians(azimuth)), 0}; }
 
@@ -26,9 +26,9 @@ struct Search {
 Search searchOf(const CutHandle& handle, const HandleFrame& frame, double near) {
   switch (handle.kind) {
     case CutHandle::Kind::direction:
-      return {near - reach, near + reach, 1};
+      return {near - knob_turn, near + knob_turn, 1};
     case CutHandle::Kind::dip:
-      return {std::max(0.0, near - reach), std::min(90.0, near + reach), 1};
+      return {std::max(0.0, near - knob_turn), std::min(90.0, near + knob_turn), 1};
     case CutHandle::Kind::radius:
       return {least_radius, std::max(2 * near, near + 20 * frame.radius), frame.radius / 20};
     case CutHandle::Kind::move:

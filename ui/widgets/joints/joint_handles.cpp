@@ -20,9 +20,9 @@ namespace talus {
 
 namespace {
 
-constexpr double ring_radius = 72, knob = 5.5, target = 8;  // pixels
-constexpr double free_angle = 0.1, snapped_angle = 5;       // degrees
-constexpr double free_length = 0.01, snapped_length = 0.5;  // m
+constexpr double ring_radius = 72, knob = 5.5, knob_reach = 8;  // pixels
+constexpr double free_angle = 0.1, snapped_angle = 5;           // degrees
+constexpr double free_length = 0.01, snapped_length = 0.5;      // m
 constexpr double nudged_angle = 1, nudged_length = 0.1;
 
 bool isAngle(const CutHandle& handle) {
@@ -118,10 +118,10 @@ std::optional<CutHandle> JointHandles::handleAt(QPointF at) const {
   const auto cut = shownCut();
   if (!cut) return std::nullopt;
   std::optional<CutHandle> found;
-  double least = target;
+  double least = knob_reach;
   for (const CutHandle& handle : handlesOf(*cut)) {
     const auto place = knobOf(handle);
-    const double away = place ? QLineF(*place, at).length() : target + 1;
+    const double away = place ? QLineF(*place, at).length() : knob_reach + 1;
     if (away > least) continue;
     least = away;
     found = handle;

@@ -29,12 +29,12 @@ namespace talus {
 
 namespace {
 
-const QSize usual_size(1120, 780);
-constexpr int side_width = 400, row_height = 24;
+const QSize stereonet_size(1120, 780);
+constexpr int side_width = 400, set_row_height = 24;
 constexpr int most_sets = 6, most_counts = 8;  // rows that are seen without scrolling
 constexpr int most_of_a_cut = 1000;            // planes that are drawn by chance: more would hold up the window …
 constexpr std::size_t most_paired = 1500;      // … and so would half this number squared of intersections
-constexpr int picture_width = 1600, picture_height = 1000;
+constexpr int stereonet_width = 1600, picture_height = 1000;
 
 QString kappaOf(const SetStatistics& set) {
   return set.fisher.kappa ? numbers::significant(*set.fisher.kappa) : QStringLiteral("–");
@@ -90,7 +90,7 @@ StereonetPanel::StereonetPanel(CurrentProject& project, DrawnJoints& drawn, Mess
                                Picking& picking, QWidget* parent)
     : QDialog(parent), project_(project), drawn_(drawn), messages_(messages), display_(display), picking_(picking) {
   setWindowTitle(tr("Stereonet"));
-  resizeWithin(*this, usual_size);
+  resizeWithin(*this, stereonet_size);
   auto* row = new QHBoxLayout(this);
   setMargins(row, 0, 0);
   row->addWidget(makeNet(), 1);
@@ -172,7 +172,7 @@ QWidget* StereonetPanel::makeSide() {
   // All counts are seen without scrolling on a small screen.
   for (auto* section : content->findChildren<Section*>()) section->layout()->setContentsMargins(12, 7, 12, 7);
   for (auto* table : {sets_, counts_}) {
-    table->verticalHeader()->setDefaultSectionSize(row_height);
+    table->verticalHeader()->setDefaultSectionSize(set_row_height);
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   }
   auto* side = makeScrolled(content);
@@ -455,7 +455,7 @@ void StereonetPanel::savePicture() {
   try {
     std::filesystem::path file(name.toStdString());
     if (!file.has_extension()) file += ".png";
-    write_png(draw_stereonet(drawn, project_.document().name().toStdString(), picture_width, picture_height), file);
+    write_png(draw_stereonet(drawn, project_.document().name().toStdString(), stereonet_width, picture_height), file);
     messages_.log(tr("wrote %1").arg(text(file.string())));
   } catch (const InputError& error) {
     messages_.add(problemOf(error));

@@ -19,7 +19,7 @@ namespace talus {
 
 namespace {
 
-constexpr double reach = 9, ring = 7.5;  // pixels: how near a click must come; of the ring about what is selected
+constexpr double pole_reach = 9, ring = 7.5;  // pixels: how near a click must come; of the ring about what is selected
 constexpr double farthest_word = 1.085, half_word = 14;  // radii; pixels
 constexpr int drag_start = 5;                            // pixels
 constexpr double key_sample = 22, key_line = 17;         // pixels
@@ -79,7 +79,7 @@ Vec3 StereonetView::lineAt(const QPointF& place) const {
 
 std::optional<std::size_t> StereonetView::poleAt(const QPointF& place) const {
   std::optional<std::size_t> found;
-  double least = reach;
+  double least = pole_reach;
   for (std::size_t i = 0; i < net_.joints.size(); ++i) {
     const double away = QLineF(place, pointOf(i)).length();
     if (away > least) continue;

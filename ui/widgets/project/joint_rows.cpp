@@ -53,17 +53,17 @@ QStringList planeOf(const Cut& cut) {
           cut.network ? dash : QString::number(cut.count.value_or(1))};
 }
 
-using Place = nlohmann::ordered_json::json_pointer;
+using Pointer = nlohmann::ordered_json::json_pointer;
 
-QString in(const Place& thing, const char* key) { return text((thing / key).to_string()); }
+QString in(const Pointer& thing, const char* key) { return text((thing / key).to_string()); }
 
 QStringList strengthPlaces(const Joint& joint) {
-  const Place place = Place("/joints") / joint.name;
+  const Pointer place = Pointer("/joints") / joint.name;
   return {in(place, "friction_angle"), in(place, "cohesion")};
 }
 
 QStringList planePlaces(const Cut& cut, size_t index) {
-  const Place place = Place("/cuts") / index;
+  const Pointer place = Pointer("/cuts") / index;
   const char* const extent = cut.disc ? "disc" : !cut.polygon.empty() ? "polygon" : cut.network ? "network" : "through";
   return {in(place, "joint"),        in(place, "joint"),   in(place, extent),
           in(place, "fisher_kappa"), in(place, "dip"),     in(place, "dip_direction"),

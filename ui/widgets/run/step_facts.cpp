@@ -16,7 +16,7 @@ namespace talus {
 
 namespace {
 
-const QString none = QStringLiteral("–");
+const QString not_told = QStringLiteral("–");
 constexpr std::size_t recent = 20;  // steps that the pace is the mean of
 
 QString percent(double share) { return numbers::significant(100 * share, 2); }
@@ -64,7 +64,7 @@ QLabel* StepFacts::add(const QString& name, const QString& tip) {
   auto* label = makeLabel(name, "small");
   label->setToolTip(tip);
   grid_->addWidget(label, row, 0, Qt::AlignTop);
-  auto* value = makeWrappedLabel(none);
+  auto* value = makeWrappedLabel(not_told);
   value->setAccessibleName(name);
   grid_->addWidget(value, row, 1);
   values_.push_back(value);
@@ -82,7 +82,7 @@ void StepFacts::refresh() {
   followEnergy();
   setVisible(!run_.steps().empty());
   if (run_.steps().empty()) {
-    for (auto* label : values_) label->setText(none);
+    for (auto* label : values_) label->setText(not_told);
     return;
   }
   const StepReport& step = run_.steps().back();
@@ -99,9 +99,10 @@ void StepFacts::refresh() {
                          .arg(numbers::whole(step.open), numbers::whole(step.stick), numbers::whole(step.slip)));
   penetration_->setText(tr("%1 % of mesh size").arg(percent(step.max_relative_penetration)));
   unbalanced_->setText(tr("%1 kN").arg(numbers::significant(step.unbalanced_force / 1e3, 2)));
-  error_->setText(size_ > 0 ? tr("%1 % of mesh size").arg(percent(step.time_error / size_)) : none);
-  remainder_->setText(moved_ > 0 ? tr("%1 % of energy").arg(percent(std::abs(step.energy.remainder) / moved_)) : none);
-  damped_->setText(moved_ > 0 ? tr("%1 % of energy").arg(percent(step.energy.integration_loss / moved_)) : none);
+  error_->setText(size_ > 0 ? tr("%1 % of mesh size").arg(percent(step.time_error / size_)) : not_told);
+  remainder_->setText(moved_ > 0 ? tr("%1 % of energy").arg(percent(std::abs(step.energy.remainder) / moved_))
+                                 : not_told);
+  damped_->setText(moved_ > 0 ? tr("%1 % of energy").arg(percent(step.energy.integration_loss / moved_)) : not_told);
 }
 
 }  // namespace talus

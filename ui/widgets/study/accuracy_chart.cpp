@@ -17,7 +17,7 @@ namespace talus {
 
 namespace {
 
-constexpr double radius = 4.5, reach = 12;                   // pixels: of a point, and how near a click must come
+constexpr double radius = 4.5, point_reach = 12;             // pixels: of a point, and how near a click must come
 constexpr double shortest_seconds = 1e-4;                    // the processor's clock tells nothing shorter
 constexpr int left = 78, right = 16, top = 30, bottom = 42;  // pixels beside the axes
 
@@ -79,7 +79,7 @@ std::optional<QPointF> AccuracyChart::pointOf(int run) const {
 
 const AccuracyChart::Point* AccuracyChart::nearest(const QPointF& place) const {
   const Point* found = nullptr;
-  double least = reach;
+  double least = point_reach;
   for (const Point& point : points_) {
     const double away = QLineF(place, at(point.seconds, point.error)).length();
     if (away > least) continue;

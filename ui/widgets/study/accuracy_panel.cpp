@@ -22,8 +22,8 @@ namespace talus {
 
 namespace {
 
-const QSize usual_size(1240, 800);
-constexpr int side_width = 450;  // the orders of convergence whole
+const QSize accuracy_size(1240, 800);
+constexpr int orders_width = 450;  // the orders of convergence whole
 
 QString errorOf(const AccuracyRow& row) {
   if (!row.error) return text(ending_text(row));
@@ -45,7 +45,7 @@ QString nameOf(StudyAxis axis) {
 AccuracyPanel::AccuracyPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study, QWidget* parent)
     : QDialog(parent), project_(project), run_(run) {
   setWindowTitle(tr("Accuracy"));
-  resizeWithin(*this, usual_size);
+  resizeWithin(*this, accuracy_size);
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   column->addWidget(makeHeading());
@@ -87,7 +87,7 @@ QWidget* AccuracyPanel::makeEmpty(ProjectStudy& study) {
   auto* whole = new QWidget;
   auto* column = new QVBoxLayout(whole);
   auto* start = new StudyStart(study);
-  start->setFixedWidth(side_width);
+  start->setFixedWidth(orders_width);
   column->addWidget(start, 0, Qt::AlignCenter);
   return whole;
 }
@@ -150,7 +150,7 @@ QWidget* AccuracyPanel::makeSide() {
   connect(target_, &QLineEdit::editingFinished, this, &AccuracyPanel::setTarget);
   connect(use_, &QPushButton::clicked, this, [this] { project_.useSetting(*record_, *chosenRun_); });
   auto* scrolled = makeScrolled(whole);
-  scrolled->setFixedWidth(side_width);
+  scrolled->setFixedWidth(orders_width);
   return scrolled;
 }
 

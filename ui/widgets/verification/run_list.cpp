@@ -16,7 +16,7 @@ namespace talus {
 namespace {
 
 constexpr int result_column = 1, first_fact = 2;
-constexpr int list_width = 440, list_height = 400, page_width = 740, page_height = 260;
+constexpr int runs_width = 440, list_height = 400, page_width = 740, page_height = 260;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ RunList::RunList(RunListWords words, std::vector<RunItem> items, QWidget* page, 
   split->addWidget(makeTable());
   split->addWidget(page);
   split->setStretchFactor(1, 1);
-  split->setSizes(orientation == Qt::Horizontal ? QList{list_width, page_width} : QList{list_height, page_height});
+  split->setSizes(orientation == Qt::Horizontal ? QList{runs_width, page_width} : QList{list_height, page_height});
   column->addWidget(split, 1);
   column->addWidget(makeFoot());
   connect(&job_, &BackgroundJob::progressed, this, &RunList::showProgress);

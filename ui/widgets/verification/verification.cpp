@@ -9,14 +9,14 @@
 namespace talus {
 
 namespace {
-const QSize usual_size(1240, 760);
+const QSize verification_size(1240, 760);
 }  // namespace
 
 Verification::Verification(const std::vector<KnownCase>& knownCases, const std::vector<HardCase>& hardCases,
                            QWidget* parent)
     : QDialog(parent), tabs_(new QTabWidget) {
   setWindowTitle(tr("Known answers and hard cases"));
-  resizeWithin(*this, usual_size);
+  resizeWithin(*this, verification_size);
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   tabs_->setDocumentMode(true);

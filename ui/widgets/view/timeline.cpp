@@ -27,7 +27,7 @@ constexpr double speeds[] = {0.1, 0.25, 0.5, 1, 2, 4, 8};
 constexpr int real_time = 3;  // index into speeds
 constexpr double inset = 8, track_y = 17;
 constexpr int name_size = 10;
-constexpr double name_height = 12, beside_name = 2;  // pixels
+constexpr double band_name_height = 12, beside_name = 2;  // pixels
 
 int frameAt(const std::vector<double>& times, double time) {
   const auto after = std::upper_bound(times.begin(), times.end(), time + 1e-9);
@@ -75,7 +75,8 @@ std::vector<TimelineTrack::StageName> TimelineTrack::stageNames() const {
   for (const Band& band : all) {
     const double left = xAt(band.begin) + beside_name, wide = metrics.horizontalAdvance(band.name);
     const double limit = &band == &all.back() ? width() : xAt(band.end) - beside_name;
-    if (!band.name.isEmpty() && left + wide <= limit) made.push_back({{left, 0, wide + 1, name_height}, band.name});
+    if (!band.name.isEmpty() && left + wide <= limit)
+      made.push_back({{left, 0, wide + 1, band_name_height}, band.name});
   }
   return made;
 }

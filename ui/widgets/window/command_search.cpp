@@ -19,7 +19,7 @@ namespace talus {
 
 namespace {
 
-constexpr int usual_width = 208, most_shown = 12;
+constexpr int command_search_width = 208, most_shown = 12;
 
 QString plain(QString words) { return words.remove(u'…').remove(u'&').trimmed(); }
 
@@ -77,7 +77,7 @@ CommandSearch::CommandSearch() {
   setAccessibleName(tr("Find a command"));
   setToolTip(tr("Any command of the menus and buttons, by some letters of its name (Ctrl+K)"));
   addAction(theme::icon(QStringLiteral("search")), LeadingPosition);
-  setFixedWidth(usual_width);
+  setFixedWidth(command_search_width);
   setFocusPolicy(Qt::ClickFocus);
   auto* completer = new QCompleter(new QStandardItemModel, this);
   completer->model()->setParent(completer);

@@ -16,7 +16,7 @@ namespace talus {
 
 namespace {
 
-const QSize usual_size(920, 720);
+const QSize manual_size(920, 720);
 
 /// Room around headings and paragraphs, and tables with thin lines: Markdown has no style sheet.
 void spaceOut(QTextDocument& document) {
@@ -83,7 +83,7 @@ QString manualHeading(WorkflowPage page, Item::Kind selected) {
 
 ManualWindow::ManualWindow(QWidget* parent) : QDialog(parent), pages_(new QTextBrowser) {
   setWindowTitle(tr("Manual"));
-  resizeWithin(*this, usual_size);
+  resizeWithin(*this, manual_size);
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   pages_->setAccessibleName(tr("Manual"));

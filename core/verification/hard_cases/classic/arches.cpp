@@ -7,7 +7,7 @@ namespace talus {
 
 namespace {
 
-constexpr double arch_radius = 10, depth = 2, thickness = 0.2;  // m, m, of the radius
+constexpr double arch_radius = 10, arch_depth = 2, thickness = 0.2;  // m, m, of the radius
 
 /// On a floor, whose friction takes the thrust.
 CaseScene masonry(int stones, double friction, double duration) {
@@ -18,7 +18,7 @@ CaseScene masonry(int stones, double friction, double duration) {
     std::array<Vec3, 8> block;
     for (int k = 0; k < 8; ++k) {  // bits: outwards, to the back, on along the arch
       const Eigen::Vector2d& point = section[(k & 1) + (k & 4 ? 2 : 0)];
-      block[k] = Vec3(arch_radius * point.x(), k & 2 ? depth / 2 : -depth / 2, arch_radius * point.y());
+      block[k] = Vec3(arch_radius * point.x(), k & 2 ? arch_depth / 2 : -arch_depth / 2, arch_radius * point.y());
     }
     scene.add_block("stone " + std::to_string(i + 1), hexahedron_mesh(block, 1, 1, 1), BodyKind::rigid);
   }

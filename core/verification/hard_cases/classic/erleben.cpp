@@ -12,7 +12,6 @@ constexpr const char* source = "Erleben 2018; Li et al. 2020 (IPC)";
 constexpr double height = 3;                       // m, of spikes and wedges; bases 1 × 1 and 1 × 2
 constexpr double time_step = 5e-3, duration = 10;  // s
 
-Mat3 upside_down() { return turn_about(Vec3::UnitX(), 180); }
 TetMesh pointed(bool is_wedge) { return is_wedge ? wedge(1, 2, height) : spike(1, height); }
 
 CaseScene soft_scene() {

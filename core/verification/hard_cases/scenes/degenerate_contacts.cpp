@@ -13,8 +13,6 @@ namespace {
 
 constexpr double spike_height = 1.5;  // m, of spikes and wedges
 
-Mat3 upside_down() { return turn_about(Vec3::UnitX(), 180); }
-
 void add_floor(CaseScene& scene, double level) { scene.add_fixed_box("floor", {-6, -6, level - 1}, {6, 6, level}); }
 
 /// A fixed body that stands on a floor with its top in the origin, and a block that stands on it.

@@ -142,8 +142,8 @@ HardCase hooks() {
           .build = [] {
             CaseScene scene = rock_scene(30);
             scene.add_block("hook", hook(), BodyKind::fixed);
-            const Mat3 upside_down = turn_about(Vec3::UnitZ(), 90) * turn_about(Vec3::UnitX(), 180);
-            scene.add_block("free hook", placed(hook(), upside_down, {bar, -bar, 0}), BodyKind::rigid);
+            const Mat3 turn = turn_about(Vec3::UnitZ(), 90) * upside_down();
+            scene.add_block("free hook", placed(hook(), turn, {bar, -bar, 0}), BodyKind::rigid);
             scene.project.stages = {dynamic_stage(1e-3, 3)};
             return scene;
           }};

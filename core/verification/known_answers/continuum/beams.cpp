@@ -11,13 +11,14 @@ namespace talus {
 namespace {
 
 // A square beam of Poisson's ratio 0: at the clamped end nothing wants to widen, so that beam theory holds up to there.
-constexpr double beam_length = 5, height = 1, young = 10e9;
+constexpr double beam_length = 5, beam_height = 1, young = 10e9;
 /// Deflection of 1e-4 of the length: what is not linear in it stays below 1e-8.
 constexpr double force = 1e4;
 
 /// Timoshenko's beam: PL³/3EI + PL/κGA with κ = 5/6 and G = E/2.
 double beam_theory() {
-  constexpr double area = height * height, inertia = height * height * height * height / 12;
+  constexpr double area = beam_height * beam_height,
+                   inertia = beam_height * beam_height * beam_height * beam_height / 12;
   return force * beam_length * beam_length * beam_length / (3 * young * inertia) +
          force * beam_length / (5.0 / 6 * young / 2 * area);
 }
@@ -26,14 +27,14 @@ CaseScene cantilever(int cells) {
   CaseScene scene;
   scene.project.gravity.setZero();
   scene.add_material({.name = "rock", .density = 2600, .young = young, .poisson = 0});
-  scene.add_block("beam", box_mesh({0, 0, 0}, {beam_length, height, height}, 5 * cells, cells, cells),
+  scene.add_block("beam", box_mesh({0, 0, 0}, {beam_length, beam_height, beam_height}, 5 * cells, cells, cells),
                   BodyKind::tetrahedra);
   const Block& block = scene.system.blocks.front();
   for (const Vec3& node : block.mesh.nodes)
     if (node.x() == 0)
       scene.project.constraints.push_back({.block = "beam", .at = node, .displacement = {0, 0, 0}, .table = {}});
   scene.project.loads = surface_loads(block, [](const Vec3&, const Vec3& normal) {
-    return Vec3(0, 0, normal.x() > 0.5 ? -force / (height * height) : 0);
+    return Vec3(0, 0, normal.x() > 0.5 ? -force / (beam_height * beam_height) : 0);
   });
   for (const PointLoad& load : scene.project.loads) scene.add_monitor("tip", "beam", load.at);
   scene.project.stages.push_back(static_stage(10, 3));

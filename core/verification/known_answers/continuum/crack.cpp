@@ -15,7 +15,7 @@ namespace {
 const SlippingJoint plate{
     .height = 2, .width = 1, .young = 88.9e9, .stiffness = 220e9, .friction_angle = 16, .slipping_length = 0.54};
 /// A slab thin enough for plane stress, two cells of it; stiffnesses are told for a thickness of 1 m.
-constexpr double thickness = 0.1;
+constexpr double slab_thickness = 0.1;
 constexpr double full_load = 1e-4;  ///< m, by which the top goes down
 
 /// The joint rises at 45° from (0, 0.5) to (1, 1.5) through the plate's middle; its middle slips. `cells` is how many
@@ -49,7 +49,7 @@ TetMesh half_plate(const CrackMesh& crack, bool upper) {
   TetMesh mesh = box_mesh({0, 0, 0}, {1, 1, 1}, n, 2, n);
   for (Vec3& node : mesh.nodes) {
     const double x = crack.line(static_cast<int>(std::lround(node.x() * n))), joint = 0.5 + x;
-    node = Vec3(x, thickness * node.y(), upper ? joint + node.z() * (plate.height - joint) : node.z() * joint);
+    node = Vec3(x, slab_thickness * node.y(), upper ? joint + node.z() * (plate.height - joint) : node.z() * joint);
   }
   return mesh;
 }
@@ -78,7 +78,7 @@ void press(CaseScene& scene, double relief) {
       Constraint held{.block = block.name, .at = node, .displacement = {std::nullopt, std::nullopt, 0}, .table = {}};
       if (node.z() == plate.height) held.table = displacement;
       if (node.z() == 0 && node.x() == 0.5) held.displacement[0] = 0;
-      if (node.z() == 0 && node.y() == thickness / 2) held.displacement[1] = 0;
+      if (node.z() == 0 && node.y() == slab_thickness / 2) held.displacement[1] = 0;
       if (node.z() == 0 || node.z() == plate.height) scene.project.constraints.push_back(held);
     }
 }
@@ -125,10 +125,10 @@ LoadCycle load_and_unload(int cells, const CaseOptions& options, Progress& progr
   LoadCycle cycle;
   cycle.force.push_back(0);
   run_scene(as_asked(cracked_plate(cells), options), progress, [&](const Simulation& simulation, const StepReport&) {
-    cycle.force.push_back(top_force(simulation) / std::pow(options.scale, 4) / plate.height / thickness);
+    cycle.force.push_back(top_force(simulation) / std::pow(options.scale, 4) / plate.height / slab_thickness);
     cycle.slipping_length = 0;
     for (const ContactSample& contact : simulation.contacts())
-      if (contact.joint == 0) cycle.slipping_length += contact.area / (options.scale * options.scale) / thickness;
+      if (contact.joint == 0) cycle.slipping_length += contact.area / (options.scale * options.scale) / slab_thickness;
     return true;
   });
   return cycle;

@@ -11,15 +11,15 @@ namespace talus {
 
 namespace {
 
-constexpr double height = 1;                                                // m
+constexpr double wedge_height = 1;                                          // m
 const double sine = std::sin(radians(60)), cosine = std::cos(radians(60));  // of the joints' dip
 constexpr std::array<double, 3> dip_directions{30, 150, 270};               // degrees
 constexpr double density = 2700, roof_gravity = 9.81;                       // kg/m³, m/s²
 constexpr double normal_stiffness = 1e8;                                    // Pa/m
-constexpr double young = 1e11;  // Pa: stiff beside the joints, as the closed answer is that of a rigid wedge
-constexpr double roof_time_step = 0.01, fall_time = 0.2;  // s
+constexpr double roof_young = 1e11;  // Pa: stiff beside the joints, as the closed answer is that of a rigid wedge
+constexpr double roof_time_step = 0.01, roof_fall_time = 0.2;  // s
 constexpr int roof_static_steps = 40;
-constexpr double fallen = 0.02;                // m
+constexpr double roof_fallen = 0.02;           // m
 constexpr double roof_angle_tolerance = 0.05;  // degrees
 
 /// A wedge in a roof between three joints, its apex up, its base in the roof. The rock pressed against it with a
@@ -30,9 +30,9 @@ struct RoofWedge {
 };
 
 /// Of the base's inner circle [m]. The base is an equilateral triangle, each face an isosceles one on a side of it.
-double inner_radius() { return height * cosine / sine; }
-double face_area() { return std::sqrt(3.0) * inner_radius() * height / sine; }
-double weight() { return std::sqrt(3.0) * inner_radius() * inner_radius() * height * density * roof_gravity; }
+double inner_radius() { return wedge_height * cosine / sine; }
+double face_area() { return std::sqrt(3.0) * inner_radius() * wedge_height / sine; }
+double weight() { return std::sqrt(3.0) * inner_radius() * inner_radius() * wedge_height * density * roof_gravity; }
 
 /// Degrees. On each face the rock bears N and, up the dip δ, T; a horizontal stress p gives N₀ = p sin²δ A and
 /// T₀ = p sin δ cos δ A, which balance without weight. Sinking by u under its weight, the wedge gains shear force
@@ -59,7 +59,7 @@ Vec3 base_corner(double direction_1, double direction_2) {
 /// The rock beside a face of the wedge: the prism that the face sweeps when it goes outwards.
 void add_rock(CaseScene& scene, const std::string& name, const std::array<Vec3, 3>& face, const Vec3& outward) {
   std::vector<Vec3> nodes(face.begin(), face.end());
-  for (const Vec3& corner : face) nodes.push_back(corner + height * outward);
+  for (const Vec3& corner : face) nodes.push_back(corner + wedge_height * outward);
   scene.add_ground(name, nodes,
                    {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}});
 }
@@ -77,7 +77,7 @@ Constraint pressing(const std::string& rock, const RoofWedge& wedge, const Vec3&
 
 CaseScene roof(const RoofWedge& wedge, double friction_angle) {
   CaseScene scene;
-  scene.add_material({.name = "rock", .density = density, .young = young, .poisson = 0.25});
+  scene.add_material({.name = "rock", .density = density, .young = roof_young, .poisson = 0.25});
   Joint joint;
   joint.name = "joint";
   joint.friction_angle = friction_angle;
@@ -85,7 +85,7 @@ CaseScene roof(const RoofWedge& wedge, double friction_angle) {
   joint.shear_stiffness = wedge.stiffness_ratio * normal_stiffness;
   scene.add_joint(joint);
 
-  const Vec3 apex(0, 0, height);
+  const Vec3 apex(0, 0, wedge_height);
   TetMesh mesh;
   for (int i = 0; i < 3; ++i) {
     const double direction = dip_directions[i];
@@ -99,7 +99,8 @@ CaseScene roof(const RoofWedge& wedge, double friction_angle) {
   mesh.nodes.push_back(apex);
   mesh.tetrahedra = {{0, 2, 1, 3}};
   scene.add_block("wedge", refined(mesh), BodyKind::tetrahedra);
-  scene.project.stages = {static_stage(roof_time_step, roof_static_steps), dynamic_stage(roof_time_step, fall_time)};
+  scene.project.stages = {static_stage(roof_time_step, roof_static_steps),
+                          dynamic_stage(roof_time_step, roof_fall_time)};
   return scene;
 }
 
@@ -108,7 +109,7 @@ double computed_friction_angle(const RoofWedge& wedge, const CaseOptions& option
   double falls = 20, stays = 70;
   while (stays - falls > 0.1 * roof_angle_tolerance) {
     const double middle = (falls + stays) / 2;
-    (sets_off(roof(wedge, middle), fallen, options, progress) ? falls : stays) = middle;
+    (sets_off(roof(wedge, middle), roof_fallen, options, progress) ? falls : stays) = middle;
   }
   return (falls + stays) / 2;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/rotation.hpp"
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
@@ -14,6 +13,7 @@ namespace {
 
 using testing::box;
 using testing::mapped;
+using testing::on_a_corner;
 using testing::Scene;
 using testing::Shape;
 using testing::total_area;
@@ -31,12 +31,6 @@ Shape placed(const Shape& shape, const Vec3& at) {
 Shape on_an_edge(const Vec3& begin, int n) {
   const Mat3 turn = Eigen::AngleAxisd(radians(-45), Vec3::UnitY()).toRotationMatrix();
   return mapped(box({0, 0, 0}, {1, 1, 1}, {n, n, n}), [&](const Vec3& p) { return Vec3(turn * p + begin); });
-}
-
-/// A cube of 1 m that stands on one corner, at `tip`.
-Shape on_a_corner(const Vec3& tip) {
-  const Mat3 turn = rotation_onto(Vec3(1, 1, 1), Vec3(0, 0, 1));
-  return mapped(box({0, 0, 0}, {1, 1, 1}), [&](const Vec3& p) { return Vec3(turn * p + tip); });
 }
 
 /// No two contacts that push lie in one place.
@@ -151,7 +145,7 @@ TEST(Coincidence, ATipIsHeldOverASharpEdgeUntilItsEdgesHaveLeftIt) {
           SCOPED_TRACE(::testing::Message() << "over the sharp edge by " << sign * hair << ", deep " << depth);
           Scene scene;
           scene.add(placed(box({-2, 0, -1}, {0, 1, 0}), at), true);
-          scene.add(placed(on_a_corner({sign * hair, 0.4, -depth}), at));
+          scene.add(placed(on_a_corner({sign * hair, 0.4, -depth}, 1), at));
           double deepest = 0;
           for (const ContactPoint& p : scene.detect(short_reach).points) {
             EXPECT_GT(-p.normal.z(), 0.5) << p.normal.transpose();

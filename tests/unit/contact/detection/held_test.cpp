@@ -15,7 +15,7 @@ using testing::Scene;
 using testing::total_area;
 
 /// Slab, block and a block on top of it, bonded.
-Scene tower(bool lower_fixed, bool upper_fixed) {
+Scene held_tower(bool lower_fixed, bool upper_fixed) {
   Scene scene;
   scene.laws = {{.friction = 0.6, .residual_friction = 0.2, .cohesion = 2e5}};
   scene.add(box({0, 0, -1}, {3, 3, 0}, {4, 4, 1}), true);
@@ -42,7 +42,7 @@ double area_between(const ContactSet& contacts, int a, int b) {
 }
 
 TEST(Held, TwoHeldBodiesMakeNoContactUntilOneIsReleased) {
-  Scene scene = tower(false, false);
+  Scene scene = held_tower(false, false);
   EXPECT_NEAR(total_area(scene.detect(reach)), 2, 1e-12);
   scene.detector().set_fixed({true, true, false});
   EXPECT_NEAR(area_between(scene.detect(reach), 1, 2), 1, 1e-12);
@@ -52,7 +52,7 @@ TEST(Held, TwoHeldBodiesMakeNoContactUntilOneIsReleased) {
 }
 
 TEST(Held, AHeldBodyIsNotMeasuredAgainst) {
-  Scene scene = tower(false, false);
+  Scene scene = held_tower(false, false);
   const auto stiffness = [&] {
     double sum = 0;
     for (const ContactPoint& p : scene.detect(reach).points) sum += p.bodies[0] == 1 ? p.normal_stiffness : 0;
@@ -64,7 +64,7 @@ TEST(Held, AHeldBodyIsNotMeasuredAgainst) {
 }
 
 TEST(Held, OnlyMovableNodesAreCoupled) {
-  Scene scene = tower(false, false);
+  Scene scene = held_tower(false, false);
   scene.detect(reach);
   const std::uint64_t generation = scene.detector().coupling_generation();
   scene.detector().set_fixed({true, true, false});
@@ -80,7 +80,7 @@ TEST(Held, OnlyMovableNodesAreCoupled) {
 }
 
 TEST(Held, ContactsOfHeldBodiesAreRemembered) {
-  Scene scene = tower(false, false);
+  Scene scene = held_tower(false, false);
   scene.detect(reach);
   accept(scene, {5, 0, 0});
   scene.detector().set_fixed({true, true, true});
@@ -98,7 +98,7 @@ TEST(Held, ContactsOfHeldBodiesAreRemembered) {
 }
 
 TEST(Held, BodiesReleasedForTheFirstTimeAreBondedThen) {
-  Scene scene = tower(true, true);
+  Scene scene = held_tower(true, true);
   EXPECT_TRUE(scene.detect(reach).points.empty());
   accept(scene, {0, 0, 0});
   scene.detector().set_fixed({true, true, false});
@@ -116,7 +116,7 @@ TEST(Held, BodiesReleasedForTheFirstTimeAreBondedThen) {
 }
 
 TEST(Held, EveryBodyNeedsAnEntry) {
-  Scene scene = tower(false, false);
+  Scene scene = held_tower(false, false);
   EXPECT_THROW(scene.detector().set_fixed({true}), std::logic_error);
 }
 

@@ -15,7 +15,7 @@ using testing::reach;
 using testing::Scene;
 
 /// A slab, a block on it and a block on that, of which some are single bodies.
-Scene tower(bool lower_is_single, bool upper_is_single) {
+Scene coupled_tower(bool lower_is_single, bool upper_is_single) {
   Scene scene;
   scene.add(box({0, 0, -1}, {3, 3, 0}, {4, 4, 1}), true);
   scene.single_body = lower_is_single;
@@ -28,13 +28,13 @@ Scene tower(bool lower_is_single, bool upper_is_single) {
 using Pairs = std::vector<std::pair<int, int>>;
 
 TEST(Coupling, ASingleBodyHasOneHandle) {
-  Scene scene = tower(true, true);
+  Scene scene = coupled_tower(true, true);
   scene.detect(reach);
   EXPECT_EQ(scene.detector().coupled_nodes(), (Pairs{{scene.first_node(1), scene.first_node(2)}}));
 }
 
 TEST(Coupling, HandlesAreCoupledWithTheNodesOfDeformableBodies) {
-  Scene scene = tower(true, false);
+  Scene scene = coupled_tower(true, false);
   scene.detect(reach);
   const Pairs& pairs = scene.detector().coupled_nodes();
   ASSERT_FALSE(pairs.empty());
@@ -48,7 +48,7 @@ TEST(Coupling, HandlesAreCoupledWithTheNodesOfDeformableBodies) {
 }
 
 TEST(Coupling, BodiesThatHavePartedAreNoLongerPlannedTogether) {
-  Scene scene = tower(true, true);
+  Scene scene = coupled_tower(true, true);
   scene.detect(reach);
   ASSERT_EQ(scene.detector().coupled_nodes().size(), 1u);
   const std::uint64_t generation = scene.detector().coupling_generation();
@@ -66,7 +66,7 @@ TEST(Coupling, BodiesThatHavePartedAreNoLongerPlannedTogether) {
 }
 
 TEST(Coupling, ASingleBodyThatSlidesChangesNothing) {
-  Scene scene = tower(true, true);
+  Scene scene = coupled_tower(true, true);
   scene.detect(reach);
   const std::uint64_t generation = scene.detector().coupling_generation();
   for (int step = 0; step < 20; ++step) {
@@ -77,7 +77,7 @@ TEST(Coupling, ASingleBodyThatSlidesChangesNothing) {
 }
 
 TEST(Coupling, SleepersAreLeftOutAndComeBack) {
-  Scene scene = tower(false, false);
+  Scene scene = coupled_tower(false, false);
   scene.detect(reach);
   const Pairs all = scene.detector().coupled_nodes();
   const std::uint64_t generation = scene.detector().coupling_generation();

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "base/rotation.hpp"
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
 
@@ -12,6 +11,7 @@ namespace {
 
 using testing::box;
 using testing::mapped;
+using testing::on_a_corner;
 using testing::reach;
 using testing::Scene;
 using testing::Shape;
@@ -118,11 +118,6 @@ TEST(TransferredHistory, ACubeThatRocksBackKeepsItsShear) {
   cube.accept({0, 5, 0});
   expect_continuous_shear(cube, 4, 2);
   EXPECT_TRUE(cube.face_face);
-}
-
-Shape on_a_corner(const Vec3& tip) {
-  const Mat3 r = rotation_onto(Vec3(1, 1, 1), Vec3(0, 0, 1));
-  return mapped(box({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), [&](const Vec3& p) { return Vec3(r * p + tip); });
 }
 
 /// A slab whose surface bends by `degrees` at x = 2, down or up.

@@ -12,6 +12,7 @@ namespace {
 using testing::box;
 using testing::cells;
 using testing::mapped;
+using testing::on_a_corner;
 using testing::reach;
 using testing::Scene;
 using testing::Shape;
@@ -20,12 +21,6 @@ using testing::total_area;
 Shape turned(const Shape& shape, double degrees, const Vec3& axis, const Vec3& to) {
   const Mat3 r = Eigen::AngleAxisd(radians(degrees), axis.normalized()).toRotationMatrix();
   return mapped(shape, [&](const Vec3& p) { return Vec3(r * p + to); });
-}
-
-/// A cube that stands on one corner, at `tip`.
-Shape on_a_corner(const Vec3& tip, int n = 2) {
-  const Mat3 r = rotation_onto(Vec3(1, 1, 1), Vec3(0, 0, 1));
-  return mapped(box({0, 0, 0}, {1, 1, 1}, {n, n, n}), [&](const Vec3& p) { return Vec3(r * p + tip); });
 }
 
 /// A cube that stands on one edge, along y, from `begin`.

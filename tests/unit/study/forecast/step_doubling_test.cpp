@@ -32,7 +32,7 @@ BlockSystem bar_alone(BodyKind body) {
   return test::block_system({test::box_block("bar", Vec3(0, 0, 0), Vec3(1, 1, 1), body)});
 }
 
-double known_stretch(double time) {
+double stretch_at(double time) {
   const double omega = 2 * std::numbers::pi;
   return 1e-5 * (time - std::sin(omega * time) / omega);
 }
@@ -45,7 +45,7 @@ double measured(const Project& project, const BlockSystem& system) {
     const double time = simulation.step().time;
     if (4 * k % steps != 0) continue;
     const double way = simulation.frame(0).displacement[7].z();
-    apart = std::max(apart, std::abs(way - known_stretch(time)));
+    apart = std::max(apart, std::abs(way - stretch_at(time)));
     longest = std::max(longest, std::abs(way));
   }
   return apart / longest;
