@@ -18,6 +18,10 @@ double shear_spring_energy(const ContactPoint& point, const Vec3& shear_force) {
   return shear_force.isZero(0) ? 0 : shear_force.squaredNorm() / (2 * point.shear_stiffness);
 }
 
+double spring_energy(const ContactPoint& point, const ContactOutcome& outcome) {
+  return normal_spring_energy(point, outcome.normal_force) + shear_spring_energy(point, outcome.shear_force);
+}
+
 bool resists_elastically(const ContactPoint& point, double gap) {
   return point.multiplier - point.normal_stiffness * gap > -point.tension;
 }

@@ -10,10 +10,11 @@ namespace talus {
 /// is taken, so that the law is continuous within a step.
 double normal_force(const ContactPoint& point, double gap);
 
-/// What the springs of a point hold [J] that presses with `normal_force` [N] beside its multiplier, and that bears
+/// What the springs of a point hold [J] that presses with `normal_force` [N], its multiplier included, and that bears
 /// `shear_force` [N].
 double normal_spring_energy(const ContactPoint& point, double normal_force);
 double shear_spring_energy(const ContactPoint& point, const Vec3& shear_force);
+double spring_energy(const ContactPoint& point, const ContactOutcome& outcome);
 
 /// Whether the normal force changes with the gap there: neither open nor yielding.
 bool resists_elastically(const ContactPoint& point, double gap);

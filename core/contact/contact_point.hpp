@@ -93,7 +93,6 @@ struct ContactOutcome {
   double slip = 0;                  ///< m, path slipped in this step
   bool broke = false;               ///< its bond broke in this step
   double multiplier = 0;            ///< N, as ContactPoint's, to go on with
-  double spring_energy = 0;         ///< J
 };
 
 }  // namespace talus

@@ -241,6 +241,9 @@ struct ImpactTolerances {
   double followed_oscillation = 2;
   /// Of the speed that a contact's push alone changes in a step. Smaller misses of the law are left. Rounding.
   double negligible_speed = 1e-9;
+  /// Of the kinetic energy. What rigid bodies may gain in a step in which some are thrown back, and of the restitution
+  /// by how much it is found. Rounding. Larger: restitution with friction makes energy.
+  double negligible_energy = 1e-9;
   /// Of the largest push. Impulses that change by less have been found. Rounding. Larger: rebounds depend on the order
   /// of contacts.
   double impulse_accuracy = 1e-9;

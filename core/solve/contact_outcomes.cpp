@@ -20,8 +20,6 @@ void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, cons
     const bool touches = normal > 0 || (point.bonded && !pulled_off);
     point.mode = !touches ? ContactMode::open : slip > 0 ? ContactMode::slip : ContactMode::stick;
     outcomes_.push_back({normal, shear, gap, slip, point.bonded && (slip > 0 || pulled_off || yields)});
-    outcomes_.back().spring_energy =
-        normal_spring_energy(point, normal) + (composition.shear ? shear_spring_energy(point, shear) : 0);
     outcomes_.back().multiplier = keep_multipliers ? point.multiplier : 0;
     samples_.push_back({point.position,
                         point.normal,

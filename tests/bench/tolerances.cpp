@@ -207,6 +207,7 @@ std::vector<Entry> entries() {
             {"landing_gap", &G::landing_gap},
             {"followed_oscillation", &G::followed_oscillation},
             {"negligible_speed", &G::negligible_speed},
+            {"negligible_energy", &G::negligible_energy},
             {"impulse_accuracy", &G::impulse_accuracy},
             {"sweep_limit", &G::sweep_limit}});
   }

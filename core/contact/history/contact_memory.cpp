@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/units.hpp"
+#include "contact/contact_law.hpp"
 
 namespace talus {
 
@@ -188,7 +189,7 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
                           .area = p.area,
                           .normal_force = p.let_go ? 0 : o.normal_force,
                           .multiplier = o.multiplier,
-                          .spring_energy = o.spring_energy,
+                          .spring_energy = spring_energy(p, o),
                           .slip = p.slip_start + o.slip,
                           .initial_interference = p.initial_interference + given_by,
                           .penalty_scaling = p.penalty_scaling,

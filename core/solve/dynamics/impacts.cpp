@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/stopwatch.hpp"
+#include "contact/contact_law.hpp"
 #include "effects/inertia.hpp"
 
 namespace talus {
@@ -42,13 +43,14 @@ double mass_of(const Body& body) { return body.fixed ? 1e300 : body.mass(); }
 
 void Impacts::note_speeds(const ContactSet& contacts, const StepContext& step) {
   const Stopwatch watch(seconds_);
+  energy_.note_start();
   closing_.clear();
   for (const int i : contacts.loose) closing_.push_back(-speed_of(set_, contacts, contacts.points[i], step.length));
 }
 
-Impacts::Range Impacts::range(const ContactPoint& point, double closing, double speed, const ContactOutcome& end,
-                              double step) const {
-  const double leaves = point.restitution.value_or(0) * std::max(0.0, closing);
+Impacts::Range Impacts::range(const ContactPoint& point, double restitution, double closing, double speed,
+                              const ContactOutcome& end, double step) const {
+  const double leaves = restitution * std::max(0.0, closing);
   const bool has_met = point.gap > 0;  // in this step
   const double pushed_out = point.let_go ? 0 : -end.gap / (tolerances_.steps_to_part * step);
   return {has_met ? leaves : std::min(0.0, speed), std::max(leaves, pushed_out)};
@@ -102,11 +104,14 @@ void Impacts::gather(const ContactSet& contacts, double step, const std::vector<
     if (point.restitution) ++restitutions_;
     const auto& [a, b] = point.bodies;
     if (!set_.bodies[a].fixed && !set_.bodies[b].fixed) groups_.join(a, b);
-    const Range speeds = range(point, closing_[k], speed, outcomes[i], step);
+    const double restitution = point.restitution.value_or(0);
+    const Range speeds = range(point, restitution, closing_[k], speed, outcomes[i], step);
+    const Range inelastic = range(point, 0, closing_[k], speed, outcomes[i], step);
     const double lighter = std::min(mass_of(set_.bodies[a]), mass_of(set_.bodies[b]));
     const double rounding = tolerances_.negligible_speed * outcomes[i].normal_force * step / lighter;
-    const bool as_it_should = speed > speeds.lowest - rounding && speed < speeds.highest + rounding;
-    struck_.push_back({i, speeds, as_it_should, set_.bodies[a].fixed ? b : a});
+    const bool throws_back = speeds.highest > inelastic.highest;  // whether that makes energy is to be seen
+    const bool as_it_should = !throws_back && speed > speeds.lowest - rounding && speed < speeds.highest + rounding;
+    struck_.push_back({i, speeds, inelastic, as_it_should, set_.bodies[a].fixed ? b : a});
   }
   is_wrong_.assign(set_.bodies.size(), false);
   for (Struck& struck : struck_) {
@@ -151,6 +156,48 @@ void Impacts::find_impulses(std::span<Hit> hits) {
   }
 }
 
+void Impacts::take_away(std::span<Hit> hits) {
+  for (Hit& hit : hits) {
+    hit.where.strike(set_, -(hit.push + hit.pushed) * hit.normal - (hit.shear + hit.sheared));
+    hit.pushed = -hit.push;
+    hit.sheared = -hit.shear;
+  }
+}
+
+void Impacts::limit_restitution(std::span<Hit> hits, double step) {
+  const auto throws_back = [](const Hit& hit) { return hit.elastic.highest > hit.inelastic.highest; };
+  if (std::none_of(hits.begin(), hits.end(), throws_back)) return;
+  std::vector<int> bodies;
+  for (const Hit& hit : hits)
+    for (const int body : hit.bodies) {
+      const bool keeps_energy = set_.bodies[body].kind == BodyKind::rigid || set_.bodies[body].fixed;
+      if (!keeps_energy || std::ranges::count(set_.driven, body)) return;  // what it gives is not known
+      bodies.push_back(body);
+    }
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+
+  double in_springs = 0;
+  for (const Hit& hit : hits) in_springs += hit.spring_energy;
+  // The bodies part at this fraction of their restitution.
+  const auto makes_energy = [&](double fraction) {
+    for (Hit& hit : hits) hit.range = hit.inelastic.towards(hit.elastic, fraction);
+    find_impulses(hits);
+    return energy_.gain() + in_springs > tolerances_.negligible_energy * energy_.kinetic();
+  };
+  take_away(hits);
+  energy_.note_without_contact(bodies, step);
+  if (!makes_energy(1)) return;
+  double makes_none = 0, makes_some = 1;
+  while (makes_some - makes_none > tolerances_.negligible_energy) {
+    const double middle = (makes_none + makes_some) / 2;
+    take_away(hits);
+    (makes_energy(middle) ? makes_some : makes_none) = middle;
+  }
+  take_away(hits);
+  makes_energy(makes_none);
+}
+
 void Impacts::add_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {
   hits_.clear();
   for (const Struck& struck : struck_) {
@@ -160,6 +207,10 @@ void Impacts::add_hits(const ContactSet& contacts, double step, const std::vecto
     hits_.push_back({.where = {set_, masses_, nodes, weights, step},
                      .normal = point.normal,
                      .range = struck.range,
+                     .elastic = struck.range,
+                     .inelastic = struck.inelastic,
+                     .bodies = {point.bodies[0], point.bodies[1]},
+                     .spring_energy = spring_energy(point, outcomes[i]),
                      .friction = point.friction,
                      .along = 0,
                      .sideways = 0,
@@ -181,7 +232,9 @@ double Impacts::apply(const ContactSet& contacts, const StepContext& step,
   const double before = Inertia::kinetic_energy(set_);
   for (std::size_t begin = 0, end = 0; begin < struck_.size(); begin = end) {
     while (end < struck_.size() && struck_[end].group == struck_[begin].group) ++end;
-    find_impulses(std::span(hits_).subspan(begin, end - begin));
+    const auto hits = std::span(hits_).subspan(begin, end - begin);
+    find_impulses(hits);
+    limit_restitution(hits, step.length);
   }
   set_.carry_velocities();
   return before - Inertia::kinetic_energy(set_);

@@ -8,19 +8,22 @@
 #include "contact/contact_point.hpp"
 #include "effects/effect.hpp"
 #include "model/solver_tolerances.hpp"
+#include "solve/dynamics/rigid_energy.hpp"
 
 namespace talus {
 
 /// Newton's law of impact: bodies whose contacts touched in a step part at its end at `restitution` times the speed at
 /// which they met. Springs that are stiff for the step throw bodies back at a speed that depends on where in the step
 /// they met; impulses correct it (Moreau 1988; nonlinear Gauss–Seidel of Jean 1999). Over the step as a whole a contact
-/// never pulls, and shears by no more than its strength. Where a joint has no restitution, the rebound is left to
+/// never pulls, and shears by no more than its strength. With friction Newton's law can make energy (Kane & Levinson
+/// 1985): where rigid bodies that strike each other would have more after a step than before, all of them part at a
+/// smaller restitution, the largest at which they do not. Where a joint has no restitution, the rebound is left to
 /// blocks that deform and to springs that the step can follow; rigid bodies that stiffer springs stop do not part.
 class Impacts {
  public:
   /// `set` outlives the impacts.
   explicit Impacts(BodySet& set, const ImpactTolerances& tolerances = {})
-      : set_(set), tolerances_(tolerances), masses_(set) {}
+      : set_(set), tolerances_(tolerances), masses_(set), energy_(set) {}
 
   /// Before a step is accepted: bodies and contacts are as at its start.
   void note_speeds(const ContactSet& contacts, const StepContext& step);
@@ -43,10 +46,13 @@ class Impacts {
   /// Speeds of parting that are left as they are [m/s].
   struct Range {
     double lowest, highest;
+    Range towards(const Range& other, double fraction) const {
+      return {lowest + fraction * (other.lowest - lowest), highest + fraction * (other.highest - highest)};
+    }
   };
   struct Struck {
     int point;
-    Range range;
+    Range range, inelastic;  // that of its restitution, and of none
     bool parts_as_it_should;
     int group;  // the first body of it; while groups are found, one that moves
   };
@@ -54,7 +60,10 @@ class Impacts {
   struct Hit {
     StruckPoint where;
     Vec3 normal;
-    Range range;
+    Range range;               // that is held now …
+    Range elastic, inelastic;  // … of Struck's
+    std::array<int, 2> bodies;
+    double spring_energy;  // J, at the end of the step
     double friction;
     double along;       // 1/kg, the mobility along the normal …
     double sideways;    // 1/kg, … and no less than that in any direction across it
@@ -67,19 +76,25 @@ class Impacts {
   void add_up_springs(const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes);
   /// Whether the springs of a contact that pushes decide its rebound.
   bool left_to_springs(const ContactPoint& point, double step) const;
-  Range range(const ContactPoint& point, double closing, double speed, const ContactOutcome& end, double step) const;
+  Range range(const ContactPoint& point, double restitution, double closing, double speed, const ContactOutcome& end,
+              double step) const;
   /// Collects the contacts that pushed, of those groups of bodies which push each other where some do not part as they
   /// should: group by group, so that no blow elsewhere changes what a group comes to.
   void gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
   void add_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
   /// Finds the impulses of the hits of a group, contact by contact.
   void find_impulses(std::span<Hit> hits);
+  /// Takes from the restitution of a group of rigid bodies what would make energy.
+  void limit_restitution(std::span<Hit> hits, double step);
+  /// Takes all that hits have pushed over the step from the velocities.
+  void take_away(std::span<Hit> hits);
   /// The impulse of one contact while the others stay; returns by how much it changed [N s].
   double update(Hit& hit);
 
   BodySet& set_;
   ImpactTolerances tolerances_;
   InverseMasses masses_;
+  RigidEnergy energy_;
   std::vector<double> closing_;  // m/s, of ContactSet::loose at the start of the step
   std::vector<double> springs_;  // N/m, of all contacts that push a body
   std::vector<Struck> struck_;   // group by group

@@ -1,0 +1,35 @@
+#include "solve/dynamics/rigid_energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "support/solver_scenes.hpp"
+
+namespace talus {
+namespace {
+
+TEST(RigidEnergy, LoadsGiveWhatTheyDoAndBlowsTheRest) {
+  const double step = 0.1, mass = 2600;
+  BodySet set(test::rock_project(0, {}),
+              test::block_system({test::box_block("B", Vec3(0, 0, 0), Vec3(1, 1, 1), BodyKind::rigid)}));
+  RigidBody& body = set.rigid[0];
+  Vec3& velocity = set.nodes.velocity[body.centre];
+  velocity = Vec3(1, 0, -2);
+  RigidEnergy energy(set);
+  energy.note_start();
+  set.nodes.position[body.centre] += step * (velocity + 0.5 * step * Vec3(0, 0, -9.81));
+  velocity += step * Vec3(0, 0, -9.81);
+  energy.note_without_contact(std::array{0}, step);
+  EXPECT_NEAR(energy.gain(), 0, 1e-9 * energy.kinetic());
+
+  const double before = energy.kinetic();
+  velocity.z() = 4;
+  body.angular_momentum = body.inertia * Vec3(0, 3, 0);
+  const double inertia = mass / 6;  // kg m², of the cube
+  EXPECT_NEAR(energy.kinetic(), 0.5 * mass * (1 + 16) + 0.5 * inertia * 9, 1e-9 * before);
+  EXPECT_NEAR(energy.gain(), energy.kinetic() - before, 1e-9 * before);
+}
+
+}  // namespace
+}  // namespace talus
