@@ -143,14 +143,30 @@ double ContactMemory::depth_along(int body, const Vec3& direction, int but) cons
   return deepest;
 }
 
-double ContactMemory::known_compression(const FoundPoint& point, double stiffness) const {
+/// Those of the one that has fewer.
+std::span<const int> ContactMemory::histories_of_either(int body_a, int body_b) const {
   const auto contacts_of = [&](int body) {
     return std::span(of_body_).subspan(of_body_begin_[body], of_body_begin_[body + 1] - of_body_begin_[body]);
   };
-  const auto first = contacts_of(point.bodies[0]), second = contacts_of(point.bodies[1]);
+  const auto of_a = contacts_of(body_a), of_b = contacts_of(body_b);
+  return of_a.size() < of_b.size() ? of_a : of_b;
+}
+
+double ContactMemory::depth_between(int body_a, int body_b) const {
+  double deepest = 0;
+  for (const int m : histories_of_either(body_a, body_b)) {
+    const History& history = histories_[m];
+    const auto& [p, q] = history.bodies;
+    if ((p == body_a && q == body_b) || (p == body_b && q == body_a))
+      deepest = std::max(deepest, history.initial_interference - history.gap);
+  }
+  return deepest;
+}
+
+double ContactMemory::known_compression(const FoundPoint& point, double stiffness) const {
   const double flush = std::cos(radians(tolerances_.flush_angle));
   double most = 0;
-  for (const int m : first.size() < second.size() ? first : second) {
+  for (const int m : histories_of_either(point.bodies[0], point.bodies[1])) {
     const History& history = histories_[m];
     if (history.bodies != point.bodies || !(history.normal.dot(point.normal) > flush)) continue;
     most = std::max(most, std::min(-history.gap, (history.normal_force - history.multiplier) / stiffness));

@@ -52,6 +52,8 @@ class ContactMemory {
   /// How deep the body lay, when the last step was accepted, in those that pushed it along `direction`, other than
   /// `but` (−1: nobody); 0 where none did. [m]
   double depth_along(int body, const Vec3& direction, int but = -1) const;
+  /// How deep the two lay in each other when the last step was accepted, what was in when they were found included. [m]
+  double depth_between(int body_a, int body_b) const;
   /// How far a spring of this stiffness [N/m] may give at a point from the beginning, and neither push harder nor hold
   /// more than one did between the same bodies, along this normal or nearly so, when the last step was accepted. [m]
   double known_compression(const FoundPoint& point, double stiffness) const;
@@ -82,6 +84,7 @@ class ContactMemory {
     double depth;  // m
     int by;        // the other body
   };
+  std::span<const int> histories_of_either(int body_a, int body_b) const;
   static Hold hold_of(const History& history, int body);
   const History* with_key(std::uint64_t key) const;
   const History* nearest_face_face(const FoundPoint& point, double distance) const;

@@ -40,7 +40,9 @@ double StepGeometry::depth(int body_a, int body_b) const {
   const double most =
       std::min(tolerances.largest_depth * broad.size(body_a, body_b), std::min(widths[body_a], widths[body_b]) / 2);
   if (!have_moved(body_a, body_b)) return most;
-  return std::min(reach + tolerances.depth_per_penetration * deepest(body_a, body_b), most);
+  const double left =
+      std::max(tolerances.depth_per_penetration * deepest(body_a, body_b), memory.depth_between(body_a, body_b));
+  return std::min(reach + left, most);
 }
 
 int StepGeometry::common_joint(int facet_a, int facet_b) const {

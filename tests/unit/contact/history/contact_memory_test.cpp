@@ -138,6 +138,16 @@ TEST(ContactMemory, ASpringThatWasLetGoPushesNothingOut) {
   }
 }
 
+TEST(ContactMemory, WhatAContactLeavesOutIsFoundHoweverSlowTheBodiesAre) {
+  Scene scene = bonded_block(0.5);
+  scene.detect(reach);
+  scene.detector().accept(scene.contacts, {});
+  scene.move(1, {0, 0, -0.508});
+  scene.detect(reach);
+  scene.detector().accept(scene.contacts, outcomes(scene.contacts, Vec3::Zero(), ContactMode::stick, scene));
+  EXPECT_NEAR(total_area(scene.detect(1e-4)), 1, 1e-4);  // but for slivers narrower than it is deep
+}
+
 TEST(ContactMemory, NothingIsFoundDeeperThanAStepCanReach) {
   // A corner that has come past beside a block is not in it, however its face's plane lies.
   Scene scene = bonded_block(0.5);
