@@ -31,6 +31,7 @@ draw free_fall --time 0.5 --edges mesh
 draw incline_slide --time 0.6 --field velocity
 draw incline_stay --time 10.1 --field stress.zz --edges mesh
 draw jiweishan --time 59
+draw jointed_bench --time 3.6
 draw spinning_block --time 0.1 --field velocity --edges mesh
 draw step_slope --time 6
 draw wedge --time 0.14 --view 60,40

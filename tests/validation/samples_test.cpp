@@ -81,5 +81,19 @@ TEST(Samples, BlocksOfTheStepSlopeSlideOutAndNothingTunnels) {
   EXPECT_THAT(moved, testing::UnorderedElementsAre("front south", "front north", "rear south", "rear north"));
 }
 
+/// Nor for the bench: where its blocks come to lie is chance.
+TEST(JointedBench, SlidesOutFallsAndComesToRestAndNothingTunnels) {
+  NoProgress progress;
+  KnownSample bench;
+  bench.project = folder / "jointed_bench" / "jointed_bench.talus";
+  const RunReport report = run_sample(bench, {}, progress).report;
+  EXPECT_EQ(report.status, RunStatus::completed) << report.reason;
+  EXPECT_LT(report.max_relative_penetration, 0.05);
+  const EnergyLedger& energy = report.last_step.energy;
+  EXPECT_LT(std::abs(energy.remainder), 1e-6 * std::abs(energy.potential));
+  EXPECT_LT(energy.kinetic, 1e-3 * std::abs(energy.potential)) << "one block may still topple";
+  EXPECT_EQ(std::ranges::count_if(report.blocks, [](const auto& block) { return block.displacement.z() < -3; }), 247);
+}
+
 }  // namespace
 }  // namespace talus
