@@ -67,13 +67,13 @@ void accept_rigid(BodySet& set, const StepContext& step, const Increment& d) {
   }
 }
 
+double kinetic_energy(const BodySet& set, const RigidBody& body) {
+  return 0.5 * body.mass * set.nodes.velocity[body.centre].squaredNorm() + 0.5 * body.spin().dot(body.angular_momentum);
+}
+
 double rigid_kinetic_energy(const BodySet& set) {
   double sum = 0;
-  for (const int r : set.turning) {
-    const RigidBody& body = set.rigid[r];
-    sum +=
-        0.5 * body.mass * set.nodes.velocity[body.centre].squaredNorm() + 0.5 * body.spin().dot(body.angular_momentum);
-  }
+  for (const int r : set.turning) sum += kinetic_energy(set, set.rigid[r]);
   return sum;
 }
 

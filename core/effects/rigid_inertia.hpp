@@ -21,7 +21,8 @@ Vec3 end_moment(const BodySet& set, const RigidBody& body, const StepContext& st
 /// Moves angular momenta and their rates on by `d`; to zero in a static stage.
 void accept_rigid(BodySet& set, const StepContext& step, const Increment& d);
 
-/// ½ m v² + ½ ω·L of all that turn [J].
+/// ½ m v² + ½ ω·L of a body [J], and of all that turn.
+double kinetic_energy(const BodySet& set, const RigidBody& body);
 double rigid_kinetic_energy(const BodySet& set);
 
 }  // namespace talus

@@ -21,6 +21,4 @@ void update_sleepers(SimulationState& s) {
   s.falls_asleep = false;
 }
 
-void account_for_awake_bodies(SimulationState& s) { s.energy.awake_changed(s.composition); }
-
 }  // namespace talus

@@ -12,7 +12,4 @@ void hold_bodies(SimulationState& s);
 /// Some bodies fell asleep or woke: holds and releases them, and tells detection, equations and first guess.
 void update_sleepers(SimulationState& s);
 
-/// After contacts were sought for those that are awake now: the energy ledger goes on with what these hold.
-void account_for_awake_bodies(SimulationState& s);
-
 }  // namespace talus

@@ -29,7 +29,7 @@ void seek_and_wake(SimulationState& s, double length) {
     seek_contacts(s, length);
     changed = true;
   }
-  if (changed) account_for_awake_bodies(s);
+  if (changed) s.energy.awake_changed(s.composition);
   limit_springs(s, length);
 }
 

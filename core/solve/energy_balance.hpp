@@ -17,7 +17,7 @@ class EnergyBalance {
   /// Velocities were given from outside: their energy is new.
   void energy_was_given(const Composition& composition);
   /// Bodies fell asleep or woke: what effects hold from now on is of those that are awake, and `ledger` keeps the rest.
-  /// What was left of the motion of those that fell asleep is lost.
+  /// What was left of the motion of those that fell asleep is lost. Of contacts after_step() is told.
   void awake_changed(const Composition& composition);
   /// After effects have accepted D and bodies have moved. `works`: ∇Π_e·D over free nodes, an effect; `by_impacts`:
   /// what impacts took from the kinetic energy at the end of the step [J]; `springs_at_rest`: what springs between

@@ -30,7 +30,7 @@ void wake_all(SimulationState& s, const Project& now) {
   if (!some_slept) return;
   update_sleepers(s);
   seek_contacts(s, 0);
-  account_for_awake_bodies(s);
+  s.energy.awake_changed(s.composition);
 }
 
 void hold_bodies_of_stage(SimulationState& s, int stage) {

@@ -64,14 +64,20 @@ TEST(Samples, WedgeSlidesAlongTheLineOfIntersection) {
   EXPECT_GT(wedge->velocity.normalized().dot(line), 0.999391);
 }
 
+/// The run of a sample without a known answer, which must come to its end.
+RunReport completed(const std::string& name) {
+  NoProgress progress;
+  KnownSample sample;
+  sample.project = folder / name / (name + ".talus");
+  const RunReport report = run_sample(sample, {}, progress).report;
+  EXPECT_EQ(report.status, RunStatus::completed) << report.reason;
+  return report;
+}
+
 /// No answer is known for the slope from a STEP file: it must come to its end, both halves must slide, and nothing may
 /// tunnel. Blocks that strike the bench at 20 m/s go 0.1 m in a step of 0.005 s.
 TEST(Samples, BlocksOfTheStepSlopeSlideOutAndNothingTunnels) {
-  NoProgress progress;
-  KnownSample slope;
-  slope.project = folder / "step_slope" / "step_slope.talus";
-  const RunReport report = run_sample(slope, {}, progress).report;
-  EXPECT_EQ(report.status, RunStatus::completed) << report.reason;
+  const RunReport report = completed("step_slope");
   EXPECT_LT(report.max_relative_penetration, 0.01);
   std::vector<std::string> moved;
   for (const BlockOutcome& block : report.blocks) {
@@ -83,11 +89,7 @@ TEST(Samples, BlocksOfTheStepSlopeSlideOutAndNothingTunnels) {
 
 /// Nor for the bench: where its blocks come to lie is chance.
 TEST(JointedBench, SlidesOutFallsAndComesToRestAndNothingTunnels) {
-  NoProgress progress;
-  KnownSample bench;
-  bench.project = folder / "jointed_bench" / "jointed_bench.talus";
-  const RunReport report = run_sample(bench, {}, progress).report;
-  EXPECT_EQ(report.status, RunStatus::completed) << report.reason;
+  const RunReport report = completed("jointed_bench");
   EXPECT_LT(report.max_relative_penetration, 0.05);
   const EnergyLedger& energy = report.last_step.energy;
   EXPECT_LT(std::abs(energy.remainder), 1e-6 * std::abs(energy.potential));

@@ -43,7 +43,8 @@ double mass_of(const Body& body) { return body.fixed ? 1e300 : body.mass(); }
 
 void Impacts::note_speeds(const ContactSet& contacts, const StepContext& step) {
   const Stopwatch watch(seconds_);
-  energy_.note_start();
+  const auto may_throw_back = [&](int i) { return contacts.points[i].restitution.value_or(0) > 0; };
+  if (std::ranges::any_of(contacts.loose, may_throw_back)) energy_.note_start();
   closing_.clear();
   for (const int i : contacts.loose) closing_.push_back(-speed_of(set_, contacts, contacts.points[i], step.length));
 }

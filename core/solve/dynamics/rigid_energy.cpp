@@ -1,15 +1,13 @@
 #include "solve/dynamics/rigid_energy.hpp"
 
-namespace talus {
+#include "effects/rigid_inertia.hpp"
 
-double RigidEnergy::kinetic(const RigidBody& body) const {
-  return 0.5 * (body.mass * set_.nodes.velocity[body.centre].squaredNorm() + body.spin().dot(body.angular_momentum));
-}
+namespace talus {
 
 void RigidEnergy::note_start() {
   starts_.clear();
   for (const RigidBody& body : set_.rigid)
-    starts_.push_back({set_.nodes.position[body.centre], set_.nodes.velocity[body.centre], kinetic(body)});
+    starts_.push_back({set_.nodes.position[body.centre], set_.nodes.velocity[body.centre], kinetic_energy(set_, body)});
 }
 
 void RigidEnergy::note_without_contact(std::span<const int> bodies, double length) {
@@ -28,7 +26,7 @@ void RigidEnergy::note_without_contact(std::span<const int> bodies, double lengt
 
 double RigidEnergy::kinetic() const {
   double sum = 0;
-  for (const int number : asked_of_) sum += kinetic(set_.rigid[number]);
+  for (const int number : asked_of_) sum += kinetic_energy(set_, set_.rigid[number]);
   return sum;
 }
 

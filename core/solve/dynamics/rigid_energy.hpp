@@ -27,7 +27,6 @@ class RigidEnergy {
     Vec3 position, velocity;  // m, m/s, of the centroid
     double kinetic;           // J
   };
-  double kinetic(const RigidBody& body) const;
 
   const BodySet& set_;
   std::vector<Start> starts_;  // a rigid body

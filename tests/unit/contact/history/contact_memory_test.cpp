@@ -24,6 +24,16 @@ Scene bonded_block(double gap = 0) {
   return scene;
 }
 
+/// A block that was apart, and is found 8 mm deep.
+Scene block_found_deep() {
+  Scene scene = bonded_block(0.5);
+  scene.detect(reach);
+  scene.detector().accept(scene.contacts, {});
+  scene.move(1, {0, 0, -0.508});
+  scene.detect(reach);
+  return scene;
+}
+
 std::vector<ContactOutcome> outcomes(const ContactSet& contacts, const Vec3& traction, ContactMode mode, Scene& scene) {
   std::vector<ContactOutcome> all(contacts.points.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -75,11 +85,7 @@ TEST(ContactMemory, ContactsMadeLaterAreNotBonded) {
 }
 
 TEST(ContactMemory, AContactFoundDeepPushesOnlyAgainstWhatComesOnTop) {
-  Scene scene = bonded_block(0.5);
-  scene.detect(reach);
-  scene.detector().accept(scene.contacts, {});
-  scene.move(1, {0, 0, -0.508});
-  scene.detect(reach);
+  Scene scene = block_found_deep();
   ASSERT_FALSE(scene.contacts.points.empty());
   for (const ContactPoint& p : scene.contacts.points) {
     EXPECT_NEAR(p.initial_interference, 0.008, 1e-12);
@@ -139,11 +145,7 @@ TEST(ContactMemory, ASpringThatWasLetGoPushesNothingOut) {
 }
 
 TEST(ContactMemory, WhatAContactLeavesOutIsFoundHoweverSlowTheBodiesAre) {
-  Scene scene = bonded_block(0.5);
-  scene.detect(reach);
-  scene.detector().accept(scene.contacts, {});
-  scene.move(1, {0, 0, -0.508});
-  scene.detect(reach);
+  Scene scene = block_found_deep();
   scene.detector().accept(scene.contacts, outcomes(scene.contacts, Vec3::Zero(), ContactMode::stick, scene));
   EXPECT_NEAR(total_area(scene.detect(1e-4)), 1, 1e-4);  // but for slivers narrower than it is deep
 }
