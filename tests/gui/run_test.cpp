@@ -166,12 +166,16 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileASolveRuns) {
   ASSERT_TRUE(wait([&] { return session->playback.times().size() > 2; }));
   rest(500);  // the first drawing compiles shaders
   const RenderSurface& surface = window->viewport().surface();
+  const auto bars = window->findChild<EffectList*>()->findChildren<ShareBar*>();
   expectNoWait([&](const Watchdog& watchdog) {
     const int drawn = surface.drawings();
     ASSERT_TRUE(wait([&] { return watchdog.beats() > 400 && surface.drawings() > drawn + 4; }))
         << "the view must follow the run: " << surface.drawings() - drawn << " drawings";
   });
   EXPECT_TRUE(session->run.job().isBusy());
+  ASSERT_EQ(bars.size(), 10);
+  EXPECT_EQ(window->findChild<EffectList*>()->findChildren<ShareBar*>(), bars)
+      << "rows that stay are not laid out anew by what they cost";
 }
 
 TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileJiweishanIsMeshedAndSolved) {

@@ -90,9 +90,14 @@ std::vector<EffectList::Row> EffectList::spent() const {
 void EffectList::refresh() {
   const bool ran = !run_.effects().empty();
   std::vector<Row> rows = ran ? spent() : expected();
-  if (rows == rows_ && column_->count() > 0) return;
+  if (column_->count() > 0 && std::ranges::equal(rows, rows_, {}, &Row::words, &Row::words)) {
+    rows_ = std::move(rows);
+    showCosts();
+    return;
+  }
   rows_ = std::move(rows);
   clearLayout(*column_);
+  costs_.clear();
   if (rows_.empty()) {
     auto* sentence =
         makeWrappedLabel(tr("Which effects the scene calls for, and what each will cost, is listed here when its "
@@ -103,6 +108,14 @@ void EffectList::refresh() {
   }
   addHeading(ran ? tr("time spent") : tr("iteration, estimated"));
   for (const Row& row : rows_) addRow(row);
+  showCosts();
+}
+
+void EffectList::showCosts() {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    costs_[i].words->setText(rows_[i].cost);
+    if (costs_[i].bar) costs_[i].bar->setShare(rows_[i].share);
+  }
 }
 
 void EffectList::addHeading(const QString& unit) {
@@ -127,17 +140,25 @@ void EffectList::addRow(const Row& row) {
                             row.active ? theme::Tone::ok : theme::Tone::muted, 14),
                   0, 0);
   grid->addWidget(makeWrappedLabel(row.name, row.active ? nullptr : "muted"), 0, 1);
-  if (row.active) grid->addWidget(new ShareBar(row.share), 0, 2);
-  auto* cost = makeLabel(row.cost, row.active ? nullptr : "faint");
+  auto* bar = row.active ? new ShareBar : nullptr;
+  if (bar) grid->addWidget(bar, 0, 2);
+  auto* cost = makeLabel({}, row.active ? nullptr : "faint");
   cost->setFixedWidth(cost_width);
   cost->setAlignment(Qt::AlignRight);
   grid->addWidget(cost, 0, 3);
   grid->addWidget(makeWrappedLabel(row.reason, "small"), 1, 1, 1, 3);
   if (!row.items.isEmpty()) grid->addWidget(makeWrappedLabel(row.items, "small"), 2, 1, 1, 3);
   column_->addWidget(widget);
+  costs_.push_back({cost, bar});
 }
 
-ShareBar::ShareBar(double share) : share_(share) { setFixedSize(44, 4); }
+ShareBar::ShareBar() { setFixedSize(44, 4); }
+
+void ShareBar::setShare(double share) {
+  if (share == share_) return;
+  share_ = share;
+  update();
+}
 
 void ShareBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);

@@ -58,11 +58,15 @@ double TimelineTrack::xAt(double time) const { return inset + (width() - 2 * ins
 
 std::vector<TimelineTrack::Band> TimelineTrack::bands() const {
   std::vector<Band> made;
-  for (const StepReport& step : run_.steps()) {
-    const auto stage = static_cast<size_t>(step.stage);
+  const auto& steps = run_.steps();
+  for (auto first = steps.begin(), after = first; first != steps.end(); first = after) {
+    after = std::upper_bound(first, steps.end(), first->stage,
+                             [](int stage, const StepReport& step) { return stage < step.stage; });
+    const auto stage = static_cast<size_t>(first->stage);
     const QString name = stage < run_.stageNames().size() ? text(run_.stageNames()[stage]) : QString();
-    if (made.empty() || made.back().name != name) made.push_back({made.empty() ? 0 : made.back().end, step.time, name});
-    made.back().end = step.time;
+    const double end = std::prev(after)->time;
+    if (made.empty() || made.back().name != name) made.push_back({made.empty() ? 0 : made.back().end, end, name});
+    made.back().end = end;
   }
   if (made.empty()) made.push_back({0, end(), {}});
   return made;
