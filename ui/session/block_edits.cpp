@@ -67,6 +67,7 @@ class Edit {
 
   /// What the project says of a block itself; null where that is nothing.
   const BlockOverride* wishFor(int index) const {
+    if (entries_.empty()) return nullptr;  // looking for places of a thousand blocks takes a while
     const auto entry = entries_.find(keyOf(placeOf(index)));
     return entry == entries_.end() ? nullptr : &project_.document().project().blocks[entry->second];
   }

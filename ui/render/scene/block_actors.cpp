@@ -16,7 +16,9 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <ranges>
 #include <utility>
 
 #include "render/gl/line_mapper.hpp"
@@ -64,17 +66,14 @@ std::vector<Vec3> ways_to_blocks(const BlockSurface& surface, const Vec3& origin
   return ways;
 }
 
-LineSpacings spacings_of_lines(const BlockSurface& surface) {
+double area_of(const BlockSurface& surface) {
   const auto at = [&](int vertex) -> const Vec3& { return surface.rest[static_cast<std::size_t>(vertex)]; };
-  double at_bends = 0, of_mesh = 0, area = 0;
-  for (const BlockSurface::Edge& edge : surface.edges)
-    (edge.sharp ? at_bends : of_mesh) += (at(edge.vertices[0]) - at(edge.vertices[1])).norm();
+  double area = 0;
   for (const BlockSurface::Triangle& triangle : surface.triangles) {
     const auto& [a, b, c] = triangle.vertices;
     area += (at(b) - at(a)).cross(at(c) - at(a)).norm() / 2;
   }
-  const auto over = [&](double length) { return length > 0 ? area / length : std::numeric_limits<double>::infinity(); };
-  return {over(at_bends), over(of_mesh)};
+  return area;
 }
 
 /// Opacity of lines that are so many pixels apart. What they cover of the rock is their width over their spacing: near
@@ -117,7 +116,8 @@ BlockActors::BlockActors(BlockSurface surface, const Vec3& origin)
       origin_(origin),
       from_origin_(ways_to_blocks(surface_, origin)),
       positions_(surface_.rest),
-      spacings_(spacings_of_lines(surface_)) {
+      area_(area_of(surface_)),
+      spacing_of_edges_(spacing(true, 0)) {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   points_->SetDataTypeToDouble();
   for (vtkPolyData* data : {faces_.Get(), thinned_faces_.Get(), sharp_edges_.Get(), mesh_lines_.Get()})
@@ -128,7 +128,10 @@ BlockActors::BlockActors(BlockSurface surface, const Vec3& origin)
   face_actor_->SetMapper(mapper_);
   matt(*face_actor_->GetProperty());
   show(std::vector<bool>(from_origin_.size(), true));
-  show_mesh_lines();
+  show_mesh_lines(0);
+  if (!surface_.edges.empty())
+    shortest_ =
+        std::ranges::min(surface_.edges | std::views::transform([this](const auto& edge) { return length(edge); }));
 }
 
 void BlockActors::add_faces_to(vtkRenderer& renderer) { renderer.AddActor(face_actor_); }
@@ -165,19 +168,36 @@ void BlockActors::show(std::vector<bool> shown) {
   faces_->SetPolys(polygons);
   faces_->GetCellData()->SetScalars(nullptr);  // belonged to the former cells; colouring follows
   fill_thinned();
-  fill_edges(*sharp_edges_, true);
-  has_mesh_lines_ = false;
+  fill_edges(*sharp_edges_, true, 0);
+  mesh_lines_from_.reset();
 }
 
-/// They are many, and drawn on few occasions.
-void BlockActors::show_mesh_lines() {
-  if (!std::exchange(has_mesh_lines_, true)) fill_edges(*mesh_lines_, false);
+/// They are many, and drawn on few occasions. The length goes in steps, or a camera that moves would ask for others
+/// with every picture.
+void BlockActors::show_mesh_lines(double least) {
+  const double from = least <= shortest_ ? 0 : std::exp2(std::floor(2 * std::log2(least)) / 2);
+  if (mesh_lines_from_ == from) return;
+  mesh_lines_from_ = from;
+  spacing_of_mesh_ = spacing(false, from);
+  fill_edges(*mesh_lines_, false, from);
 }
 
-void BlockActors::fill_edges(vtkPolyData& lines, bool sharp) {
+double BlockActors::length(const BlockSurface::Edge& edge) const {
+  const auto& [from, to] = edge.vertices;
+  return (surface_.rest[static_cast<std::size_t>(from)] - surface_.rest[static_cast<std::size_t>(to)]).norm();
+}
+
+double BlockActors::spacing(bool sharp, double least) const {
+  double sum = 0;
+  for (const BlockSurface::Edge& edge : surface_.edges)
+    if (const double one = length(edge); edge.sharp == sharp && one >= least) sum += one;
+  return sum > 0 ? area_ / sum : std::numeric_limits<double>::infinity();
+}
+
+void BlockActors::fill_edges(vtkPolyData& lines, bool sharp, double least) {
   std::vector<int> vertices;
   for (const BlockSurface::Edge& edge : surface_.edges)
-    if (edge.sharp == sharp && shows(edge.block))
+    if (edge.sharp == sharp && shows(edge.block) && length(edge) >= least)
       vertices.insert(vertices.end(), edge.vertices.begin(), edge.vertices.end());
   vtkNew<vtkCellArray> cells;
   set_cells(*cells, 2, vertices);
@@ -191,7 +211,6 @@ void BlockActors::fill_thinned() {
   vtkNew<vtkCellArray> polygons;
   set_cells(*polygons, 3, vertices);
   thinned_faces_->SetPolys(polygons);
-  thinned_faces_->GetCellData()->SetScalars(nullptr);
 }
 
 void BlockActors::thin(std::vector<Face> faces) {
@@ -209,24 +228,22 @@ void BlockActors::cut_by(vtkPlane* plane) {
   for (vtkActor* actor : {face_actor_.Get(), sharp_edge_actor_.Get(), mesh_actor_.Get()}) clip(*actor, plane);
 }
 
+/// No vertex is shared by blocks, and colours of vertices cost less to draw than those of cells.
 void BlockActors::colour_by_block(const std::function<Rgb(int)>& colour) {
-  std::vector<Rgb> of_block;
-  for (std::size_t block = 0; block < shown_.size(); ++block)
-    of_block.push_back(shown_[block] ? colour(static_cast<int>(block)) : Rgb{});
-  vtkNew<vtkUnsignedCharArray> faces, thinned;
-  for (vtkUnsignedCharArray* colours : {faces.Get(), thinned.Get()}) colours->SetNumberOfComponents(3);
-  const auto add = [&](vtkUnsignedCharArray& colours, int block) {
-    const Rgb c = of_block[static_cast<std::size_t>(block)];
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(surface_.rest.size()));
+  for (std::size_t block = 0; block < shown_.size(); ++block) {
+    const Rgb c = shown_[block] ? colour(static_cast<int>(block)) : Rgb{};
     const unsigned char tuple[] = {c.red, c.green, c.blue};
-    colours.InsertNextTypedTuple(tuple);
-  };
-  for (const int t : drawn_) add(*faces, surface_.triangles[t].block);
-  for (const Face& face : thinned_)
-    if (shows(face.block)) add(*thinned, face.block);
-  faces_->GetPointData()->SetScalars(nullptr);
-  faces_->GetCellData()->SetScalars(faces);
-  thinned_faces_->GetCellData()->SetScalars(thinned);
-  mapper_->SetScalarModeToUseCellData();
+    for (int i = surface_.begins[block].vertex; i < surface_.begins[block + 1].vertex; ++i)
+      colours->SetTypedTuple(i, tuple);
+  }
+  for (vtkPolyData* data : {faces_.Get(), thinned_faces_.Get()}) {
+    data->GetPointData()->SetScalars(colours);
+    data->GetCellData()->SetScalars(nullptr);
+  }
+  mapper_->SetScalarModeToUsePointData();
   mapper_->SetColorModeToDirectScalars();
 }
 
@@ -253,7 +270,8 @@ void BlockActors::colour_by_values(std::span<const double> values, bool at_nodes
 }
 
 void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour, const Vec3& pixel) {
-  if (mesh_edges > 0) show_mesh_lines();
+  constexpr double too_short = 5;  // pixels: half the side of triangles whose lines are drawn in full
+  if (mesh_edges > 0) show_mesh_lines(too_short * pixel.norm());
   const auto draw = [&](vtkActor& actor, double width, double spacing, double lift) {
     constexpr double seen = 0.02;
     const double strength = strength_of_lines(spacing / pixel.norm());
@@ -262,8 +280,8 @@ void BlockActors::draw_edges(double block_edges, double mesh_edges, Rgb colour, 
     set_colour(*actor.GetProperty(), colour);
     bring_nearer(actor, lift, pixel);
   };
-  draw(*sharp_edge_actor_, block_edges, spacings_.at_bends, lift_of_edges);
-  draw(*mesh_actor_, mesh_edges, spacings_.of_mesh, lift_of_mesh);
+  draw(*sharp_edge_actor_, block_edges, spacing_of_edges_, lift_of_edges);
+  draw(*mesh_actor_, mesh_edges, spacing_of_mesh_, lift_of_mesh);
 }
 
 Highlight::Highlight(const Parts& parts) : parts_(parts) {

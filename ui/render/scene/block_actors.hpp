@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,12 +21,6 @@ class vtkPlane;
 class vtkRenderer;
 
 namespace talus {
-
-/// m, the area of all faces over the length of the lines on them, of those at bends and of the others; infinite where
-/// there are none.
-struct LineSpacings {
-  double at_bends, of_mesh;
-};
 
 /// Faces and edges of some blocks as VTK draws them. A new frame moves the points and nothing else.
 class BlockActors {
@@ -62,22 +57,29 @@ class BlockActors {
   /// behind them get the table's colour for no value.
   void colour_by_values(std::span<const double> values, bool at_nodes, vtkLookupTable& table, double low, double high);
   /// Line widths in pixels; 0 leaves those edges out. Lines that lie closer than a few pixels are drawn paler, and
-  /// not at all in the end, or they would cover what they lie on. `pixel`: towards the viewer, as long as a pixel [m].
+  /// those of a mesh not at all where they are no longer than that, or they would cover what they lie on. `pixel`:
+  /// towards the viewer, as long as a pixel [m].
   void draw_edges(double block_edges, double mesh_edges, Rgb colour, const Vec3& pixel);
 
  private:
   void fill_thinned();
-  void show_mesh_lines();
-  void fill_edges(vtkPolyData& lines, bool sharp);
+  /// Those that are at least so long [m].
+  void show_mesh_lines(double least);
+  void fill_edges(vtkPolyData& lines, bool sharp, double least);
+  /// m, the area of all faces over the length of the lines on them that are so long; infinite where there are none.
+  double spacing(bool sharp, double least) const;
+  double length(const BlockSurface::Edge& edge) const;
 
   BlockSurface surface_;
   Vec3 origin_;
   std::vector<Vec3> from_origin_;  ///< a block: from the origin to the middle of its vertices
   std::vector<Vec3> positions_;
-  std::vector<bool> shown_;  ///< a block
-  std::vector<int> drawn_;   ///< triangles that are shown, in the order of the cells
-  bool has_mesh_lines_ = false;
-  LineSpacings spacings_;
+  std::vector<bool> shown_;                ///< a block
+  std::vector<int> drawn_;                 ///< triangles that are shown, in the order of the cells
+  std::optional<double> mesh_lines_from_;  ///< m, the least length of those that are there
+  double area_ = 0;                        ///< m², of all faces
+  double spacing_of_edges_, spacing_of_mesh_;
+  double shortest_ = 0;  ///< m, of all edges
   vtkNew<vtkPoints> points_;
   std::vector<Face> thinned_;
   vtkNew<vtkPolyData> faces_, thinned_faces_, sharp_edges_, mesh_lines_;

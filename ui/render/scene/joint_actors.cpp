@@ -1,7 +1,7 @@
 #include "render/scene/joint_actors.hpp"
 
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -18,30 +18,29 @@ namespace {
 
 constexpr unsigned char faint = 84, strong = 150, outline = 140, chosen_outline = 255;  // opacities of 255
 
-/// Cells with colours of their own.
-struct ColouredCells {
+/// Cells with corners of their own.
+struct CornerCells {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  vtkNew<vtkUnsignedCharArray> colours;
 
-  ColouredCells() {
-    points->SetDataTypeToDouble();
-    colours->SetNumberOfComponents(4);
-  }
-  void add(std::span<const Vec3> corners, const Vec3& origin, Rgb colour, unsigned char opacity) {
+  CornerCells() { points->SetDataTypeToDouble(); }
+  void add(std::span<const Vec3> corners, const Vec3& origin) {
     cells->InsertNextCell(static_cast<int>(corners.size()));
     for (const Vec3& corner : corners) {
       const Vec3 p = corner - origin;
       cells->InsertCellPoint(points->InsertNextPoint(p.data()));
     }
-    const unsigned char tuple[] = {colour.red, colour.green, colour.blue, opacity};
-    colours->InsertNextTypedTuple(tuple);
   }
 };
 
+void add_colour(vtkUnsignedCharArray& colours, std::size_t corners, Rgb colour, unsigned char opacity) {
+  const unsigned char tuple[] = {colour.red, colour.green, colour.blue, opacity};
+  for (std::size_t i = 0; i < corners; ++i) colours.InsertNextTypedTuple(tuple);
+}
+
 void make_flat(vtkPolyData& data, vtkActor& actor, vtkPolyDataMapper& mapper) {
   mapper.SetInputData(&data);
-  mapper.SetScalarModeToUseCellData();
+  mapper.SetScalarModeToUsePointData();
   mapper.SetColorModeToDirectScalars();
   actor.SetMapper(&mapper);
   actor.GetProperty()->SetLighting(false);
@@ -74,16 +73,18 @@ void JointActors::add_to(vtkRenderer& renderer) {
 
 bool JointActors::show(std::shared_ptr<const std::vector<JointFace>> faces, std::vector<int> chosen) {
   if (faces == faces_ && chosen == chosen_) return false;
+  const bool are_others = faces != faces_;
   faces_ = std::move(faces);
   chosen_ = std::move(chosen);
-  draw();
+  if (are_others) draw();
+  colour();
   return true;
 }
 
 void JointActors::use(Theme theme) {
   if (theme == theme_) return;
   theme_ = theme;
-  draw();
+  colour();
 }
 
 std::span<const JointFace> JointActors::shown() const {
@@ -91,24 +92,33 @@ std::span<const JointFace> JointActors::shown() const {
 }
 
 void JointActors::draw() {
-  ColouredCells areas, edges;
+  CornerCells areas, edges;
+  for (const JointFace& face : shown()) {
+    for (const FlatTriangle& triangle : face.triangles) areas.add(triangle, origin_);
+    for (const Edge& edge : face.outline) edges.add(edge, origin_);
+  }
+  mesh_->SetPoints(areas.points);
+  mesh_->SetPolys(areas.cells);
+  lines_->SetPoints(edges.points);
+  lines_->SetLines(edges.cells);
+  face_actor_->SetVisibility(mesh_->GetNumberOfPolys() > 0);
+  line_actor_->SetVisibility(lines_->GetNumberOfLines() > 0);
+}
+
+/// By corners: colours of cells cost more to draw.
+void JointActors::colour() {
+  vtkNew<vtkUnsignedCharArray> of_areas, of_edges;
+  for (vtkUnsignedCharArray* colours : {of_areas.Get(), of_edges.Get()}) colours->SetNumberOfComponents(4);
   const auto& palette = curve_palette(theme_);
   for (const JointFace& face : shown()) {
     const Rgb colour = palette[static_cast<std::size_t>(face.set) % palette.size()];
     const bool is_chosen = std::ranges::count(chosen_, face.cut) > 0;
-    for (const FlatTriangle& triangle : face.triangles)
-      areas.add(triangle, origin_, colour, is_chosen ? strong : faint);
-    for (const Edge& edge : face.outline)
-      edges.add(edge, origin_, is_chosen ? colours(theme_).pick : colour, is_chosen ? chosen_outline : outline);
+    add_colour(*of_areas, 3 * face.triangles.size(), colour, is_chosen ? strong : faint);
+    add_colour(*of_edges, 2 * face.outline.size(), is_chosen ? colours(theme_).pick : colour,
+               is_chosen ? chosen_outline : outline);
   }
-  mesh_->SetPoints(areas.points);
-  mesh_->SetPolys(areas.cells);
-  mesh_->GetCellData()->SetScalars(areas.colours);
-  lines_->SetPoints(edges.points);
-  lines_->SetLines(edges.cells);
-  lines_->GetCellData()->SetScalars(edges.colours);
-  face_actor_->SetVisibility(mesh_->GetNumberOfPolys() > 0);
-  line_actor_->SetVisibility(lines_->GetNumberOfLines() > 0);
+  mesh_->GetPointData()->SetScalars(of_areas);
+  lines_->GetPointData()->SetScalars(of_edges);
 }
 
 void JointActors::style(double line_width) { line_actor_->GetProperty()->SetLineWidth(static_cast<float>(line_width)); }

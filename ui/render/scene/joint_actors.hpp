@@ -33,6 +33,7 @@ class JointActors {
  private:
   std::span<const JointFace> shown() const;
   void draw();
+  void colour();
 
   Vec3 origin_;
   std::shared_ptr<const std::vector<JointFace>> faces_;

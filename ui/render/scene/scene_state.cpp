@@ -26,7 +26,7 @@ namespace {
 
 constexpr double tint_of_selection = 0.5;  // less would turn blue blocks grey, as fixed rock is
 // Layers of rock and joints that are told apart from the front and from the back; each is a drawing of all.
-constexpr int most_layers = 8, layers_in_motion = 4;
+constexpr int most_layers = 5, layers_in_motion = 3;
 constexpr std::size_t most_lines_in_motion = 50000;
 
 /// A point where there are no blocks.

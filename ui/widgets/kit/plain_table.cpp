@@ -12,6 +12,7 @@ namespace talus {
 namespace {
 constexpr int cell_padding = 28;  // beside a cell's words: the style sheet's, the focus frame, and what wrapping rounds
 constexpr int line_gap = 10;
+constexpr int rows_measured = 100;  // for the width of a column that fits its words
 }  // namespace
 
 PlainTable::PlainTable() {
@@ -27,6 +28,7 @@ PlainTable::PlainTable() {
   setItemDelegate(new ElidedCells(this));
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  horizontalHeader()->setResizeContentsPrecision(rows_measured);
 }
 
 void PlainTable::setContent(const QStringList& heads, const std::vector<QStringList>& rows,

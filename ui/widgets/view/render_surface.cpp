@@ -29,6 +29,11 @@ void RenderSurface::fitWindowTo(const QWidget& widget) {
   window_->SetSize(qMax(1, qRound(widget.width() * ratio)), qMax(1, qRound(widget.height() * ratio)));
 }
 
+void RenderSurface::paintWithWhatLiesOver() {
+  widget()->update();
+  if (over_) over_->update();
+}
+
 namespace {
 
 class QtContext final : public GlContext {
@@ -108,6 +113,14 @@ ImageSurface::ImageSurface(QWidget* parent) : QWidget(parent), context_(make_off
   setAttribute(Qt::WA_OpaquePaintEvent);
   window_->set_context(*context_);
   context_->done_current();
+  constexpr int soon = 10;  // ms: after what waits already, so that a key is not heard later by a whole drawing
+  soon_.setInterval(soon);
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, [this] {
+    if (!isVisible()) return;  // drawn when it is shown
+    draw();
+    paintWithWhatLiesOver();
+  });
 }
 
 ImageSurface::~ImageSurface() {
@@ -117,7 +130,12 @@ ImageSurface::~ImageSurface() {
 
 void ImageSurface::requestRender() {
   stale_ = true;
-  update();
+  soon_.start();
+}
+
+QPixmap ImageSurface::picture() {
+  soon_.stop();
+  return grab();
 }
 
 void ImageSurface::makeContextCurrent() { context_->make_current(); }
@@ -136,20 +154,28 @@ void ImageSurface::warmUp(vtkRenderer& renderer) {
 void ImageSurface::resizeEvent(QResizeEvent*) {
   fitWindowTo(*this);
   stale_ = true;
+  if (picture_.isNull())
+    soon_.start();
+  else
+    soon_.stop();  // a picture of another size is not worth showing meanwhile
+}
+
+void ImageSurface::draw() {
+  stale_ = false;
+  drawAndTime();
+  const int* size = window_->GetSize();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window_->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  picture_ = QImage(pixels->GetPointer(0), size[0], size[1], size[0] * 4, QImage::Format_RGBX8888).mirrored();
+  picture_.setDevicePixelRatio(devicePixelRatioF());
+  context_->done_current();  // Qt may use OpenGL of its own on this thread
 }
 
 void ImageSurface::paintEvent(QPaintEvent*) {
-  if (stale_) {
-    stale_ = false;
-    drawAndTime();
-    const int* size = window_->GetSize();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    window_->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-    picture_ = QImage(pixels->GetPointer(0), size[0], size[1], size[0] * 4, QImage::Format_RGBX8888).mirrored();
-    picture_.setDevicePixelRatio(devicePixelRatioF());
-    context_->done_current();  // Qt may use OpenGL of its own on this thread
-  }
-  QPainter(this).drawImage(QPoint(0, 0), picture_);
+  if (stale_ && !soon_.isActive()) draw();
+  QPainter painter(this);
+  if (picture_.isNull()) painter.fillRect(rect(), palette().window());
+  painter.drawImage(QPoint(0, 0), picture_);
 }
 
 RenderSurface* makeRenderSurface(QWidget* parent) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <memory>
 
 #include <vtkSmartPointer.h>
@@ -15,8 +16,12 @@ class RenderSurface {
   virtual ~RenderSurface() = default;
   virtual QWidget* widget() = 0;
   RenderWindow& window() { return *window_; }
-  /// Draws again when Qt next paints; many requests make one drawing.
+  /// Draws again soon; many requests make one drawing.
   virtual void requestRender() = 0;
+  /// As it is to be seen now, with all that was requested.
+  virtual QPixmap picture() = 0;
+  /// What lies over the view, and is painted with it.
+  void setOver(QWidget& over) { over_ = &over; }
   /// Makes the surface's context current, to take a renderer out of the window.
   virtual void makeContextCurrent() = 0;
   /// Draws a scene for nobody, so that shaders are compiled and letters cut before a first drawing is waited for.
@@ -29,10 +34,12 @@ class RenderSurface {
  protected:
   void drawAndTime();
   void fitWindowTo(const QWidget& widget);
+  void paintWithWhatLiesOver();
 
   vtkSmartPointer<RenderWindow> window_ = vtkSmartPointer<RenderWindow>::New();
 
  private:
+  QWidget* over_ = nullptr;
   double lastSeconds_ = 0;
   int drawings_ = 0;
 };
@@ -44,7 +51,8 @@ class GlSurface : public QOpenGLWidget, public RenderSurface {
   explicit GlSurface(QWidget* parent);
   ~GlSurface() override;
   QWidget* widget() override { return this; }
-  void requestRender() override { update(); }
+  void requestRender() override { paintWithWhatLiesOver(); }
+  QPixmap picture() override { return grab(); }
   void makeContextCurrent() override { makeCurrent(); }
 
  protected:
@@ -59,7 +67,9 @@ class GlSurface : public QOpenGLWidget, public RenderSurface {
   QSizeF pixels_;  ///< that Qt was last asked to make room for
 };
 
-/// Everywhere else (no X server, the `offscreen` platform): OSMesa draws a picture and the widget shows it.
+/// Everywhere else (no X server, the `offscreen` platform): OSMesa draws a picture and the widget shows it. Drawing is
+/// the processor's work and has an event of its own, so that keys and the mouse are heard between it and the painting
+/// of the rest of the window.
 class ImageSurface : public QWidget, public RenderSurface {
   Q_OBJECT
  public:
@@ -67,6 +77,7 @@ class ImageSurface : public QWidget, public RenderSurface {
   ~ImageSurface() override;
   QWidget* widget() override { return this; }
   void requestRender() override;
+  QPixmap picture() override;
   void makeContextCurrent() override;
   void warmUp(vtkRenderer& renderer) override;
 
@@ -75,8 +86,10 @@ class ImageSurface : public QWidget, public RenderSurface {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void draw();
   std::unique_ptr<GlContext> context_;
   QImage picture_;
+  QTimer soon_;
   bool stale_ = true;  ///< repaints of overlays do not draw the scene again
 };
 

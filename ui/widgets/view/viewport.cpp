@@ -52,6 +52,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   lasso_ = new Lasso(area);
 
   overlay_ = new ViewOverlay(this);
+  surface_->setOver(*overlay_);
   tools_ = makePlane("overlay");
   tools_->setParent(this);
   setMargins(new QVBoxLayout(tools_), 3, 1);
@@ -347,7 +348,6 @@ void Viewport::render() {
 void Viewport::drawNow() {
   sinceDrawing_.start();
   surface_->requestRender();
-  overlay_->update();
 }
 
 void Viewport::becomeStill() {

@@ -24,10 +24,21 @@ BlockSystem smallest_system() {
   return {.blocks = {ground, block}, .joint_names = {}};
 }
 
+/// More triangles over each other than are told apart: those in the middle are drawn by programs of their own.
+std::shared_ptr<const std::vector<JointFace>> smallest_joints() {
+  constexpr int layers = 16;
+  std::vector<JointFace> joints;
+  for (int i = 0; i < layers; ++i) {
+    const Vec3 a = i * Vec3::UnitZ() / layers, b = a + Vec3::UnitX(), c = a + Vec3::UnitY();
+    joints.push_back({0, 0, {{a, b, c}}, {{a, b}, {b, c}, {c, a}}});
+  }
+  return std::make_shared<const std::vector<JointFace>>(std::move(joints));
+}
+
 }  // namespace
 
 /// In software the first drawing takes ten times as long as the next: better before there is a run to watch. Rock that
-/// is seen through is drawn by other programs of the card, made in an event of their own.
+/// is seen through and the joints in it are drawn by other programs of the card, made in events of their own.
 void Viewport::warmUp() {
   const auto draw = [this](double opacity, bool fine) {
     if (scene_) return;
@@ -37,10 +48,11 @@ void Viewport::warmUp() {
     settings.rock_opacity = opacity;
     settings.fine = fine;
     Scene scene(system, settings);
+    if (opacity < 1) scene.set_joints(smallest_joints(), {});
     surface_->warmUp(*scene.renderer());
   };
   for (const bool fine : {false, true}) draw(1, fine);
-  QTimer::singleShot(0, this, [draw] { draw(0.5, false); });
+  for (const bool fine : {false, true}) QTimer::singleShot(0, this, [draw, fine] { draw(0.5, fine); });
 }
 
 void Viewport::toggleSection() {
@@ -95,7 +107,7 @@ void Viewport::keepScenes(const std::function<bool(const Drawn&)>& isKept) {
   });
 }
 
-QPixmap Viewport::picture() { return surface_->widget()->grab(); }
+QPixmap Viewport::picture() { return surface_->picture(); }
 
 QPixmap Viewport::picture(Theme theme) {
   if (!scene_ || scene_->settings().theme == theme) return picture();
