@@ -49,9 +49,9 @@ struct Extent {
   bool below = false, above = false;
 };
 
-Extent extent_of(const std::vector<int>& corners, const Division& division) {
+Extent extent_of(const CellFace& face, const Division& division) {
   Extent extent;
-  for (int corner : corners) {
+  for (int corner : face.corners) {
     extent.below |= division.side(corner) < 0;
     extent.above |= division.side(corner) > 0;
   }
@@ -61,7 +61,7 @@ Extent extent_of(const std::vector<int>& corners, const Division& division) {
 Extent extent_of(const Cell& cell, const Division& division) {
   Extent extent;
   for (const CellFace& face : cell) {
-    const Extent part = extent_of(face.corners, division);
+    const Extent part = extent_of(face, division);
     extent.below |= part.below;
     extent.above |= part.above;
   }
@@ -110,7 +110,7 @@ CellFace lid(const Cell& cell, int mark) {
 std::pair<Cell, Cell> divided(const Cell& cell, Division& division, int mark) {
   Cell lower, upper;
   for (const CellFace& face : cell) {
-    const Extent extent = extent_of(face.corners, division);
+    const Extent extent = extent_of(face, division);
     auto [below, above] = divided(face, division);
     if (extent.below && below.corners.size() > 2) lower.push_back(std::move(below));
     if (extent.above && above.corners.size() > 2) upper.push_back(std::move(above));
@@ -158,7 +158,7 @@ bool CellComplex::cut(const Plane& plane, int mark, int first_joint) {
       continue;
     }
     for (CellFace& face : cells_[c]) {
-      const Extent part = extent_of(face.corners, division);
+      const Extent part = extent_of(face, division);
       if (part.below || part.above || face.mark >= first_joint) continue;
       face.mark = mark;
       met = true;

@@ -1,26 +1,30 @@
 #include "geometry/mesher/cells/cell_solid.hpp"
 
-#include <unordered_map>
-#include <utility>
+#include <algorithm>
 
 #include "geometry/mesher/cells/face_key.hpp"
 
 namespace talus {
 
 std::vector<std::vector<int>> cells_across(const CellComplex& complex) {
+  struct Side {
+    FaceKey face;
+    std::size_t cell, number;
+  };
+  std::vector<Side> sides;
   std::vector<std::vector<int>> across;
-  std::unordered_map<FaceKey, std::pair<std::size_t, std::size_t>, FaceKeyHash> open;  // cell and face
   for (std::size_t c = 0; c < complex.cells().size(); ++c) {
     const Cell& cell = complex.cells()[c];
     across.emplace_back(cell.size(), -1);
-    for (std::size_t f = 0; f < cell.size(); ++f) {
-      const auto [known, fresh] = open.try_emplace(key_of(cell[f]), c, f);
-      if (fresh) continue;
-      const auto [other, face] = known->second;
-      across[c][f] = static_cast<int>(other);
-      across[other][face] = static_cast<int>(c);
-      open.erase(known);
-    }
+    for (std::size_t f = 0; f < cell.size(); ++f) sides.push_back({key_of(cell[f]), c, f});
+  }
+  std::ranges::stable_sort(sides, {}, &Side::face);
+  for (std::size_t s = 0; s + 1 < sides.size(); ++s) {
+    const Side &one = sides[s], &other = sides[s + 1];
+    if (one.face != other.face) continue;
+    across[one.cell][one.number] = static_cast<int>(other.cell);
+    across[other.cell][other.number] = static_cast<int>(one.cell);
+    ++s;
   }
   return across;
 }

@@ -69,12 +69,13 @@ int SkinVertices::add(const Vec3& vertex) {
 void divide_edges(std::vector<FacetOutline>& outlines, SkinVertices& vertices, const SkinSize& size) {
   DividedEdges divided(vertices, size);
   for (FacetOutline& outline : outlines) {
-    std::set<Edge> shorter;
+    std::vector<Edge> shorter;
     for (const auto& [from, to] : outline.edges) {
       int last = from;
-      for (int vertex : divided.between(from, to)) shorter.emplace(std::exchange(last, vertex), vertex);
-      shorter.emplace(last, to);
+      for (int vertex : divided.between(from, to)) shorter.emplace_back(std::exchange(last, vertex), vertex);
+      shorter.emplace_back(last, to);
     }
+    std::ranges::sort(shorter);
     outline.edges = std::move(shorter);
   }
 }

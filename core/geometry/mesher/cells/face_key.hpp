@@ -19,12 +19,4 @@ inline FaceKey key_of(const CellFace& face) {
   return key;
 }
 
-struct FaceKeyHash {
-  std::size_t operator()(const FaceKey& key) const {
-    std::size_t hash = 1469598103934665603u;  // FNV-1a
-    for (int part : key) hash = (hash ^ static_cast<std::size_t>(part)) * 1099511628211u;
-    return hash;
-  }
-};
-
 }  // namespace talus

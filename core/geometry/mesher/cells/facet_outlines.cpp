@@ -1,85 +1,105 @@
 #include "geometry/mesher/cells/facet_outlines.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
-#include <map>
-#include <unordered_set>
 
 namespace talus {
 namespace {
 
 using Edge = std::pair<int, int>;
 
-/// The cells' faces that no other of them has.
+template <class Item>
+void sort_once(std::vector<Item>& items) {
+  std::ranges::sort(items);
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+bool has(const std::vector<int>& sorted, int item) { return std::ranges::binary_search(sorted, item); }
+
+/// The cells' faces that no other of them has, those of one mark after each other.
 std::vector<const CellFace*> skin_of(const CellSolid& solid, std::span<const int> cells) {
-  const std::unordered_set<int> own(cells.begin(), cells.end());
+  std::vector<int> own(cells.begin(), cells.end());
+  std::ranges::sort(own);
   std::vector<const CellFace*> skin;
   for (int index : cells) {
     const auto c = static_cast<std::size_t>(index);
     const Cell& cell = solid.complex.cells()[c];
     for (std::size_t f = 0; f < cell.size(); ++f)
-      if (cell[f].mark != between_cells && !own.contains(solid.across[c][f])) skin.push_back(&cell[f]);
+      if (cell[f].mark != between_cells && !has(own, solid.across[c][f])) skin.push_back(&cell[f]);
   }
+  std::ranges::stable_sort(skin, {}, &CellFace::mark);
   return skin;
 }
 
 void add(FacetOutline& outline, const CellFace& face) {
-  for (std::size_t k = 0; k < face.corners.size(); ++k) {
-    const Edge edge{face.corners[k], face.corners[(k + 1) % face.corners.size()]};
-    if (outline.edges.erase({edge.second, edge.first}) == 0) outline.edges.insert(edge);
-  }
+  for (std::size_t k = 0; k < face.corners.size(); ++k)
+    outline.edges.emplace_back(face.corners[k], face.corners[(k + 1) % face.corners.size()]);
+}
+
+/// Of the edges of all faces, those around their area: two faces go along an edge between them in opposite directions.
+void leave_border(std::vector<Edge>& edges) {
+  std::ranges::sort(edges);
+  std::vector<Edge> border;
+  for (const auto& [from, to] : edges)
+    if (!std::ranges::binary_search(edges, Edge(to, from))) border.emplace_back(from, to);
+  edges = std::move(border);
 }
 
 std::vector<FacetOutline> outlines_of(const CellSolid& solid, std::span<const int> cells) {
-  std::map<int, std::array<FacetOutline, 2>> by_mark;  // a joint may bound a block from both sides
-  for (const CellFace* face : skin_of(solid, cells)) {
-    auto& sides = by_mark[face->mark];
-    const Vec3 area = area_of(*face, solid.complex.vertices());
-    const bool other = sides[0].normal.dot(area) < 0;
-    FacetOutline& outline = sides[other ? 1 : 0];
-    outline.mark = face->mark;
-    outline.normal += area;
-    add(outline, *face);
-  }
+  const std::vector<const CellFace*> skin = skin_of(solid, cells);
   std::vector<FacetOutline> outlines;
-  for (auto& [mark, sides] : by_mark)
-    for (FacetOutline& outline : sides)
+  for (auto face = skin.begin(); face != skin.end();) {
+    const int mark = (*face)->mark;
+    std::array<FacetOutline, 2> sides;  // a joint may bound a block from both sides
+    for (; face != skin.end() && (*face)->mark == mark; ++face) {
+      const Vec3 area = area_of(**face, solid.complex.vertices());
+      FacetOutline& outline = sides[sides[0].normal.dot(area) < 0 ? 1 : 0];
+      outline.mark = mark;
+      outline.normal += area;
+      add(outline, **face);
+    }
+    for (FacetOutline& outline : sides) {
+      leave_border(outline.edges);
       if (!outline.edges.empty()) outlines.push_back(std::move(outline));
+    }
+  }
   return outlines;
 }
 
-/// Vertices in the middle of a straight edge of the block.
-std::set<int> needless_vertices(const std::vector<FacetOutline>& outlines, const CellComplex& complex) {
-  std::map<int, std::set<int>> neighbours;
-  for (const FacetOutline& outline : outlines) {
+/// Vertices in the middle of a straight edge of the block, ascending.
+std::vector<int> needless_vertices(const std::vector<FacetOutline>& outlines, const CellComplex& complex) {
+  std::vector<Edge> neighbours;  // from each vertex
+  for (const FacetOutline& outline : outlines)
     for (const auto& [from, to] : outline.edges) {
-      neighbours[from].insert(to);
-      neighbours[to].insert(from);
+      neighbours.emplace_back(from, to);
+      neighbours.emplace_back(to, from);
     }
-  }
-  std::set<int> needless;
+  sort_once(neighbours);
+  std::vector<int> needless;
   constexpr double straight = 1e-9;
-  for (const auto& [vertex, around] : neighbours) {
-    if (around.size() != 2) continue;
-    const Vec3 a = complex.vertex(*around.begin()) - complex.vertex(vertex);
-    const Vec3 b = complex.vertex(*around.rbegin()) - complex.vertex(vertex);
-    if (a.dot(b) < 0 && a.cross(b).norm() < straight * a.norm() * b.norm()) needless.insert(vertex);
+  for (auto first = neighbours.begin(), end = first; first != neighbours.end(); first = end) {
+    const int vertex = first->first;
+    while (end != neighbours.end() && end->first == vertex) ++end;
+    if (end - first != 2) continue;
+    const Vec3 a = complex.vertex(first->second) - complex.vertex(vertex);
+    const Vec3 b = complex.vertex((first + 1)->second) - complex.vertex(vertex);
+    if (a.dot(b) < 0 && a.cross(b).norm() < straight * a.norm() * b.norm()) needless.push_back(vertex);
   }
   return needless;
 }
 
-/// The edges with needless vertices left out.
-std::set<Edge> lengthened(const std::set<Edge>& edges, const std::set<int>& needless) {
-  std::map<int, int> next;  // of needless vertices alone: such a one has one edge that comes and one that goes
-  for (const auto& [from, to] : edges)
-    if (needless.contains(from)) next[from] = to;
-  std::set<Edge> longer;
+/// The edges with needless vertices left out, from each of which one edge goes.
+std::vector<Edge> lengthened(const std::vector<Edge>& edges, const std::vector<int>& needless) {
+  const auto next = [&](int vertex) { return std::ranges::lower_bound(edges, vertex, {}, &Edge::first)->second; };
+  std::vector<Edge> longer;
   for (const auto& [from, to] : edges) {
-    if (needless.contains(from)) continue;
+    if (has(needless, from)) continue;
     int end = to;
-    while (needless.contains(end)) end = next.at(end);
-    if (end != from) longer.emplace(from, end);
+    while (has(needless, end)) end = next(end);
+    if (end != from) longer.emplace_back(from, end);
   }
+  sort_once(longer);
   return longer;
 }
 
@@ -87,16 +107,17 @@ std::set<Edge> lengthened(const std::set<Edge>& edges, const std::set<int>& need
 
 std::vector<FacetOutline> facet_outlines(const CellSolid& solid, std::span<const int> cells) {
   std::vector<FacetOutline> outlines = outlines_of(solid, cells);
-  const std::set<int> needless = needless_vertices(outlines, solid.complex);
+  const std::vector<int> needless = needless_vertices(outlines, solid.complex);
   for (FacetOutline& outline : outlines) outline.edges = lengthened(outline.edges, needless);
   std::erase_if(outlines, [](const FacetOutline& outline) { return outline.edges.size() < 3; });
   return outlines;
 }
 
 int corner_count(const CellSolid& solid, std::span<const int> cells) {
-  std::unordered_set<int> corners;
+  std::vector<int> corners;
   for (const FacetOutline& outline : facet_outlines(solid, cells))
-    for (const auto& [from, to] : outline.edges) corners.insert(from);
+    for (const auto& [from, to] : outline.edges) corners.push_back(from);
+  sort_once(corners);
   return static_cast<int>(corners.size());
 }
 

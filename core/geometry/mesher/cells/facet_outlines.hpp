@@ -1,6 +1,5 @@
 #pragma once
 
-#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,8 +11,8 @@ namespace talus {
 /// Faces of a block on one plane, all seen from one side of it, as the directed edges around them.
 struct FacetOutline {
   int mark = 0;
-  Vec3 normal = Vec3::Zero();           ///< along the area, outwards
-  std::set<std::pair<int, int>> edges;  ///< of vertices; the area lies to the left
+  Vec3 normal = Vec3::Zero();              ///< along the area, outwards
+  std::vector<std::pair<int, int>> edges;  ///< of vertices, ascending; the area lies to the left
 };
 
 /// Of the surface of a set of cells: faces that only one of them has, those of one mark and one side of it made one.
