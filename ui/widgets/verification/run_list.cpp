@@ -16,7 +16,7 @@ namespace talus {
 namespace {
 
 constexpr int result_column = 1, first_fact = 2;
-constexpr int runs_width = 440, list_height = 400, page_width = 740, page_height = 260;
+constexpr int runs_width = 540, list_height = 400, page_width = 680, page_height = 260;
 
 }  // namespace
 
