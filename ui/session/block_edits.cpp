@@ -67,13 +67,12 @@ class Edit {
 
   /// What the project says of a block itself; null where that is nothing.
   const BlockOverride* wishFor(int index) const {
-    if (entries_.empty()) return nullptr;  // looking for places of a thousand blocks takes a while
-    const auto entry = entries_.find(keyOf(placeOf(index)));
+    const auto entry = knownEntry(index);
     return entry == entries_.end() ? nullptr : &project_.document().project().blocks[entry->second];
   }
 
   void leaveOut(int index, const char* key) {
-    const auto entry = entries_.find(keyOf(placeOf(index)));
+    const auto entry = knownEntry(index);
     if (entry != entries_.end()) changed_["blocks"].at(entry->second).erase(key);
   }
 
@@ -95,6 +94,11 @@ class Edit {
  private:
   using Key = std::array<double, 3>;
   static Key keyOf(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
+
+  /// Places of a thousand blocks take a while: they are not looked for where the project says nothing of any.
+  std::map<Key, std::size_t>::const_iterator knownEntry(int index) const {
+    return entries_.empty() ? entries_.end() : entries_.find(keyOf(placeOf(index)));
+  }
 
   CurrentProject& project_;
   const BlockSystem& system_;

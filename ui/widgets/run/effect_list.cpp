@@ -90,12 +90,11 @@ std::vector<EffectList::Row> EffectList::spent() const {
 void EffectList::refresh() {
   const bool ran = !run_.effects().empty();
   std::vector<Row> rows = ran ? spent() : expected();
-  if (column_->count() > 0 && std::ranges::equal(rows, rows_, {}, &Row::words, &Row::words)) {
-    rows_ = std::move(rows);
-    showCosts();
-    return;
-  }
+  const bool staysAsItIs =
+      column_->count() > 0 && ran == showsSpent_ && std::ranges::equal(rows, rows_, {}, &Row::words, &Row::words);
   rows_ = std::move(rows);
+  if (staysAsItIs) return showCosts();
+  showsSpent_ = ran;
   clearLayout(*column_);
   costs_.clear();
   if (rows_.empty()) {

@@ -40,6 +40,7 @@ class EffectList : public QWidget {
   CurrentRun& run_;
   std::vector<Row> rows_;    ///< as they are shown
   std::vector<Cost> costs_;  ///< one a row
+  bool showsSpent_ = false;  ///< what a run has told; else what is estimated
   QVBoxLayout* column_;
 };
 

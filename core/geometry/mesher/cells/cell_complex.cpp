@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/mesher/cells/face_border.hpp"
+
 namespace talus {
 namespace {
 
@@ -86,21 +88,17 @@ std::pair<CellFace, CellFace> divided(const CellFace& face, Division& division) 
 
 /// The face that closes a cell which is open along one loop.
 CellFace lid(const Cell& cell, int mark) {
-  using Edge = std::pair<int, int>;
-  std::vector<Edge> edges;
-  for (const CellFace& face : cell)
-    for (std::size_t k = 0; k < face.corners.size(); ++k)
-      edges.emplace_back(face.corners[k], face.corners[(k + 1) % face.corners.size()]);
-  std::sort(edges.begin(), edges.end());
-  std::vector<Edge> open;  // turned around: the lid is seen from outside
-  for (const auto& [from, to] : edges)
-    if (!std::binary_search(edges.begin(), edges.end(), Edge(to, from))) open.emplace_back(to, from);
+  std::vector<DirectedEdge> edges, open;
+  for (const CellFace& face : cell) add_edges(face, edges);
+  for (const auto& [from, to] : border_of(std::move(edges)))
+    open.emplace_back(to, from);  // the lid is seen from outside
   CellFace face{{}, mark};
   if (open.empty()) return face;
   int corner = open.front().first;
   do {
     face.corners.push_back(corner);
-    const auto next = std::find_if(open.begin(), open.end(), [&](const Edge& edge) { return edge.first == corner; });
+    const auto next =
+        std::find_if(open.begin(), open.end(), [&](const DirectedEdge& edge) { return edge.first == corner; });
     corner = next == open.end() ? open.front().first : next->second;
   } while (corner != open.front().first && face.corners.size() <= open.size());
   return face;

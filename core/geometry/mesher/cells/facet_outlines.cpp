@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/mesher/cells/face_border.hpp"
+
 namespace talus {
 namespace {
-
-using Edge = std::pair<int, int>;
 
 template <class Item>
 void sort_once(std::vector<Item>& items) {
@@ -32,20 +32,6 @@ std::vector<const CellFace*> skin_of(const CellSolid& solid, std::span<const int
   return skin;
 }
 
-void add(FacetOutline& outline, const CellFace& face) {
-  for (std::size_t k = 0; k < face.corners.size(); ++k)
-    outline.edges.emplace_back(face.corners[k], face.corners[(k + 1) % face.corners.size()]);
-}
-
-/// Of the edges of all faces, those around their area: two faces go along an edge between them in opposite directions.
-void leave_border(std::vector<Edge>& edges) {
-  std::ranges::sort(edges);
-  std::vector<Edge> border;
-  for (const auto& [from, to] : edges)
-    if (!std::ranges::binary_search(edges, Edge(to, from))) border.emplace_back(from, to);
-  edges = std::move(border);
-}
-
 std::vector<FacetOutline> outlines_of(const CellSolid& solid, std::span<const int> cells) {
   const std::vector<const CellFace*> skin = skin_of(solid, cells);
   std::vector<FacetOutline> outlines;
@@ -57,10 +43,10 @@ std::vector<FacetOutline> outlines_of(const CellSolid& solid, std::span<const in
       FacetOutline& outline = sides[sides[0].normal.dot(area) < 0 ? 1 : 0];
       outline.mark = mark;
       outline.normal += area;
-      add(outline, **face);
+      add_edges(**face, outline.edges);
     }
     for (FacetOutline& outline : sides) {
-      leave_border(outline.edges);
+      outline.edges = border_of(std::move(outline.edges));
       if (!outline.edges.empty()) outlines.push_back(std::move(outline));
     }
   }
@@ -69,7 +55,7 @@ std::vector<FacetOutline> outlines_of(const CellSolid& solid, std::span<const in
 
 /// Vertices in the middle of a straight edge of the block, ascending.
 std::vector<int> needless_vertices(const std::vector<FacetOutline>& outlines, const CellComplex& complex) {
-  std::vector<Edge> neighbours;  // from each vertex
+  std::vector<DirectedEdge> neighbours;  // from each vertex
   for (const FacetOutline& outline : outlines)
     for (const auto& [from, to] : outline.edges) {
       neighbours.emplace_back(from, to);
@@ -90,9 +76,11 @@ std::vector<int> needless_vertices(const std::vector<FacetOutline>& outlines, co
 }
 
 /// The edges with needless vertices left out, from each of which one edge goes.
-std::vector<Edge> lengthened(const std::vector<Edge>& edges, const std::vector<int>& needless) {
-  const auto next = [&](int vertex) { return std::ranges::lower_bound(edges, vertex, {}, &Edge::first)->second; };
-  std::vector<Edge> longer;
+std::vector<DirectedEdge> lengthened(const std::vector<DirectedEdge>& edges, const std::vector<int>& needless) {
+  const auto next = [&](int vertex) {
+    return std::ranges::lower_bound(edges, vertex, {}, &DirectedEdge::first)->second;
+  };
+  std::vector<DirectedEdge> longer;
   for (const auto& [from, to] : edges) {
     if (has(needless, from)) continue;
     int end = to;
