@@ -22,8 +22,9 @@ struct ListOfRuns {
   std::string what;  ///< "cases"
   std::size_t count = 0;
   std::function<void(Progress&, const std::function<void(const Result&)>&)> run;
-  std::string columns;                             ///< above the first
-  std::function<std::string(const Result&)> text;  ///< of one, as it ends
+  std::string columns;                                   ///< above the first
+  std::function<std::string(const Result&)> text;        ///< of one, as it ends
+  std::function<std::string(const Results&)> summary{};  ///< of all, before the verdict; may be empty
   std::function<std::string(const Results&)> markdown;
   std::function<std::string(const Results&, bool complete)> json;
 };
@@ -61,7 +62,10 @@ ExitCode run_list(const ListOfRuns<Result>& list, const std::filesystem::path& m
     complete = false;
   }
   progress.clear_bar();
-  std::cout << (as_json ? list.json(results, complete) : '\n' + verdict_text(list.what, results));
+  if (as_json)
+    std::cout << list.json(results, complete);
+  else
+    std::cout << '\n' << (list.summary ? list.summary(results) + '\n' : "") << verdict_text(list.what, results);
   if (!complete)
     std::cerr << "talus-cli: stopped; " << list.count - results.size() << ' ' << list.what << " were not run\n";
   if (complete && !markdown.empty()) write_into_page(markdown, list.markdown(results));

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "io/project_file.hpp"
 #include "io/whole_file.hpp"
 #include "options.hpp"
 #include "orientation/project_joints.hpp"
+#include "project_choice.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
 #include "text/orientation_text.hpp"
 
@@ -30,12 +30,12 @@ struct StereonetOptions {
 };
 
 std::vector<MeasuredJoint> joints_in(const std::filesystem::path& file) {
+  const bool is_project = file.extension() == ".talus";
+  Project project;
+  if (is_project) project = read({file, {.allow_outside = true}});  // no file that it names is opened
   return about(file, [&] {
-    std::vector<MeasuredJoint> joints;
-    if (file.extension() == ".talus")
-      joints = joints_of(read_project(file, {.allow_outside = true})).joints;  // no file that it names is opened
-    else
-      joints = sound_joints(read_joint_table(read_whole_file(file)));
+    const std::vector<MeasuredJoint> joints =
+        is_project ? joints_of(project).joints : sound_joints(read_joint_table(read_whole_file(file)));
     if (joints.empty()) throw InputError("joints", "there are none", "give the project a cut, or the table a line");
     return joints;
   });

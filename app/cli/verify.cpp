@@ -15,6 +15,7 @@
 #include "verification/known_answers_page.hpp"
 #include "verification/verify_json.hpp"
 #include "verify_hard_cases.hpp"
+#include "verify_random.hpp"
 
 namespace talus::cli {
 
@@ -26,6 +27,8 @@ struct Request {
   bool hard_cases = false;
   int perturbations = 0;
   std::string group;
+  std::string body;
+  RandomRequest random;
   std::filesystem::path samples, markdown;
   VerifyOptions options;
 };
@@ -38,7 +41,19 @@ std::filesystem::path samples_folder() {
   return std::filesystem::is_directory(installed) ? installed : std::filesystem::path(TALUS_SAMPLES);
 }
 
-ExitCode verify_cases(const Request& request, bool json) {
+/// That of known cases. Throws InputError for a word that only random scenes know.
+BodyKind body_of_cases(const std::string& word) {
+  static const std::map<std::string, BodyKind> bodies{{"", BodyKind::tetrahedra},
+                                                      {"tetrahedra", BodyKind::tetrahedra},
+                                                      {"affine", BodyKind::affine},
+                                                      {"rigid", BodyKind::rigid}};
+  const auto body = bodies.find(word);
+  if (body != bodies.end()) return body->second;
+  throw InputError("--body " + word, "known cases have blocks of one kind", "use it with --random");
+}
+
+ExitCode verify_cases(Request& request, bool json) {
+  request.options.run.body = body_of_cases(request.body);
   const auto known = all_cases(request.samples.empty() ? samples_folder() : request.samples);
   const auto cases = chosen_cases(known, request.names, request.all || request.list, request.options.run.body);
   if (request.list) {
@@ -56,11 +71,27 @@ ExitCode verify_cases(const Request& request, bool json) {
   return run_list(list, request.markdown, json);
 }
 
-HardCasesRequest of_hard_cases(const Request& request) {
+TrialOptions trial_options(const Request& request) {
   TrialOptions options{.threads = request.options.run.threads, .tolerance = request.options.run.tolerance};
   if (request.options.repeat) options.repeat_on = {1, 2};
-  return {request.names, request.group, request.all, request.list, request.perturbations, request.markdown, options};
+  return options;
 }
+
+HardCasesRequest of_hard_cases(const Request& request) {
+  return {request.names,         request.group,    request.all,           request.list,
+          request.perturbations, request.markdown, trial_options(request)};
+}
+
+RandomRequest of_random(const Request& request) {
+  RandomRequest random = request.random;
+  random.bodies = request.body;
+  random.list = request.list;
+  random.markdown = request.markdown;
+  random.options = trial_options(request);
+  return random;
+}
+
+bool asks_for_random(const Request& request) { return request.random.count > 0 || !request.random.scenes.empty(); }
 
 void add_tolerance(CLI::App& command, std::optional<double>& tolerance) {
   const auto check = [](const std::string& text) {
@@ -83,15 +114,12 @@ void add_case_options(CLI::App& command, Request& request, CLI::Option* hard_cas
       ->type_name("S")
       ->capture_default_str()
       ->excludes(hard_cases);
-  static const std::map<std::string, BodyKind> bodies{
-      {"tetrahedra", BodyKind::tetrahedra}, {"affine", BodyKind::affine}, {"rigid", BodyKind::rigid}};
   command
-      .add_option_function<std::string>(
-          "--body", [&request](const std::string& word) { request.options.run.body = bodies.at(word); },
-          "Run with blocks of this kind where tetrahedra stand otherwise (those cases that ask for no strain)")
-      ->check(CLI::IsMember(bodies).description(""))
-      ->type_name("rigid|affine|tetrahedra")
-      ->default_str("tetrahedra")
+      .add_option("--body", request.body,
+                  "Run with blocks of this kind where tetrahedra stand otherwise (those cases that ask for no strain), "
+                  "or draw random scenes with them; mixed: random scenes alone")
+      ->check(CLI::IsMember({"rigid", "affine", "tetrahedra", "mixed"}).description(""))
+      ->type_name("rigid|affine|tetrahedra|mixed")
       ->excludes(hard_cases);
   static const std::map<std::string, Preset> presets{{"talus", Preset::talus}, {"paper", Preset::paper}};
   command
@@ -127,6 +155,36 @@ CLI::Option* add_hard_case_options(CLI::App& command, Request& request) {
   return hard_cases;
 }
 
+/// Scenes that chance draws instead of known answers.
+void add_random_options(CLI::App& command, Request& request, CLI::Option* hard_cases) {
+  auto* random = command
+                     .add_option("--random", request.random.count,
+                                 "Draw and run N random scenes instead: a row for each that does not hold, and a table "
+                                 "of their families")
+                     ->check(CLI::Validator(CLI::PositiveNumber).description(""))
+                     ->type_name("N")
+                     ->excludes(hard_cases);
+  command
+      .add_option("--seed", request.random.seed, "What random scenes are drawn from; now: a new one, which is printed")
+      ->type_name("S|now")
+      ->capture_default_str()
+      ->needs(random);
+  command
+      .add_option("--family", request.random.families, "Only random scenes of these families (default: all in turn)")
+      ->type_name("F")
+      ->needs(random);
+  command
+      .add_option("--random-scene", request.random.scenes,
+                  "Run these random scenes again, by their names: family, seed, number and, where it was chosen, body, "
+                  "like impacts:17:42:rigid")
+      ->type_name("NAME")
+      ->excludes(hard_cases);
+  command
+      .add_option("--out", request.random.folder,
+                  "Write random scenes that do not hold into this folder, as projects with what failed in comments")
+      ->type_name("FOLDER");
+}
+
 }  // namespace
 
 void add_verify(CLI::App& program, Invocation& invocation) {
@@ -138,7 +196,9 @@ void add_verify(CLI::App& program, Invocation& invocation) {
   command->add_option("NAME", request->names, "Cases or scenes to run (default: all that are quick)")->type_name("");
   command->add_flag("--all", request->all, "Also those that take minutes, and every row of those that are thinned");
   command->add_flag("--list", request->list, "List the cases there are and leave");
-  add_case_options(*command, *request, add_hard_case_options(*command, *request));
+  CLI::Option* hard_cases = add_hard_case_options(*command, *request);
+  add_case_options(*command, *request, hard_cases);
+  add_random_options(*command, *request, hard_cases);
   add_threads(*command, request->options.run.threads);
   add_tolerance(*command, request->options.run.tolerance);
   command->add_flag("--repeat", request->options.repeat,
@@ -152,6 +212,7 @@ void add_verify(CLI::App& program, Invocation& invocation) {
   command->callback([&invocation, request] {
     request->options.run.thorough = request->all;
     invocation.run = [&invocation, request] {
+      if (asks_for_random(*request)) return run_random(of_random(*request), invocation.json);
       return request->hard_cases ? run_hard_cases(of_hard_cases(*request), invocation.json)
                                  : verify_cases(*request, invocation.json);
     };

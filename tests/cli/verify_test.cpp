@@ -161,5 +161,55 @@ TEST_F(Verify, ListsTheHardCasesAndTheirGroups) {
   EXPECT_EQ(talus_cli({"verify", "--hard-cases", "--scale", "2"}).exit_code, 2);
 }
 
+TEST_F(Verify, DrawsRandomScenesAndReplaysThemByTheirNames) {
+  const Ending drawn =
+      talus_cli({"verify", "--random", "2", "--seed", "3", "--family", "inclines", "--body", "rigid", "--json"});
+  const Json all = Json::parse(drawn.out);
+  EXPECT_EQ(drawn.exit_code, all["passed"] ? 0 : 1) << drawn.err;
+  ASSERT_EQ(all["scenes"].size(), 2U);
+  EXPECT_EQ(all["families"][0]["scenes"], 2);
+  const Json second = all["scenes"][1];
+  EXPECT_EQ(second["scene"], "inclines:3:2:rigid");
+  const Ending again = talus_cli({"verify", "--random-scene", "inclines:3:2:rigid", "--json"});
+  EXPECT_EQ(Json::parse(again.out)["scenes"][0]["fingerprint"], second["fingerprint"]);
+}
+
+TEST_F(Verify, PrintsASeedOfNowAndATableOfFamilies) {
+  const Ending ending = talus_cli({"verify", "--random", "1", "--seed", "now", "--family", "inclines"});
+  EXPECT_THAT(ending.err, testing::ContainsRegex("talus-cli: seed [0-9]+\n"));
+  EXPECT_THAT(ending.out, testing::ContainsRegex("Family +Scenes +Held +Seconds"));
+}
+
+/// To the draft's tolerance, a thousandth of the largest force, no momentum is held to 1e-9.
+TEST_F(Verify, EndsWithOneAndWritesRandomScenesThatFail) {
+  write_text(folder / "page.md", "<!-- talus-cli verify: begin -->\n<!-- talus-cli verify: end -->\n");
+  const Ending ending = talus_cli({"verify", "--random-scene", "collisions:1:1:affine", "--tolerance", "draft", "--out",
+                                   place("failed"), "--markdown", place("page.md")});
+  EXPECT_EQ(ending.exit_code, 1) << ending.err;
+  EXPECT_THAT(ending.out, HasSubstr("failed: collisions:1:1:affine"));
+  const std::string file = text_of(folder / "failed/collisions-1-1-affine.talus");
+  EXPECT_THAT(file, HasSubstr("// - expected: linear and angular momentum stay within 1e-09; but linear momentum"));
+  EXPECT_EQ(talus_cli({"info", place("failed/collisions-1-1-affine.talus")}).exit_code, 0);
+  EXPECT_THAT(text_of(place("page.md")), HasSubstr("- **collisions:1:1:affine**"));
+}
+
+TEST_F(Verify, ListsTheFamiliesOfRandomScenes) {
+  const Ending ending = talus_cli({"verify", "--random", "1", "--list"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(ending.out, testing::ContainsRegex("impacts +A body that flies"));
+}
+
+TEST_F(Verify, RefusesRandomScenesThereAreNot) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"verify", "--random", "1", "--family", "geese"},
+                                             {"verify", "--random", "1", "--seed", "1x"},
+                                             {"verify", "--random", "0"},
+                                             {"verify", "--random-scene", "impacts:1"},
+                                             {"verify", "--random", "1", "--hard-cases"},
+                                             {"verify", "--seed", "1"},
+                                             {"verify", "block_slides", "--body", "mixed"}})
+    EXPECT_EQ(talus_cli(arguments).exit_code, 2) << arguments[1] << ' ' << arguments[2];
+}
+
 }  // namespace
 }  // namespace talus::test

@@ -19,6 +19,36 @@ const Snapshot& Trajectory::end_of_stage(int stage) const {
   return *last;
 }
 
+std::string_view to_string(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::not_converged:
+      return "not converged";
+    case FaultKind::broken_off:
+      return "broken off";
+    case FaultKind::not_finite:
+      return "not finite";
+    case FaultKind::penetration:
+      return "penetration";
+    case FaultKind::interpenetration:
+      return "interpenetration";
+    case FaultKind::energy:
+      return "energy";
+    case FaultKind::ledger:
+      return "ledger";
+    case FaultKind::inverted:
+      return "inverted";
+    case FaultKind::lost:
+      return "lost";
+    case FaultKind::momentum:
+      return "momentum";
+    case FaultKind::expectation:
+      return "expectation";
+    case FaultKind::other_bits:
+      break;
+  }
+  return "other bits";
+}
+
 std::vector<HardCase> with_perturbations(const HardCase& scene, int times) {
   std::vector<HardCase> scenes(times + 1, scene);
   for (int i = 1; i <= times; ++i) {

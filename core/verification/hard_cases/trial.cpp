@@ -55,13 +55,14 @@ bool all_finite(const EnergyLedger& e) {
 /// One run, measured step by step.
 class TrialRun {
  public:
-  TrialRun(const CaseScene& scene, const Tolerances& tolerances, Trial& trial)
+  TrialRun(const CaseScene& scene, bool keeps_nodes, const Tolerances& tolerances, Trial& trial)
       : scene_(scene),
+        keeps_nodes_(keeps_nodes),
         trial_(trial),
         simulation_(scene.project, scene.system, tolerances),
         ledger_(scene),
         interpenetration_(scene.system),
-        trajectory_{scene.system, {}},
+        trajectory_{scene.system, {}, {}},
         unseen_(unseen_distance * smallest_size(scene.system)),
         steps_a_sample_(std::max(1L, simulation_.total_steps() / fewest_samples)),
         steps_a_look_(std::max(1L, simulation_.total_steps() / interpenetration_looks)) {}
@@ -119,8 +120,15 @@ class TrialRun {
     for (std::size_t b = 0; b < scene_.system.blocks.size(); ++b)
       snapshot.blocks.push_back(block_motion(simulation_.bodies(), static_cast<int>(b)));
     trajectory_.snapshots.push_back(std::move(snapshot));
+    if (keeps_nodes_) keep_nodes();
     trial_.prints.push_back({simulation_.time(), trial_.iterations, hash_of(simulation_.bodies().nodes.position)});
     distance_ = 0;
+  }
+
+  void keep_nodes() {
+    const NodeSet& nodes = simulation_.bodies().nodes;
+    trajectory_.nodes.push_back({{nodes.position.begin(), nodes.position.begin() + nodes.of_blocks},
+                                 {nodes.velocity.begin(), nodes.velocity.begin() + nodes.of_blocks}});
   }
 
   void look_for_interpenetration() {
@@ -131,6 +139,7 @@ class TrialRun {
   }
 
   const CaseScene& scene_;
+  const bool keeps_nodes_;
   Trial& trial_;
   Simulation simulation_;
   LedgerWatch ledger_;
@@ -141,11 +150,11 @@ class TrialRun {
   int stage_ = 0;
 };
 
-std::vector<std::string> unmet_expectations(const HardCase& scene, const Trajectory& trajectory) {
-  std::vector<std::string> unmet;
+std::vector<Fault> unmet_expectations(const HardCase& scene, const Trajectory& trajectory) {
+  std::vector<Fault> unmet;
   for (const HardCaseExpectation& expectation : scene.expected)
     if (const std::string fault = expectation.fault(trajectory); !fault.empty())
-      unmet.push_back("expected: " + expectation.words + "; but " + fault);
+      unmet.push_back({expectation.kind, "expected: " + expectation.words + "; but " + fault});
   return unmet;
 }
 
@@ -165,7 +174,7 @@ Trial single_run(const HardCase& scene, int threads, const TrialOptions& options
     CaseScene built = scene.build();
     double& tolerance = built.project.solver.tolerance;
     if (tolerance == SolverSettings{}.tolerance) tolerance = options.tolerance.value_or(tolerance);
-    TrialRun run(built, options.tolerances, trial);
+    TrialRun run(built, scene.keeps_nodes, options.tolerances, trial);
     run.run(progress);
     for (const BlockMotion& block : run.trajectory().last().blocks) trial.displacements.push_back(block.displacement);
     if (trial.ending == TrialEnding::completed) trial.unmet = unmet_expectations(scene, run.trajectory());
@@ -199,27 +208,33 @@ std::uint64_t fingerprint(const Trial& trial) {
 
 bool Trial::passed() const { return faults(*this).empty(); }
 
-std::vector<std::string> faults(const Trial& trial) {
-  std::vector<std::string> list;
-  const auto hold = [&list](bool held, const std::string& fault) {
-    if (!held) list.push_back(fault);
+std::vector<Fault> faults_by_kind(const Trial& trial) {
+  std::vector<Fault> list;
+  const auto hold = [&list](bool held, FaultKind kind, const std::string& words) {
+    if (!held) list.push_back({kind, words});
   };
-  hold(trial.ending != TrialEnding::not_converged, "did not converge: " + trial.reason);
-  hold(trial.ending != TrialEnding::broken_off, "broke off: " + trial.reason);
-  hold(trial.finite, "a position, velocity or energy is not a number");
-  hold(trial.penetration < most_penetration,
+  hold(trial.ending != TrialEnding::not_converged, FaultKind::not_converged, "did not converge: " + trial.reason);
+  hold(trial.ending != TrialEnding::broken_off, FaultKind::broken_off, "broke off: " + trial.reason);
+  hold(trial.finite, FaultKind::not_finite, "a position, velocity or energy is not a number");
+  hold(trial.penetration < most_penetration, FaultKind::penetration,
        "contacts are " + significant(trial.penetration) + " of the mesh size deep");
-  hold(trial.interpenetration < most_penetration,
+  hold(trial.interpenetration < most_penetration, FaultKind::interpenetration,
        trial.interpenetrating + " is " + significant(trial.interpenetration) + " of the mesh size deep");
-  hold(!trial.grows, "energy grows by " + significant(trial.energy_growth) + " of what moved");
-  hold(trial.closes, "the energy ledger misses " + significant(trial.remainder) + " of what moved");
-  hold(trial.least_volume > 0,
+  hold(!trial.grows, FaultKind::energy, "energy grows by " + significant(trial.energy_growth) + " of what moved");
+  hold(trial.closes, FaultKind::ledger, "the energy ledger misses " + significant(trial.remainder) + " of what moved");
+  hold(trial.least_volume > 0, FaultKind::inverted,
        "a tetrahedron is inverted: " + significant(trial.least_volume) + " of its volume is left");
   list.insert(list.end(), trial.unmet.begin(), trial.unmet.end());
   for (const TrialRepetition& again : trial.repetitions)
-    hold(again.difference.empty(),
+    hold(again.difference.empty(), FaultKind::other_bits,
          "not the same bits on " + std::to_string(again.threads) + " threads: " + again.difference);
   return list;
+}
+
+std::vector<std::string> faults(const Trial& trial) {
+  std::vector<std::string> words;
+  for (const Fault& fault : faults_by_kind(trial)) words.push_back(fault.words);
+  return words;
 }
 
 Trial run_trial(const HardCase& scene, const TrialOptions& options, Progress& progress) {

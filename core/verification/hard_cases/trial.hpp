@@ -37,6 +37,12 @@ struct SnapshotHash {
   bool operator==(const SnapshotHash&) const = default;
 };
 
+/// What did not hold.
+struct Fault {
+  FaultKind kind = FaultKind::expectation;
+  std::string words;  ///< with figures
+};
+
 /// What came of running a scene once more.
 struct TrialRepetition {
   int threads = 1;
@@ -61,9 +67,9 @@ struct Trial {
   bool grows = false, closes = true;  ///< growth and remainder beyond their limits and the rounding of positions
   double least_volume = 1;            ///< of a tetrahedron, of its volume at the start
   bool finite = true;                 ///< every position, velocity and energy is a number
-  double interpenetration = 0;     ///< deepest point of a block in another, of the local mesh size, where it was looked
-  std::string interpenetrating;    ///< "wedge in groove"
-  std::vector<std::string> unmet;  ///< expectations of the scene that were not met, with their figures
+  double interpenetration = 0;   ///< deepest point of a block in another, of the local mesh size, where it was looked
+  std::string interpenetrating;  ///< "wedge in groove"
+  std::vector<Fault> unmet;      ///< expectations of the scene that were not met
   std::vector<Vec3> displacements;  ///< m, of the centroids of all blocks at the end
   std::vector<SnapshotHash> prints;
   std::vector<TrialRepetition> repetitions;
@@ -82,7 +88,9 @@ inline constexpr double most_energy_growth = 1e-6;  ///< of the energy moved
 /// by a chance of 1 in 2⁶⁴): runs of other threads, processes and machines can be compared by it.
 std::uint64_t fingerprint(const Trial& trial);
 
-/// What did not hold, in words with figures; empty: the scene passes.
+/// What did not hold; empty: the scene passes.
+std::vector<Fault> faults_by_kind(const Trial& trial);
+/// The same in words alone.
 std::vector<std::string> faults(const Trial& trial);
 
 struct TrialOptions {

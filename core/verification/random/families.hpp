@@ -1,0 +1,14 @@
+#pragma once
+
+#include "verification/random/random_scene.hpp"
+
+/// What each family draws, a file each or one for a few that are akin.
+namespace talus {
+
+HardCase random_impact(Draw& draw);
+HardCase random_drop(Draw& draw);
+HardCase random_collision(Draw& draw);
+HardCase random_incline(Draw& draw);
+HardCase random_wedge(Draw& draw);
+
+}  // namespace talus

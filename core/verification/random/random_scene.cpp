@@ -1,0 +1,119 @@
+#include "verification/random/random_scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "base/error.hpp"
+#include "verification/random/families.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr std::array all_random_bodies{RandomBodies::rigid, RandomBodies::affine, RandomBodies::tetrahedra,
+                                       RandomBodies::mixed};
+
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char letter : text) {
+    if (letter == ':')
+      parts.emplace_back();
+    else
+      parts.back() += letter;
+  }
+  return parts;
+}
+
+std::uint64_t number_in(const std::string& digits, const std::string& text) {
+  std::uint64_t number = 0;
+  const char* end = digits.data() + digits.size();
+  const auto read = std::from_chars(digits.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end)
+    throw InputError("random scene '" + text + "'", "'" + digits + "' is no whole number",
+                     "write family, seed and number, like impacts:17:42");
+  return number;
+}
+
+}  // namespace
+
+std::string_view to_string(RandomBodies bodies) {
+  switch (bodies) {
+    case RandomBodies::rigid:
+      return "rigid";
+    case RandomBodies::affine:
+      return "affine";
+    case RandomBodies::tetrahedra:
+      return "tetrahedra";
+    case RandomBodies::mixed:
+      break;
+  }
+  return "mixed";
+}
+
+RandomBodies random_bodies_from(const std::string& word) {
+  for (const RandomBodies bodies : all_random_bodies)
+    if (to_string(bodies) == word) return bodies;
+  throw InputError("bodies '" + word + "'", "there are none of that name",
+                   "choose among rigid, affine, tetrahedra, mixed");
+}
+
+Draw::Draw(std::uint64_t seed, std::optional<RandomBodies> wish) : numbers(seed) {
+  const RandomBodies drawn = all_random_bodies[numbers.whole(0, 3)];
+  bodies_ = wish.value_or(drawn);
+}
+
+BodyKind Draw::body() {
+  const int drawn = numbers.whole(0, 2);  // whatever is wished, so that what is drawn next stays
+  const int kind = bodies_ == RandomBodies::mixed ? drawn : static_cast<int>(bodies_);
+  return std::array{BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra}[kind];
+}
+
+const std::vector<RandomFamily>& random_families() {
+  static const std::vector<RandomFamily> families{
+      {"impacts", "A body that flies at a thick wall, a floor or an edge is stopped or turned away", random_impact},
+      {"drops", "A body that falls on a floor, restitution 0 to 1, makes no energy and stays above", random_drop},
+      {"collisions", "Two or three bodies that meet in space keep their momentum, also the angular one",
+       random_collision},
+      {"inclines", "A block on a plane, near the threshold or far from it, slides by the closed answer or rests",
+       random_incline},
+      {"wedges", "A wedge in two planes, near the threshold or far from it, slides by the closed answer or rests",
+       random_wedge},
+  };
+  return families;
+}
+
+const RandomFamily& random_family(const std::string& name) {
+  std::string known;
+  for (const RandomFamily& family : random_families()) {
+    if (name == family.name) return family;
+    known += (known.empty() ? "" : ", ") + std::string(family.name);
+  }
+  throw InputError("family '" + name + "'", "there is none of that name", "choose among " + known);
+}
+
+std::string to_string(const RandomSceneName& name) {
+  std::string text = name.family + ':' + std::to_string(name.seed) + ':' + std::to_string(name.number);
+  if (name.bodies) text += ':' + std::string(to_string(*name.bodies));
+  return text;
+}
+
+RandomSceneName random_scene_name_from(const std::string& text) {
+  const std::vector<std::string> parts = parts_of(text);
+  if (parts.size() < 3 || parts.size() > 4)
+    throw InputError("random scene '" + text + "'", "it has no family, seed and number", "write it like impacts:17:42");
+  RandomSceneName name{random_family(parts[0]).name, number_in(parts[1], text), number_in(parts[2], text)};
+  if (parts.size() == 4) name.bodies = random_bodies_from(parts[3]);
+  return name;
+}
+
+HardCase random_scene(const RandomSceneName& name) {
+  const RandomFamily& family = random_family(name.family);
+  Draw draw(mixed_seed(name.seed, name.family, name.number), name.bodies);
+  HardCase scene = family.draw(draw);
+  scene.name = to_string(name);
+  scene.group = name.family;
+  return scene;
+}
+
+}  // namespace talus
