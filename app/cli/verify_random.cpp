@@ -18,7 +18,8 @@ namespace {
 
 std::uint64_t seed_from(const std::string& text) {
   if (text == "now")
-    return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch() / std::chrono::milliseconds(1));
+    return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch() /
+                                      std::chrono::milliseconds(1));
   std::uint64_t seed = 0;
   const char* end = text.data() + text.size();
   if (const auto read = std::from_chars(text.data(), end, seed); read.ec != std::errc() || read.ptr != end)
@@ -51,7 +52,8 @@ ExitCode run_random(const RandomRequest& request, bool json) {
   list.count = names.size();
   list.run = [&](Progress& progress, const auto& ended) {
     verify_random(names, request.options, progress, [&](const HardCase& scene, const Trial& trial) {
-      if (!request.folder.empty() && !trial.passed()) write_failed_scene(request.folder, scene, trial);
+      if (!request.folder.empty() && !trial.passed())
+        write_failed_scene(request.folder, scene, trial, request.options, progress);
       ended(trial);
     });
   };

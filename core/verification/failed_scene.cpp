@@ -8,10 +8,13 @@
 #include "io/project_file.hpp"
 #include "io/whole_file.hpp"
 #include "mesh/surface.hpp"
+#include "verification/smaller_scene.hpp"
 
 namespace talus {
 
 namespace {
+
+constexpr int most_runs = 30;  // to make a scene smaller
 
 /// The nodes of the surface alone.
 PolyhedronShape polyhedron_of(const Block& block) {
@@ -43,14 +46,17 @@ Project project_of(const CaseScene& scene) {
   return project;
 }
 
-std::filesystem::path write_failed_scene(const std::filesystem::path& folder, const HardCase& scene,
-                                         const Trial& trial) {
+std::filesystem::path write_failed_scene(const std::filesystem::path& folder, const HardCase& scene, const Trial& trial,
+                                         const TrialOptions& options, Progress& progress) {
+  const std::optional<FaultKind> kind = law_broken(trial);
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) throw InputError(folder.string(), failure.message(), "choose another folder");
-  Project project = project_of(scene.build());
+  const CaseScene built = scene.build();
+  Project project = project_of(kind ? smaller_scene(built, *kind, most_runs, options, progress) : built);
   project.name = scene.name;
   std::string text = "// " + scene.name + ": " + scene.title + '\n';
+  if (kind) text += "// Made smaller as long as this fails: " + std::string(to_string(*kind)) + '\n';
   for (std::string fault : faults(trial)) {
     std::replace(fault.begin(), fault.end(), '\n', ' ');
     text += "// - " + fault + '\n';

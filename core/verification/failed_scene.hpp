@@ -11,8 +11,9 @@ namespace talus {
 Project project_of(const CaseScene& scene);
 
 /// Writes the scene into FOLDER/impacts-17-42.talus, where that is its name, with what did not hold in comments above.
-/// Makes the folder. Throws InputError where it cannot be written.
-std::filesystem::path write_failed_scene(const std::filesystem::path& folder, const HardCase& scene,
-                                         const Trial& trial);
+/// Where a law is broken it is made smaller first, in 30 more runs at most. Makes the folder. Throws InputError where
+/// it cannot be written.
+std::filesystem::path write_failed_scene(const std::filesystem::path& folder, const HardCase& scene, const Trial& trial,
+                                         const TrialOptions& options, Progress& progress);
 
 }  // namespace talus

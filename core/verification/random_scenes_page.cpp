@@ -22,8 +22,8 @@ std::string what_fails(const std::vector<Trial>& trials) {
 
 std::string random_scenes_page(const std::vector<Trial>& trials) {
   std::string text = passed_text("scenes", trials) + "\n\n";
-  text += markdown_heading({"Family", "What its scenes are and must come to", "Scenes", "Held", "What did not, in how many"},
-                           "llrrl");
+  text += markdown_heading(
+      {"Family", "What its scenes are and must come to", "Scenes", "Held", "What did not, in how many"}, "llrrl");
   for (const FamilyResult& result : family_results(trials))
     text += markdown_row({result.family, random_family(result.family).title, std::to_string(result.scenes),
                           std::to_string(result.held), faults_text(result)});

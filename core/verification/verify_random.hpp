@@ -33,7 +33,7 @@ void verify_random(const std::vector<RandomSceneName>& names, const TrialOptions
 struct FamilyResult {
   std::string family;
   int scenes = 0, held = 0;
-  double seconds = 0;              ///< of computing
+  double seconds = 0;                 ///< of computing
   std::map<FaultKind, int> faults{};  ///< in how many scenes there was one of this kind
 };
 

@@ -17,8 +17,8 @@ constexpr double momentum_share = 1e-9;
 /// A body on its way to the middle, where all arrive together.
 struct Missile {
   RandomShape shape;
-  Vec3 from;       ///< direction that it comes from
-  double speed;    ///< m/s
+  Vec3 from;        ///< direction that it comes from
+  double speed;     ///< m/s
   double spinning;  ///< rad/s
 };
 
@@ -32,8 +32,7 @@ std::vector<Missile> random_missiles(SceneNumbers& numbers) {
     // From all around, so that they lie nowhere in each other before.
     const double angle = 360.0 * (i + numbers.between(0, 0.3)) / count;
     const Vec3 across = axis.unitOrthogonal();
-    const Vec3 from = std::cos(radians(angle)) * across +
-                      std::sin(radians(angle)) * axis.cross(across);
+    const Vec3 from = std::cos(radians(angle)) * across + std::sin(radians(angle)) * axis.cross(across);
     const double own_speed = speed * numbers.between(0.3, 1);
     const double spinning = numbers.chance(0.5) ? numbers.between(0, 1) * own_speed / shape.radius : 0;
     missiles.push_back({std::move(shape), from, own_speed, spinning});
@@ -66,9 +65,8 @@ HardCase random_collision(Draw& draw) {
     const Vec3 start = 2.2 * radius * missile.from;
     const Vec3 aim = 0.5 * missile.shape.radius * numbers.between(0, 1) * numbers.direction();
     add_random_block(scene, name, missile.shape, body, numbers.turn(), start + aim, numbers);
-    scene.project.velocities.push_back({.block = name,
-                                        .linear = -missile.speed * missile.from,
-                                        .angular = missile.spinning * numbers.direction()});
+    scene.project.velocities.push_back(
+        {.block = name, .linear = -missile.speed * missile.from, .angular = missile.spinning * numbers.direction()});
     words += (words.empty() ? "" : ", ") + missile.shape.word + ' ' + std::string(to_string(body));
   }
   const double seconds = 2 * 2.2 * radius / slowest;

@@ -12,7 +12,7 @@ namespace talus {
 
 namespace {
 
-constexpr double earth = 9.81;       // m/s²
+constexpr double earth = 9.81;        // m/s²
 constexpr double most_sagging = 0.1;  // of the thickness
 
 /// A restitution of 0 and of 1 is as likely as all between.

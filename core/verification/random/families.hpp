@@ -10,5 +10,13 @@ HardCase random_drop(Draw& draw);
 HardCase random_collision(Draw& draw);
 HardCase random_incline(Draw& draw);
 HardCase random_wedge(Draw& draw);
+HardCase random_toppling(Draw& draw);
+HardCase random_tower(Draw& draw);
+HardCase random_slope(Draw& draw);
+HardCase random_pour(Draw& draw);
+HardCase random_chain(Draw& draw);
+HardCase random_shaking(Draw& draw);
+HardCase random_coincidence(Draw& draw);
+HardCase random_ratios(Draw& draw);
 
 }  // namespace talus

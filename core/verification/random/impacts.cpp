@@ -78,7 +78,7 @@ struct Impact {
   double speed, incidence;      // m/s, degrees from the normal
   double step, friction_angle;  // s, degrees
   int steps = 0;
-  double height = 0, spin = 0;   // m, of the centroid; rad/s
+  double height = 0, spin = 0;  // m, of the centroid; rad/s
   Vec3 gravity = Vec3::Zero();  // m/s²
 };
 
@@ -123,8 +123,8 @@ HardCase random_impact(Draw& draw) {
   drawn.keeps_nodes = true;
   drawn.expected = {is_turned_away("body", scene.project.gravity, least_change)};
   if (impact.obstacle != Obstacle::edge)
-    drawn.expected.push_back(nodes_stay_before("body", Vec3::Zero(), turn * Vec3::UnitZ(),
-                                               most_sinking * impact.shape.thickness));
+    drawn.expected.push_back(
+        nodes_stay_before("body", Vec3::Zero(), turn * Vec3::UnitZ(), most_sinking * impact.shape.thickness));
   drawn.build = [scene] { return scene; };
   return drawn;
 }

@@ -59,11 +59,9 @@ Momentum momentum_of(const Block& block, std::size_t first, double density, cons
   for (const std::array<int, 4>& tetrahedron : block.mesh.tetrahedra) {
     const auto corner = [&](int i) { return first + static_cast<std::size_t>(tetrahedron[i]); };
     const Vec3& origin = reference[corner(0)];
-    const double mass = density *
-                        (reference[corner(1)] - origin)
-                            .cross(reference[corner(2)] - origin)
-                            .dot(reference[corner(3)] - origin) /
-                        6;
+    const double mass =
+        density *
+        (reference[corner(1)] - origin).cross(reference[corner(2)] - origin).dot(reference[corner(3)] - origin) / 6;
     Vec3 arms = Vec3::Zero(), velocities = Vec3::Zero(), products = Vec3::Zero();
     for (int i = 0; i < 4; ++i) {
       const Vec3 arm = now.positions[corner(i)] - about;
@@ -90,8 +88,8 @@ Momenta momenta_of(const Trajectory& trajectory, const std::vector<Material>& ma
   std::size_t first = 0;
   for (std::size_t b = 0; b < trajectory.system.blocks.size(); ++b) {
     const Block& block = trajectory.system.blocks[b];
-    const Momentum one = momentum_of(block, first, materials[block.material].density, now,
-                                     trajectory.nodes.front().positions, about);
+    const Momentum one =
+        momentum_of(block, first, materials[block.material].density, now, trajectory.nodes.front().positions, about);
     all.sum.linear += one.linear;
     all.sum.angular += one.angular;
     all.linear += one.linear.norm();

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "mesh/moments.hpp"
+#include "model/number_text.hpp"
+#include "model/stages.hpp"
 #include "verification/hard_cases/shapes.hpp"
 
 namespace talus {
@@ -62,7 +64,8 @@ Rough random_hollowed(SceneNumbers& numbers) {
     case 2:
       return {"T", grid_mesh(crossed, ended, flat, [](int i, int j, int) { return i == 1 || j == 0; })};
     case 3:
-      return {"U", grid_mesh({0, 1, 1 + arm, 2 + arm}, ended, flat, [](int i, int j, int) { return i != 1 || j == 0; })};
+      return {"U",
+              grid_mesh({0, 1, 1 + arm, 2 + arm}, ended, flat, [](int i, int j, int) { return i != 1 || j == 0; })};
     default:
       return {"jack", grid_mesh(crossed, crossed, crossed,
                                 [](int i, int j, int k) { return (i == 1) + (j == 1) + (k == 1) >= 2; })};
@@ -106,6 +109,25 @@ void draw_settings(SceneNumbers& numbers, SolverSettings& settings) {
   if (numbers.chance(0.3)) settings.contact_stiffness *= stiffness;
   if (numbers.chance(0.1)) settings.time_step_control = TimeStepControl::adaptive;
   if (numbers.chance(0.1)) settings.tolerance = reference_tolerance.value;
+}
+
+Site::Site(SceneNumbers& numbers) : azimuth(numbers.between(0, 360)) {
+  const Vec3 place(numbers.between(-5e6, 5e6), numbers.between(-5e6, 5e6), numbers.between(-1e3, 4e3));
+  const int kind = numbers.whole(0, 3);
+  if (kind == 1) shift = 1e-3 * place;
+  if (kind >= 2) shift = place;
+}
+
+Mat3 Site::turn() const { return turn_about(Vec3::UnitZ(), azimuth); }
+
+std::string Site::words() const {
+  return "azimuth " + significant(azimuth) + "°, " + significant(shift.norm()) + " m from the origin";
+}
+
+Stage settling_stage(double time_step) {
+  Stage stage = static_stage(time_step, 200);
+  stage.until_equilibrium = true;
+  return stage;
 }
 
 void place_scene(CaseScene& scene, const Mat3& turn, const Vec3& shift) {

@@ -31,6 +31,19 @@ CaseScene random_rock_scene(SceneNumbers& numbers, double friction_angle);
 /// the tolerance of reference.
 void draw_settings(SceneNumbers& numbers, SolverSettings& settings);
 
+/// At the origin, on a site's own grid, or on a country's; turned about the vertical.
+struct Site {
+  explicit Site(SceneNumbers& numbers);
+  Mat3 turn() const;
+  std::string words() const;  ///< "azimuth 12°, 5e+06 m from the origin"
+
+  double azimuth;             ///< degrees
+  Vec3 shift = Vec3::Zero();  ///< m
+};
+
+/// Static steps until nothing moves any more, 200 at most.
+Stage settling_stage(double time_step);
+
 /// The whole scene turned about the origin, gravity and velocities too, then moved.
 void place_scene(CaseScene& scene, const Mat3& turn, const Vec3& shift);
 

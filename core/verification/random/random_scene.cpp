@@ -79,6 +79,15 @@ const std::vector<RandomFamily>& random_families() {
        random_incline},
       {"wedges", "A wedge in two planes, near the threshold or far from it, slides by the closed answer or rests",
        random_wedge},
+      {"toppling", "A slender block, near the threshold or far from it, tips over or stands", random_toppling},
+      {"towers", "Boxes on each other, each stack of them over its base, stand", random_tower},
+      {"slopes", "A bench cut by three joint sets slides or stands, above its bedding", random_slope},
+      {"pours", "Bodies, also such with arms, that fall in a closed box stay in it", random_pour},
+      {"chains", "Rings in each other hang", random_chain},
+      {"shaken", "Boxes on a table that moves by a sine stay above it, and no energy is made", random_shaking},
+      {"coincident", "Boxes whose faces, edges and corners coincide, or miss by 1e-12 to 1e-3, rest",
+       random_coincidence},
+      {"ratios", "Boxes of densities to 1 : 1e4 and sizes to 1 : 1e3 rest on each other", random_ratios},
   };
   return families;
 }

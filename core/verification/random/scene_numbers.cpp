@@ -21,9 +21,7 @@ std::uint64_t spread_bits(std::uint64_t x) {
 
 double SceneNumbers::between(double low, double high) { return low + (high - low) * even_.uniform(); }
 
-double SceneNumbers::logarithmic(double low, double high) {
-  return std::exp(between(std::log(low), std::log(high)));
-}
+double SceneNumbers::logarithmic(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
 int SceneNumbers::whole(int low, int high) {
   return std::min(high, static_cast<int>(std::floor(between(low, static_cast<double>(high) + 1))));

@@ -16,7 +16,7 @@ namespace talus {
 
 namespace {
 
-constexpr double weight = 9.81;  // N/kg
+constexpr double weight = 9.81;                         // N/kg
 constexpr double way_share = 1e-3, most_unrest = 1e-6;  // of the way; of the size
 
 /// How a block on planes of friction φ goes in the direction in which it can: it is driven by g·drive, and pressed
@@ -33,20 +33,6 @@ double random_friction(SceneNumbers& numbers, const Drive& drive) {
   const bool rests = numbers.chance(0.4);
   return rests ? std::min(threshold + apart, (threshold + 90) / 2) : std::max(0.0, threshold - apart);
 }
-
-/// At the origin, on a site's own grid, or on a country's; turned about the vertical.
-struct Site {
-  explicit Site(SceneNumbers& numbers) : azimuth(numbers.between(0, 360)) {
-    const Vec3 place(numbers.between(-5e6, 5e6), numbers.between(-5e6, 5e6), numbers.between(-1e3, 4e3));
-    const int kind = numbers.whole(0, 3);
-    if (kind == 1) shift = 1e-3 * place;
-    if (kind >= 2) shift = place;
-  }
-  Mat3 turn() const { return turn_about(Vec3::UnitZ(), azimuth); }
-
-  double azimuth;  // degrees
-  Vec3 shift = Vec3::Zero();
-};
 
 /// How what slides starts. Gravity that comes at once lets an incline's block settle along its normal, and friction is
 /// tan φ of what presses meanwhile too, so that it slides by the closed answer; a wedge settles along its flanks as
@@ -69,21 +55,23 @@ HardCase sliding_case(Draw& draw, CaseScene scene, const Drive& drive, double fr
   if (held_first) scene.project.stages.push_back(static_stage(step, 20));
   if (held_first && !rests_there) {
     Joint& joint = scene.project.joints[0];
-    stage.joints = {{.name = joint.name, .friction_angle = friction, .residual_friction_angle = {}, .cohesion = {},
+    stage.joints = {{.name = joint.name,
+                     .friction_angle = friction,
+                     .residual_friction_angle = {},
+                     .cohesion = {},
                      .tensile_strength = {}}};
     joint.friction_angle = (drive.threshold() + 90) / 2;
   }
   scene.project.stages.push_back(stage);
   HardCase drawn;
   drawn.title = what + ", friction " + significant(std::abs(friction - drive.threshold())) + "° " +
-                (rests_there ? "above" : "below") + " the threshold" + (held_first ? "" : " at once") + ", azimuth " +
-                significant(site.azimuth) + "°, " + significant(site.shift.norm()) +
-                " m from the origin, steps of " + significant(step) + " s";
+                (rests_there ? "above" : "below") + " the threshold" + (held_first ? "" : " at once") + ", " +
+                site.words() + ", steps of " + significant(step) + " s";
   if (rests_there)
     drawn.expected = {rests("block", 0, most_unrest * size)};
   else
-    drawn.expected = {travels("block", turn * Vec3::UnitX(),
-                              drive.acceleration(friction) * seconds * seconds / 2, way_share)};
+    drawn.expected = {
+        travels("block", turn * Vec3::UnitX(), drive.acceleration(friction) * seconds * seconds / 2, way_share)};
   drawn.build = [scene] { return scene; };
   return drawn;
 }
@@ -132,15 +120,25 @@ HardCase random_wedge(Draw& draw) {
   const double height = size * numbers.between(0.2, 0.5) / std::max(1.0, std::tan(radians(friction)));
   const auto corner = [](double x, double flank, double z) { return Vec3(x, z / std::tan(radians(flank)), z); };
   const auto prism_along = [&](double from, double to, double top) {
-    return hull_mesh({Vec3(from, 0, 0), corner(from, right, top), {from, -top / std::tan(radians(left)), top},
-                      Vec3(to, 0, 0), corner(to, right, top), {to, -top / std::tan(radians(left)), top}});
+    return hull_mesh({Vec3(from, 0, 0),
+                      corner(from, right, top),
+                      {from, -top / std::tan(radians(left)), top},
+                      Vec3(to, 0, 0),
+                      corner(to, right, top),
+                      {to, -top / std::tan(radians(left)), top}});
   };
   // The flanks: slabs along the line, below each plane.
   const double end = longest_way + 3 * size, up = 3 * size;
   const auto flank = [&](double side, double angle) {
     const double out = side * up / std::tan(radians(angle));
-    return hull_mesh({Vec3(-3 * size, 0, 0), {-3 * size, out, up}, {-3 * size, out, -size}, {-3 * size, 0, -size},
-                      Vec3(end, 0, 0), {end, out, up}, {end, out, -size}, {end, 0, -size}});
+    return hull_mesh({Vec3(-3 * size, 0, 0),
+                      {-3 * size, out, up},
+                      {-3 * size, out, -size},
+                      {-3 * size, 0, -size},
+                      Vec3(end, 0, 0),
+                      {end, out, up},
+                      {end, out, -size},
+                      {end, 0, -size}});
   };
   scene.add_block("left", flank(-1, left), BodyKind::fixed);
   scene.add_block("right", flank(1, right), BodyKind::fixed);

@@ -40,7 +40,7 @@ TEST(FailedScene, IsWrittenWithWhatFailed) {
   const Trial trial = run_trial(scene, {}, progress);
   ASSERT_FALSE(trial.passed());
   const TemporaryFolder folder;
-  const std::filesystem::path file = write_failed_scene(folder.path() / "new", scene, trial);
+  const std::filesystem::path file = write_failed_scene(folder.path() / "new", scene, trial, {}, progress);
   EXPECT_EQ(file.filename(), "drops-1-1-rigid.talus");
   EXPECT_THAT(text_of(file), HasSubstr("// - expected: the impossible; but it did not happen\n"));
   const Project project = read_project(file);
@@ -50,7 +50,8 @@ TEST(FailedScene, IsWrittenWithWhatFailed) {
 
 TEST(FailedScene, SaysWhereItCannotBeWritten) {
   const HardCase scene = random_scene({"drops", 1, 1, RandomBodies::rigid});
-  EXPECT_THROW(write_failed_scene("/proc/nowhere", scene, {}), InputError);
+  NoProgress progress;
+  EXPECT_THROW(write_failed_scene("/proc/nowhere", scene, {}, {}, progress), InputError);
 }
 
 }  // namespace

@@ -66,8 +66,7 @@ INSTANTIATE_TEST_SUITE_P(RandomScenes, EveryFamily, testing::ValuesIn(family_nam
 TEST(RandomSceneName, IsReadAsItIsWritten) {
   for (const std::string text : {"impacts:17:42", "drops:18446744073709551615:1:mixed"})
     EXPECT_EQ(to_string(random_scene_name_from(text)), text);
-  EXPECT_EQ(random_scene_name_from("impacts:17:42:rigid"),
-            (RandomSceneName{"impacts", 17, 42, RandomBodies::rigid}));
+  EXPECT_EQ(random_scene_name_from("impacts:17:42:rigid"), (RandomSceneName{"impacts", 17, 42, RandomBodies::rigid}));
 }
 
 TEST(RandomSceneName, SaysWhatIsWrongWithIt) {

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/structured_mesh.hpp"
+#include "model/number_text.hpp"
+#include "model/stages.hpp"
+#include "verification/hard_cases/expectations.hpp"
+#include "verification/hard_cases/shapes.hpp"
+#include "verification/random/families.hpp"
+#include "verification/random/node_laws.hpp"
+#include "verification/random/random_parts.hpp"
+
+// Several bodies that touch in many places: poured, linked, shaken.
+namespace talus {
+
+namespace {
+
+constexpr double sinking_share = 0.1;  // of the thickness
+
+/// A fixed slab on every side of the box. They touch; none lies in another.
+void add_closed_box(CaseScene& scene, const Vec3& min, const Vec3& max, double wall) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 low = min, high = max;
+    for (int before = 0; before < axis; ++before) {
+      low[before] -= wall;
+      high[before] += wall;
+    }
+    const double least = low[axis], most = high[axis];
+    low[axis] = least - wall, high[axis] = least;
+    scene.add_fixed_box("low " + std::to_string(axis + 1), low, high);
+    low[axis] = most, high[axis] = most + wall;
+    scene.add_fixed_box("high " + std::to_string(axis + 1), low, high);
+  }
+}
+
+/// A ring about y whose profile is a square of that thickness, of `sides` straight pieces.
+TetMesh ring(double inner, double thickness, int sides) {
+  const double outer = inner + thickness;
+  const auto at = [&](int k, double radius, double y) {
+    const double angle = 2 * std::numbers::pi * ((k % sides) + 0.5) / sides;
+    return Vec3(radius * std::cos(angle), y, radius * std::sin(angle));
+  };
+  std::vector<TetMesh> pieces;
+  for (int k = 0; k < sides; ++k) {
+    const double y = thickness / 2;
+    pieces.push_back(hexahedron_mesh({at(k, inner, -y), at(k, outer, -y), at(k, inner, y), at(k, outer, y),
+                                      at(k + 1, inner, -y), at(k + 1, outer, -y), at(k + 1, inner, y),
+                                      at(k + 1, outer, y)},
+                                     1, 1, 1));
+  }
+  return welded(pieces);
+}
+
+/// How high above its middle the hole of such a ring is at a distance from the vertical through it [m].
+double hole_height(double inner, int sides, double aside) {
+  const double flat = inner * std::cos(std::numbers::pi / sides);
+  double height = flat;
+  for (int k = 1; 4 * k < sides; ++k) {
+    const double angle = 2 * std::numbers::pi * k / sides;
+    height = std::min(height, (flat - aside * std::sin(angle)) / std::cos(angle));
+  }
+  return height;
+}
+
+}  // namespace
+
+HardCase random_pour(Draw& draw) {
+  SceneNumbers& numbers = draw.numbers;
+  const int across = 2, layers = numbers.whole(1, 2), count = across * across * layers;
+  const double radius = numbers.logarithmic(0.05, 0.5), cell = 2.1 * radius;
+  CaseScene scene = random_rock_scene(numbers, numbers.between(0, 50));
+  const Vec3 low = Vec3::Zero(), high = cell * Vec3(across, across, layers + 0.5);
+  add_closed_box(scene, low, high, 2 * radius);
+  double thinnest = radius;
+  for (int k = 0; k < count; ++k) {
+    const RandomShape unit = random_shape(numbers, 1, true);
+    RandomShape shape = unit;
+    for (Vec3& node : shape.mesh.nodes) node *= radius / unit.radius;
+    thinnest = std::min(thinnest, radius / unit.radius);
+    const Vec3 place = cell * Vec3(k % 2 + 0.5, k / 2 % 2 + 0.5, k / 4 + 0.5);
+    const std::string name = "body " + std::to_string(k + 1);
+    scene.add_block(name, placed(shape.mesh, numbers.turn(), place), draw.body());
+    scene.project.velocities.push_back({.block = name, .linear = numbers.between(0, 3) * numbers.direction()});
+  }
+  const double step = numbers.logarithmic(5e-4, 5e-3);
+  scene.project.stages = {dynamic_stage(step, std::min(0.5, 200 * step))};
+  HardCase drawn;
+  drawn.title = std::to_string(count) + " bodies, " + draw.bodies_word() + ", in a closed box of " +
+                significant(high.x()) + " m, steps of " + significant(step) + " s";
+  drawn.keeps_nodes = true;
+  drawn.expected = {nodes_stay_in_box(low, high, sinking_share * thinnest)};
+  drawn.build = [scene] { return scene; };
+  return drawn;
+}
+
+HardCase random_chain(Draw& draw) {
+  SceneNumbers& numbers = draw.numbers;
+  const int links = numbers.whole(2, 4), sides = 4 * numbers.whole(2, 5);
+  const double inner = numbers.logarithmic(0.05, 1), thickness = inner * numbers.between(0.15, 0.5);
+  // Bars lie on each other, across, where both rise or fall beside the middle: at their rims.
+  const double pitch = 2 * hole_height(inner, sides, thickness / 2);
+  CaseScene scene = random_rock_scene(numbers, numbers.between(0, 45));
+  const TetMesh link = ring(inner, thickness, sides);
+  for (int k = 0; k < links; ++k)
+    scene.add_block("link " + std::to_string(k + 1),
+                    placed(link, turn_about(Vec3::UnitZ(), k % 2 ? 90 : 0), {0, 0, -pitch * k}),
+                    k == 0 ? BodyKind::fixed : draw.body());
+  const double step = numbers.logarithmic(1e-3, 1e-2);
+  scene.project.stages = {static_stage(step, 20), dynamic_stage(step, 100 * step)};
+  place_scene(scene, turn_about(Vec3::UnitZ(), numbers.between(0, 360)), Vec3::Zero());
+  HardCase drawn;
+  drawn.title = std::to_string(links) + " rings of " + std::to_string(sides) + " pieces, " + significant(inner) + " m, " +
+                draw.bodies_word() + ", steps of " + significant(step) + " s";
+  drawn.expected = {all_rest(-1, 0.2 * inner, 181)};
+  drawn.build = [scene] { return scene; };
+  return drawn;
+}
+
+HardCase random_shaking(Draw& draw) {
+  SceneNumbers& numbers = draw.numbers;
+  const int count = numbers.whole(1, 4);
+  const double size = numbers.logarithmic(0.1, 2), amplitude = size * numbers.logarithmic(1e-3, 0.1);
+  const double frequency = numbers.logarithmic(0.5, 10);  // Hz
+  const double half = 4 * size + 2 * amplitude;
+  CaseScene scene = random_rock_scene(numbers, numbers.between(5, 50));
+  scene.add_fixed_box("table", {-half, -half, -size}, {half, half, 0});
+  double z = 0;
+  for (int k = 0; k < count; ++k) {
+    const Vec3 box = size * Vec3(numbers.between(0.7, 1), numbers.between(0.7, 1), numbers.between(0.2, 0.6));
+    const Vec3 corner(-box.x() / 2, -box.y() / 2, z);
+    scene.add_block("box " + std::to_string(k + 1), box_mesh(corner, corner + box, 1, 1, 1), draw.body());
+    z += box.z();
+  }
+  const Vec3 direction = Vec3(numbers.direction().cwiseProduct(Vec3(1, 1, 0.5)));
+  const double step = numbers.logarithmic(1e-3, 1e-2), seconds = std::min(1.0, 200 * step);
+  Constraint motion{.block = "table", .at = {}};
+  for (int row = 0; row <= 200; ++row) {
+    const double time = seconds * row / 200;
+    motion.table.push_back({time, amplitude * std::sin(2 * std::numbers::pi * frequency * time) * direction});
+  }
+  scene.project.constraints = {motion};
+  scene.project.stages = {dynamic_stage(step, seconds)};
+  HardCase drawn;
+  drawn.title = std::to_string(count) + " boxes of " + significant(size) + " m, " + draw.bodies_word() +
+                ", on a table moved by " + significant(amplitude) + " m at " + significant(frequency) +
+                " Hz, steps of " + significant(step) + " s";
+  drawn.keeps_nodes = true;
+  for (int k = 0; k < count; ++k)
+    drawn.expected.push_back(nodes_stay_before("box " + std::to_string(k + 1), {0, 0, -amplitude}, Vec3::UnitZ(),
+                                               sinking_share * 0.2 * size));
+  drawn.build = [scene] { return scene; };
+  return drawn;
+}
+
+}  // namespace talus

@@ -1,0 +1,54 @@
+#include <gmock/gmock.h>
+
+#include "verification/verify_random.hpp"
+
+// Random scenes of seed 1, the first so many of each family. Families that hold wholly are held to it; the others have
+// their numbers in docs/random_scenes.md. All have the same bits on two threads.
+namespace talus {
+namespace {
+
+using testing::IsEmpty;
+
+std::vector<Trial> trials_of(const RandomChoice& choice, const TrialOptions& options) {
+  std::vector<Trial> trials;
+  NoProgress progress;
+  verify_random(random_scene_names(choice), options, progress,
+                [&](const HardCase&, const Trial& trial) { trials.push_back(trial); });
+  return trials;
+}
+
+class RandomScenesThatHold : public testing::TestWithParam<RandomChoice> {};
+
+TEST_P(RandomScenesThatHold, Hold) {
+  for (const Trial& trial : trials_of(GetParam(), {})) EXPECT_THAT(faults(trial), IsEmpty()) << trial.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfSeed1, RandomScenesThatHold,
+                         testing::Values(RandomChoice{20, 1, {"toppling"}, {}}, RandomChoice{20, 1, {"coincident"}, {}},
+                                         RandomChoice{20, 1, {"chains"}, {}},
+                                         RandomChoice{5, 1, {"slopes"}, RandomBodies::rigid}),
+                         [](const auto& choice) { return choice.param.families[0]; });
+
+class RandomScenes : public testing::TestWithParam<std::string> {};
+
+TEST_P(RandomScenes, AreTheSameOnTwoThreads) {
+  const RandomBodies bodies = GetParam() == "slopes" ? RandomBodies::rigid : RandomBodies::affine;  // a minute, affine
+  for (const Trial& trial : trials_of({3, 1, {GetParam()}, bodies}, {.threads = 1, .repeat_on = {2}})) {
+    ASSERT_EQ(trial.repetitions.size(), 1U);
+    EXPECT_THAT(trial.repetitions[0].difference, IsEmpty()) << trial.name;
+    EXPECT_NE(trial.ending, TrialEnding::broken_off) << trial.name << ": " << trial.reason;
+    EXPECT_TRUE(trial.finite) << trial.name;
+  }
+}
+
+std::vector<std::string> all_families() {
+  std::vector<std::string> names;
+  for (const RandomFamily& family : random_families()) names.emplace_back(family.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfSeed1, RandomScenes, testing::ValuesIn(all_families()),
+                         [](const auto& family) { return family.param; });
+
+}  // namespace
+}  // namespace talus
