@@ -44,10 +44,10 @@ TetMesh ring(double inner, double thickness, int sides) {
   std::vector<TetMesh> pieces;
   for (int k = 0; k < sides; ++k) {
     const double y = thickness / 2;
-    pieces.push_back(hexahedron_mesh({at(k, inner, -y), at(k, outer, -y), at(k, inner, y), at(k, outer, y),
-                                      at(k + 1, inner, -y), at(k + 1, outer, -y), at(k + 1, inner, y),
-                                      at(k + 1, outer, y)},
-                                     1, 1, 1));
+    pieces.push_back(
+        hexahedron_mesh({at(k, inner, -y), at(k, outer, -y), at(k, inner, y), at(k, outer, y), at(k + 1, inner, -y),
+                         at(k + 1, outer, -y), at(k + 1, inner, y), at(k + 1, outer, y)},
+                        1, 1, 1));
   }
   return welded(pieces);
 }
@@ -110,8 +110,8 @@ HardCase random_chain(Draw& draw) {
   scene.project.stages = {static_stage(step, 20), dynamic_stage(step, 100 * step)};
   place_scene(scene, turn_about(Vec3::UnitZ(), numbers.between(0, 360)), Vec3::Zero());
   HardCase drawn;
-  drawn.title = std::to_string(links) + " rings of " + std::to_string(sides) + " pieces, " + significant(inner) + " m, " +
-                draw.bodies_word() + ", steps of " + significant(step) + " s";
+  drawn.title = std::to_string(links) + " rings of " + std::to_string(sides) + " pieces, " + significant(inner) +
+                " m, " + draw.bodies_word() + ", steps of " + significant(step) + " s";
   drawn.expected = {all_rest(-1, 0.2 * inner, 181)};
   drawn.build = [scene] { return scene; };
   return drawn;

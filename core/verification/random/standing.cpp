@@ -14,8 +14,8 @@ namespace talus {
 
 namespace {
 
-constexpr double pull = 9.81;          // m/s²
-constexpr double unrest_share = 1e-6;  // of the size
+constexpr double pull = 9.81;           // m/s²
+constexpr double unrest_share = 1e-6;   // of the size
 constexpr double settling_step = 0.01;  // s
 
 /// A box that stands at z, as finely meshed as its body needs.
@@ -125,8 +125,8 @@ HardCase random_tower(Draw& draw) {
   const Site site(numbers);
   place_scene(scene, site.turn(), site.shift);
   HardCase drawn;
-  drawn.title = std::to_string(tower.size()) + " boxes up to " + significant(size) + " m, " + draw.bodies_word() + ", " +
-                site.words() + ", steps of " + significant(step) + " s";
+  drawn.title = std::to_string(tower.size()) + " boxes up to " + significant(size) + " m, " + draw.bodies_word() +
+                ", " + site.words() + ", steps of " + significant(step) + " s";
   drawn.expected = {all_rest(0, unrest_share * size)};
   drawn.build = [scene] { return scene; };
   return drawn;
