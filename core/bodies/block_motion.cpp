@@ -66,6 +66,15 @@ BlockMotion block_motion(const BodySet& set, int index) {
   return motion;
 }
 
+Vec3 place_before_run(const BodySet& set, const Vec3& place, int body) {
+  const NodeSet& nodes = set.nodes;
+  const Body& block = set.bodies[body];
+  int nearest = block.first_node;
+  for (int n = block.first_node; n < block.first_node + block.node_count; ++n)
+    if ((nodes.position[n] - place).squaredNorm() < (nodes.position[nearest] - place).squaredNorm()) nearest = n;
+  return nodes.reference[nearest] + place - nodes.position[nearest];
+}
+
 Vec3 MaterialPoint::at(const std::vector<Vec3>& values) const {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < 4; ++i) sum += weights[i] * values[nodes[i]];

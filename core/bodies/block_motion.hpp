@@ -14,6 +14,9 @@ struct BlockMotion {
 
 BlockMotion block_motion(const BodySet& set, int body);
 
+/// Where a place on a body lay before the run: it goes with the body's nearest node [m].
+Vec3 place_before_run(const BodySet& set, const Vec3& place, int body);
+
 /// A material point of a block: fixed weights of the corners of the tetrahedron that holds it.
 struct MaterialPoint {
   int body = 0;

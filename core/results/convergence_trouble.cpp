@@ -22,6 +22,8 @@ std::string what_happened(const ConvergenceTrouble& trouble) {
       return "blocks turned into each other where no contact could be foreseen";
     case TroubleCause::not_converged:
       return "the open-close iteration did not converge";
+    case TroubleCause::interpenetrating:
+      return "blocks lie " + short_number(trouble.relative_penetration) + " of their mesh size in each other";
     case TroubleCause::inverted:
       break;
   }

@@ -10,8 +10,8 @@
 /// Where a step of a run hardly converges, as data: the same place is told in words, in tables and in the picture.
 namespace talus {
 
-/// Why a trial step was hard; the gravest last.
-enum class TroubleCause { many_iterations, missed_contact, not_converged, inverted };
+/// Why a trial step was hard, or ended the run; the gravest last.
+enum class TroubleCause { many_iterations, missed_contact, not_converged, inverted, interpenetrating };
 
 /// The word summary.json uses.
 constexpr std::string_view to_string(TroubleCause cause) {
@@ -23,9 +23,11 @@ constexpr std::string_view to_string(TroubleCause cause) {
     case TroubleCause::not_converged:
       return "not-converged";
     case TroubleCause::inverted:
+      return "inverted-tetrahedron";
+    case TroubleCause::interpenetrating:
       break;
   }
-  return "inverted-tetrahedron";
+  return "interpenetrating";
 }
 
 /// One hard trial step, or all of a run between the same two blocks: then place, time and cause are those of the

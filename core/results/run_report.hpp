@@ -66,7 +66,8 @@ struct Event {
   std::string what;
 };
 
-enum class RunStatus { completed, stopped, not_converged };
+/// `interpenetrating`: blocks came to lie in each other, and what follows would be no motion of theirs.
+enum class RunStatus { completed, stopped, not_converged, interpenetrating };
 
 /// The word summary.json uses.
 constexpr std::string_view to_string(RunStatus status) {
@@ -76,9 +77,11 @@ constexpr std::string_view to_string(RunStatus status) {
     case RunStatus::stopped:
       return "stopped";
     case RunStatus::not_converged:
+      return "not-converged";
+    case RunStatus::interpenetrating:
       break;
   }
-  return "not-converged";
+  return "interpenetrating";
 }
 
 struct BlockOutcome {
@@ -135,7 +138,8 @@ struct ExpectationOutcome {
 /// summary.json.
 struct RunReport {
   RunStatus status = RunStatus::completed;
-  std::string reason;  ///< why it stopped or did not converge: contact, place, joint; empty when completed
+  std::string
+      reason;  ///< why it stopped, did not converge or lies in itself: contact, place, joint; empty when completed
   double time = 0, wall_seconds = 0;
   int steps = 0, threads = 1, frames = 0;
   double tolerance = SolverSettings{}.tolerance;  ///< that steps were solved to

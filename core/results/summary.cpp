@@ -199,7 +199,7 @@ void take(const Json& object, ConvergenceTrouble& trouble) {
   std::string word;
   take(object, "cause", word);
   for (const TroubleCause cause : {TroubleCause::many_iterations, TroubleCause::missed_contact,
-                                   TroubleCause::not_converged, TroubleCause::inverted})
+                                   TroubleCause::not_converged, TroubleCause::inverted, TroubleCause::interpenetrating})
     if (word == to_string(cause)) trouble.cause = cause;
   if (word == "found-late") trouble.cause = TroubleCause::missed_contact;  // old words
   if (word == "not-settled") trouble.cause = TroubleCause::not_converged;
@@ -223,7 +223,8 @@ void take(const Json& object, const char* name, std::vector<ConvergenceTrouble>&
 std::optional<RunStatus> status_named(const Json& summary) {
   std::string word;
   take(summary, "status", word);
-  for (const RunStatus status : {RunStatus::completed, RunStatus::stopped, RunStatus::not_converged})
+  for (const RunStatus status :
+       {RunStatus::completed, RunStatus::stopped, RunStatus::not_converged, RunStatus::interpenetrating})
     if (word == to_string(status)) return status;
   return {};
 }

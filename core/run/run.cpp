@@ -10,6 +10,7 @@
 #include "results/result_folder.hpp"
 #include "run/event_watch.hpp"
 #include "run/expectation_watch.hpp"
+#include "run/interpenetration_watch.hpp"
 #include "run/motion_watch.hpp"
 #include "solve/simulation.hpp"
 
@@ -73,6 +74,7 @@ class Recording {
         events_(system),
         motions_(project, system, simulation.bodies()),
         expectations_(project, system),
+        interpenetration_(system, simulation.bodies()),
         writer_(options.out, project, system, options.project_text),
         next_frame_(project.output.every) {
     report_.threads = options.threads;
@@ -94,6 +96,7 @@ class Recording {
       const bool due = simulation_.time() >= next_frame_ - 1e-9 * step.time_step;
       if (due || simulation_.stage_ended() || simulation_.finished()) {
         write_frame();
+        interpenetrating_ = interpenetration_.look(step, report_.max_relative_penetration);
         next_frame_ = project_.output.every * (std::floor(simulation_.time() / project_.output.every + 1e-9) + 1);
       }
       observer_.on_bodies(step, simulation_.bodies());
@@ -107,9 +110,16 @@ class Recording {
     note_troubles();
   }
 
+  /// Whether blocks were seen to lie in each other: the run is over.
+  bool interpenetrating() const { return interpenetrating_.has_value(); }
+
   /// `wall`: seconds spent, without pauses.
   RunReport finish(double wall) {
-    if (!simulation_.converged()) {
+    if (interpenetrating_) {
+      report_.status = RunStatus::interpenetrating;
+      report_.reason = failure_text(*interpenetrating_);
+      troubles_.add(*interpenetrating_);
+    } else if (!simulation_.converged()) {
       report_.status = RunStatus::not_converged;
       report_.reason = simulation_.failure();
     } else if (!simulation_.finished()) {
@@ -153,6 +163,8 @@ class Recording {
   std::vector<Event> stage_events_;
   TroubleList troubles_;
   ExpectationWatch expectations_;
+  InterpenetrationWatch interpenetration_;
+  std::optional<ConvergenceTrouble> interpenetrating_;
   ResultWriter writer_;
   double next_frame_;  ///< s
   RunReport report_;
@@ -165,7 +177,7 @@ RunReport run(const Project& project, const BlockSystem& system, const RunOption
   Simulation simulation(project, system);
   Recording recording(project, system, options, simulation, observer);
   double wall = 0;
-  while (!simulation.finished() && observer.go_on()) {
+  while (!simulation.finished() && !recording.interpenetrating() && observer.go_on()) {
     const Stopwatch watch(wall);
     recording.take(simulation.step());
   }

@@ -75,7 +75,7 @@ void take_fixed_step(SimulationState& s, StepReport& report) {
       accept(s, report);
       left -= trial;
       s.trial_length = std::min(trial * t.cut_factor, length);
-    } else if (trial / t.cut_factor < t.shortest_step * length) {
+    } else if (!s.goes_through && trial / t.cut_factor < t.shortest_step * length) {
       s.troubles.note_end_of_run();
       return;
     } else {
@@ -99,7 +99,7 @@ void take_adaptive_step(SimulationState& s, StepReport& report) {
       s.clock.advance_by(length);
       return;
     }
-    if (!good && !s.control.may_be_shorter(length)) {
+    if (!good && !s.goes_through && !s.control.may_be_shorter(length)) {
       s.troubles.note_end_of_run();
       return;
     }
@@ -189,6 +189,7 @@ bool check(SimulationState& s, const OpenCloseResult& result, std::span<const Co
   report.iterations += result.iterations;
   report.unbalanced_force = result.residual;
   const int node = result.worst_dof_block < 0 ? -1 : s.bodies.node_of(result.worst_dof_block);
+  s.goes_through = false;
   const auto note = [&](TroubleCause cause, int at) { s.troubles.note(cause, at, s.context, result.iterations); };
   if (!result.converged) {
     note(TroubleCause::not_converged, node);
@@ -199,7 +200,15 @@ bool check(SimulationState& s, const OpenCloseResult& result, std::span<const Co
     return false;
   }
   if (!missed.empty()) {
-    s.troubles.note_missed_contact(missed.front(), s.context, result.iterations);
+    const ContactDetector::MissedContact& deepest = missed.front();
+    s.troubles.note_missed_contact(deepest.bodies, deepest.position, deepest.depth, s.context, result.iterations);
+    return false;
+  }
+  const std::optional<DeepPair> pair = passage(s);
+  s.goes_through = pair.has_value();
+  if (pair) {
+    s.troubles.note_missed_contact(pair->bodies, pair->position, pair->depth / pair->size, s.context,
+                                   result.iterations);
     return false;
   }
   if (node >= 0) note(TroubleCause::many_iterations, node);

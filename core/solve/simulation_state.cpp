@@ -93,6 +93,7 @@ SimulationState::SimulationState(const Project& p, const BlockSystem& s, const T
     monitors.push_back(material_point(s, monitor.block, monitor.at, tolerance, "monitor '" + monitor.name + "'"));
   }
   bodies.stress = stress_before(p, s, bodies);
+  if (is_on(EffectKind::missed_contacts)) passage.emplace(s, bodies, surfaces);
   for (const Vec3& x : bodies.nodes.reference) context.extent = std::max(context.extent, x.cwiseAbs().maxCoeff());
   for (std::size_t b = 0; b < surfaces.size(); ++b)
     if (!bodies.bodies[b].built_fixed()) context.mesh_size = std::max(context.mesh_size, surfaces[b].size);

@@ -8,6 +8,7 @@
 #include "base/stopwatch.hpp"
 #include "contact/detection/contact_detector.hpp"
 #include "contact/detection/missed_contacts.hpp"
+#include "contact/passage/passage.hpp"
 #include "mesh/surface.hpp"
 #include "model/tolerances.hpp"
 #include "solve/company.hpp"
@@ -96,6 +97,8 @@ struct SimulationState {
   PseudoTransientContinuation pseudo_transient;  ///< of static stages
   AccelerationReset acceleration_reset;
   MissedContacts missed_contacts{bodies};
+  std::optional<PassageCheck> passage;  ///< none where missed contacts are not looked for
+  bool goes_through = false;  ///< the trial step took a body through another: it is cut until no body goes that far
   FollowedSprings followed_springs;
   std::optional<Impacts> impacts;  ///< where some joint takes speed from them
   Sleep sleep;

@@ -29,4 +29,20 @@ std::span<const ContactDetector::MissedContact> missed_contacts(SimulationState&
                                 s.company.alone());
 }
 
+std::optional<DeepPair> passage(SimulationState& s) {
+  if (!s.passage || !s.company.any()) return std::nullopt;
+  const Stopwatch watch(s.detect_seconds);
+  const EffectTimer timer(s.work_of(EffectKind::missed_contacts));
+  const auto known = [&](int a, int b) {
+    double deepest = 0;
+    for (int i = 0; i < s.links.moves().size(); ++i) {
+      const ContactPoint& point = s.links.point(i);
+      if (std::minmax(point.bodies[0], point.bodies[1]) == std::minmax(a, b))
+        deepest = std::max(deepest, point.initial_interference - s.links.gap(i, s.increment));
+    }
+    return deepest;
+  };
+  return s.passage->find(s.increment, s.dynamic_penetration(), known, s.company.alone());
+}
+
 }  // namespace talus

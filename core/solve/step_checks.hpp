@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "contact/detection/contact_detector.hpp"
+#include "contact/passage/passage.hpp"
 
 namespace talus {
 
@@ -16,5 +18,8 @@ int inverted_element(const SimulationState& s);
 /// Contacts that the step did not know of, where blocks turn into each other in it, the deepest first. Looked for in
 /// dynamic stages, as long as a shorter step may still be tried.
 std::span<const ContactDetector::MissedContact> missed_contacts(SimulationState& s);
+
+/// Two blocks that the increment takes deeper into or through each other than any contact between them says.
+std::optional<DeepPair> passage(SimulationState& s);
 
 }  // namespace talus

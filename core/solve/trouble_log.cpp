@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bodies/block_motion.hpp"
 #include "solve/trouble_advice.hpp"
 
 namespace talus {
@@ -21,14 +22,14 @@ void TroubleLog::note(TroubleCause cause, int node, const StepContext& trial, in
   trouble.advice = advice_for(trouble, trial.length, project_.solver);
 }
 
-void TroubleLog::note_missed_contact(const ContactDetector::MissedContact& contact, const StepContext& trial,
-                                     int iterations) {
+void TroubleLog::note_missed_contact(std::span<const int, 2> bodies, const Vec3& position, double depth,
+                                     const StepContext& trial, int iterations) {
   note(TroubleCause::missed_contact, -1, trial, iterations);
   ConvergenceTrouble& trouble = troubles_.back();
-  trouble.blocks = {system_.blocks[contact.bodies[0]].name, system_.blocks[contact.bodies[1]].name};
-  trouble.position = contact.position;
-  trouble.rest_position = place_before_run(contact.position, contact.bodies[0]);
-  trouble.relative_penetration = contact.depth;
+  trouble.blocks = {system_.blocks[bodies[0]].name, system_.blocks[bodies[1]].name};
+  trouble.position = position;
+  trouble.rest_position = place_before_run(bodies_, position, bodies[0]);
+  trouble.relative_penetration = depth;
 }
 
 void TroubleLog::place(int node, ConvergenceTrouble& trouble) const {
@@ -36,7 +37,7 @@ void TroubleLog::place(int node, ConvergenceTrouble& trouble) const {
   const int body = bodies_.nodes.body[node];
   trouble.position = position;
   trouble.blocks[0] = system_.blocks[body].name;
-  trouble.rest_position = place_before_run(position, body);
+  trouble.rest_position = place_before_run(bodies_, position, body);
   if (trouble.cause == TroubleCause::inverted) return;
   const ContactPoint* nearest = nullptr;
   const auto distance = [&](const ContactPoint& point) { return (point.position - position).squaredNorm(); };
@@ -46,20 +47,11 @@ void TroubleLog::place(int node, ConvergenceTrouble& trouble) const {
   }
   if (!nearest) return;
   trouble.position = nearest->position;
-  trouble.rest_position = place_before_run(nearest->position, body);
+  trouble.rest_position = place_before_run(bodies_, nearest->position, body);
   trouble.relative_penetration = std::max(0.0, -nearest->gap / nearest->size);
   const auto [first, second] = std::minmax(nearest->bodies[0], nearest->bodies[1]);
   trouble.blocks = {system_.blocks[first].name, system_.blocks[second].name};
   if (!project_.joints.empty()) trouble.joint = project_.joints[nearest->joint].name;
-}
-
-Vec3 TroubleLog::place_before_run(const Vec3& place, int body) const {
-  const NodeSet& nodes = bodies_.nodes;
-  const Body& block = bodies_.bodies[body];
-  int nearest = block.first_node;
-  for (int n = block.first_node; n < block.first_node + block.node_count; ++n)
-    if ((nodes.position[n] - place).squaredNorm() < (nodes.position[nearest] - place).squaredNorm()) nearest = n;
-  return nodes.reference[nearest] + place - nodes.position[nearest];
 }
 
 }  // namespace talus

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "bodies/body_set.hpp"
 #include "bodies/step_context.hpp"
 #include "contact/contact_point.hpp"
-#include "contact/detection/contact_detector.hpp"
 #include "results/convergence_trouble.hpp"
 
 namespace talus {
@@ -22,8 +22,9 @@ class TroubleLog {
   void begin_step(int number);
   /// A trial step was hard at a node (−1: nobody knows where).
   void note(TroubleCause cause, int node, const StepContext& trial, int iterations);
-  /// A trial step is refused because of this contact.
-  void note_missed_contact(const ContactDetector::MissedContact& contact, const StepContext& trial, int iterations);
+  /// A trial step is refused because two bodies come to lie so deep in each other there, of the mesh size.
+  void note_missed_contact(std::span<const int, 2> bodies, const Vec3& position, double depth, const StepContext& trial,
+                           int iterations);
   /// The trial step noted last is cut.
   void note_cut() { troubles_.back().cuts = 1; }
   /// The trial step noted last was the last: none shorter is allowed.
@@ -35,8 +36,6 @@ class TroubleLog {
  private:
   /// Blocks, joint and position: of the contact of the node's body that is nearest to the node, else of the node.
   void place(int node, ConvergenceTrouble& trouble) const;
-  /// Where a place on a body lay before the run: it goes with the body's nearest node [m].
-  Vec3 place_before_run(const Vec3& place, int body) const;
 
   const Project& project_;
   const BlockSystem& system_;

@@ -13,7 +13,8 @@ JobEnd::Kind kindOf(RunStatus status) {
     case RunStatus::stopped:
       return JobEnd::Kind::stopped;
     case RunStatus::not_converged:
-      return JobEnd::Kind::notConverged;
+    case RunStatus::interpenetrating:
+      return JobEnd::Kind::brokenOff;
   }
   return JobEnd::Kind::completed;
 }

@@ -29,7 +29,7 @@ enum class JobState { idle, meshing, running, paused, stopping };
 
 /// How a job ended.
 struct JobEnd {
-  enum class Kind { meshed, completed, stopped, notConverged, cancelled, failed };
+  enum class Kind { meshed, completed, stopped, brokenOff, cancelled, failed };
   Kind kind = Kind::completed;
   std::optional<InputError> failure;  ///< why it failed
   std::vector<Splinter> splinters;    ///< for which it failed; empty: for something else

@@ -69,6 +69,8 @@ QString shortfallOf(const RunReport& report) {
   if (report.status == RunStatus::stopped) return QObject::tr("stopped at %1 s").arg(number(report.time));
   if (report.status == RunStatus::not_converged)
     return QObject::tr("did not converge at %1 s").arg(number(report.time));
+  if (report.status == RunStatus::interpenetrating)
+    return QObject::tr("blocks lay in each other at %1 s").arg(number(report.time));
   const long missed = missed_expectations(report);
   if (missed == 0) return {};
   return QObject::tr("%1 of %2 expected values missed").arg(missed).arg(report.expect.size());
@@ -198,7 +200,7 @@ void CurrentRun::takeEnd(const JobEnd& end) {
       playback_.abandonRun();
       project_.abandonBuilding();
       break;
-    case JobEnd::Kind::notConverged:
+    case JobEnd::Kind::brokenOff:
       messages_.add(problemOf(*end.report));
       break;
     case JobEnd::Kind::failed:

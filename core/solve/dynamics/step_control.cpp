@@ -38,7 +38,8 @@ void StepControl::accept(const StepMeasure& measure, double length) {
 }
 
 void StepControl::refuse(const StepMeasure& measure, double length) {
-  length_ = std::max(std::min(factor(measure), tolerances_.after_refusal) * length, settings_.shortest * longest_);
+  const double shorter = std::min(factor(measure), tolerances_.after_refusal) * length;
+  length_ = may_be_shorter(length) ? std::max(shorter, settings_.shortest * longest_) : shorter;
 }
 
 }  // namespace talus

@@ -28,7 +28,7 @@ class StepControl {
   bool may_be_shorter(double length) const { return length > settings_.shortest * longest_; }
   /// A step of this length [s] was accepted.
   void accept(const StepMeasure& measure, double length);
-  /// A step of this length [s] was refused.
+  /// A step of this length [s] was refused: the next is shorter, even if it was the shortest allowed.
   void refuse(const StepMeasure& measure, double length);
 
  private:

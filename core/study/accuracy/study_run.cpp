@@ -123,6 +123,7 @@ void count(const BlockSystem& system, StudyRun& run) {
 
 void take_report(const RunReport& report, StudyRun& run) {
   if (report.status == RunStatus::not_converged) run.status = StudyStatus::not_converged;
+  if (report.status == RunStatus::interpenetrating) run.status = StudyStatus::failed;
   run.reason = report.reason;
   run.wall_seconds = report.wall_seconds;
   run.steps = report.steps;

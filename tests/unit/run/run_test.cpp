@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "results/result_folder.hpp"
+#include "results/summary.hpp"
 #include "support/small_scenes.hpp"
 
 namespace talus {
@@ -102,6 +103,38 @@ TEST_F(Run, EnergyOfAFallIsConserved) {
   EXPECT_NEAR(energy.kinetic, 0.5 * 2600 * 9.81 * 9.81, 1e-3);
   EXPECT_NEAR(energy.potential, -energy.kinetic, 1e-3);
   EXPECT_LT(std::abs(energy.integration_loss), 1e-8 * energy.kinetic);
+}
+
+TEST_F(Run, EndsWhereBlocksLieInEachOther) {
+  system_ = {};
+  system_.blocks = {test::box_block("wall", {0, -3, -3}, {1, 3, 3}, BodyKind::fixed),
+                    test::box_block("plate", {-0.5, -0.5, -0.5}, {-0.48, 0.5, 0.5}, BodyKind::rigid)};
+  project_.joints = {{"J", 30, 0, 0, {}, {}, {}, {}}};
+  project_.default_joint = "J";
+  system_.joint_names = {"J"};
+  project_.monitors.clear();
+  project_.gravity.setZero();
+  project_.velocities = {{"plate", {30, 0, 0}, {}}};
+  project_.output.every = 0.01;
+  const RunReport stopped = run_it();
+  EXPECT_EQ(stopped.status, RunStatus::completed) << stopped.reason;
+  EXPECT_LT(stopped.blocks[1].displacement.x(), 0.5);
+
+  std::filesystem::remove_all(folder_);
+  recorder_ = {};
+  project_.solver.effects.missed_contacts = Switch::off;  // nothing sees the plate until it is in the wall
+  project_.solver.effects.contact = Switch::off;
+  const RunReport report = run_it();
+  EXPECT_EQ(report.status, RunStatus::interpenetrating);
+  EXPECT_NEAR(report.time, 0.02, 1e-12);
+  EXPECT_THAT(report.reason, testing::HasSubstr("wall – plate at ("));
+  ASSERT_FALSE(report.troubles.empty());
+  EXPECT_EQ(report.troubles[0].cause, TroubleCause::interpenetrating);
+  EXPECT_TRUE(report.troubles[0].ended_run);
+  const auto read = read_summary(folder_ / "summary.json");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->status, RunStatus::interpenetrating);
+  EXPECT_EQ(read->troubles[0].cause, TroubleCause::interpenetrating);
 }
 
 }  // namespace

@@ -38,6 +38,12 @@ QString stateWords(JobState state, const CurrentRun& run) {
   return QObject::tr("finished");
 }
 
+/// How a run ended that did not complete.
+QString endWords(RunStatus status) {
+  if (status == RunStatus::stopped) return QObject::tr("stopped");
+  return status == RunStatus::not_converged ? QObject::tr("not converged") : QObject::tr("blocks in each other");
+}
+
 /// Of model time, by a run that has ended.
 double shareOf(const RunReport& report, const std::vector<StepReport>& steps, const Project& project) {
   double whole = 0;
@@ -107,8 +113,7 @@ void RunPanel::refresh() {
                           : report ? shareOf(*report, run_.steps(), project_.document().project())
                                    : 0;
   percent_->setText(busy || report ? tr("%1 %").arg(static_cast<int>(100 * fraction)) : QStringLiteral("–"));
-  if (!busy && report && report->status != RunStatus::completed)
-    percent_->setText(report->status == RunStatus::stopped ? tr("stopped") : tr("not converged"));
+  if (!busy && report && report->status != RunStatus::completed) percent_->setText(endWords(report->status));
   showShare(*bar_, fraction);
   const auto left = job.timeLeft().seconds();
   if (busy) {
