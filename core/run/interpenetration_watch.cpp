@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bodies/block_motion.hpp"
+#include "solve/simulation.hpp"
 
 namespace talus {
 
@@ -15,18 +16,19 @@ constexpr double per_known_depth = 2;
 
 }  // namespace
 
-InterpenetrationWatch::InterpenetrationWatch(const BlockSystem& system, const BodySet& bodies)
-    : system_(system), bodies_(bodies), shapes_(system, bodies) {}
+InterpenetrationWatch::InterpenetrationWatch(const BlockSystem& system, const Simulation& simulation)
+    : system_(system), simulation_(simulation), shapes_(system, simulation.bodies()) {}
 
 std::optional<ConvergenceTrouble> InterpenetrationWatch::look(const StepReport& step, double known) {
   const double told = per_known_depth * std::max(known, step.max_relative_penetration);
-  const auto pair = shapes_.look(bodies_, std::max(least_depth, told));
+  const auto pair = shapes_.look(simulation_.bodies(), std::max(least_depth, told));
   if (!pair) return std::nullopt;
   ConvergenceTrouble trouble;
   trouble.cause = TroubleCause::interpenetrating;
   trouble.blocks = {system_.blocks[pair->bodies[0]].name, system_.blocks[pair->bodies[1]].name};
-  trouble.position = pair->position;
-  trouble.rest_position = place_before_run(bodies_, pair->position, pair->bodies[0]);
+  trouble.position = simulation_.origin() + pair->position;
+  trouble.rest_position =
+      simulation_.origin() + place_before_run(simulation_.bodies(), pair->position, pair->bodies[0]);
   trouble.time = step.time;
   trouble.step = step.step;
   trouble.relative_penetration = pair->depth / pair->size;

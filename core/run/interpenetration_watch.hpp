@@ -7,11 +7,13 @@
 
 namespace talus {
 
+class Simulation;
+
 /// Watches that no blocks come to lie in each other: what contacts do not hold apart the run must not tell as motion.
 class InterpenetrationWatch {
  public:
   /// At the start of the run. Both outlive the watch.
-  InterpenetrationWatch(const BlockSystem& system, const BodySet& bodies);
+  InterpenetrationWatch(const BlockSystem& system, const Simulation& simulation);
 
   /// After a step. The blocks that are deepest in each other, if by more than a hundredth of their mesh size and than
   /// twice the deepest that contacts knew, in this step or before (`known`, of the mesh size).
@@ -19,7 +21,7 @@ class InterpenetrationWatch {
 
  private:
   const BlockSystem& system_;
-  const BodySet& bodies_;
+  const Simulation& simulation_;
   BodiesInEachOther shapes_;
 };
 

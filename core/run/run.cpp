@@ -74,7 +74,7 @@ class Recording {
         events_(system),
         motions_(project, system, simulation.bodies()),
         expectations_(project, system),
-        interpenetration_(system, simulation.bodies()),
+        interpenetration_(system, simulation),
         writer_(options.out, project, system, options.project_text),
         next_frame_(project.output.every) {
     report_.threads = options.threads;

@@ -44,9 +44,11 @@ class Simulation {
 
   Frame frame(int index) const;
   HistoryRow history() const;
-  std::vector<ContactSample> contacts() const;               ///< of the last step, those of sleeping blocks too
-  const std::vector<ContactSample>& awake_contacts() const;  ///< of the last step, of blocks that are awake
+  std::vector<ContactSample> contacts() const;  ///< of the last step, those of sleeping blocks too
+  /// Of the last step, of blocks that are awake; about the local origin, as the bodies are.
+  const std::vector<ContactSample>& awake_contacts() const;
   const BodySet& bodies() const;
+  const Vec3& origin() const;  ///< m: the local origin, from which bodies are counted
   std::vector<EffectOutcome> effects() const;
   RunWork work() const;
 

@@ -27,6 +27,7 @@ double Simulation::time() const { return state_->clock.time(); }
 double Simulation::end_time() const { return state_->clock.end(); }
 long Simulation::total_steps() const { return state_->clock.total_steps(); }
 const BodySet& Simulation::bodies() const { return state_->bodies; }
+const Vec3& Simulation::origin() const { return state_->model.origin(); }
 
 const ContactSet& Simulation::look_for_contacts() {
   SimulationState& s = *state_;
@@ -60,6 +61,7 @@ const std::vector<ContactSample>& Simulation::awake_contacts() const { return st
 std::vector<ContactSample> Simulation::contacts() const {
   std::vector<ContactSample> samples = awake_contacts();
   for (const RestingContact& resting : state_->resting) samples.push_back(sample_of(resting));
+  for (ContactSample& sample : samples) sample.position += state_->model.origin();
   return samples;
 }
 

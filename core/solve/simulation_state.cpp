@@ -65,35 +65,37 @@ double half_height(const BodySet& bodies) {
 
 }  // namespace
 
-SimulationState::SimulationState(const Project& p, const BlockSystem& s, const Tolerances& t)
-    : project(p),
-      system(s),
-      tolerances(t.solver.at(p.solver.tolerance)),
-      called(called_effects(p, s)),
-      bodies(p, s),
-      surfaces(surfaces_of(s)),
+SimulationState::SimulationState(const Project& given, const BlockSystem& blocks, const Tolerances& t)
+    : model(given, blocks),
+      project(model.project()),
+      system(model.system()),
+      tolerances(t.solver.at(project.solver.tolerance)),
+      called(called_effects(project, system)),
+      bodies(project, system),
+      surfaces(surfaces_of(system)),
       smallest_size(smallest_mesh_size(bodies, surfaces)),
-      detector(contact_bodies(bodies, surfaces), joint_laws(p), pair_joints(p, s), contact_settings(p, t.contact)),
+      detector(contact_bodies(bodies, surfaces), joint_laws(project), pair_joints(project, system),
+               contact_settings(project, t.contact)),
       outcomes(tolerances.contact_outcome),
       penalty_scaling(tolerances.penalty_scaling),
-      company(s.blocks.size(), tolerances.step, company_choice(*this)),
-      clock(p.stages, tolerances.step.time_rounding),
-      control(p.solver.adaptive, half_height(bodies), smallest_size, tolerances.step_control),
-      open_close(tolerances, p.solver.open_close_limit, p.solver.open_close,
-                 p.solver.effects.elimination != Switch::off),
+      company(system.blocks.size(), tolerances.step, company_choice(*this)),
+      clock(project.stages, tolerances.step.time_rounding),
+      control(project.solver.adaptive, half_height(bodies), smallest_size, tolerances.step_control),
+      open_close(tolerances, project.solver.open_close_limit, project.solver.open_close,
+                 project.solver.effects.elimination != Switch::off),
       first_guess(tolerances.first_guess),
       pseudo_transient(tolerances.pseudo_transient),
       acceleration_reset(bodies, sizes_of(surfaces), tolerances.acceleration_reset),
       followed_springs(bodies, tolerances.followed_spring),
-      sleep(sizes_of(surfaces), is_on(EffectKind::sleep) ? p.solver.sleep_tolerance : 0, tolerances.sleep),
+      sleep(sizes_of(surfaces), is_on(EffectKind::sleep) ? project.solver.sleep_tolerance : 0, tolerances.sleep),
       stress(bodies, composition),
-      troubles(p, s, bodies, contacts) {
-  for (const Monitor& monitor : p.monitors) {
-    const double tolerance = tolerances.effects.point_outside_block * std::cbrt(s.solids_volume);
-    monitors.push_back(material_point(s, monitor.block, monitor.at, tolerance, "monitor '" + monitor.name + "'"));
+      troubles(project, system, bodies, contacts, model.origin()) {
+  for (const Monitor& monitor : project.monitors) {
+    const double tolerance = tolerances.effects.point_outside_block * std::cbrt(system.solids_volume);
+    monitors.push_back(material_point(system, monitor.block, monitor.at, tolerance, "monitor '" + monitor.name + "'"));
   }
-  bodies.stress = stress_before(p, s, bodies);
-  if (is_on(EffectKind::missed_contacts)) passage.emplace(s, bodies, surfaces);
+  bodies.stress = stress_before(project, system, bodies);
+  if (is_on(EffectKind::missed_contacts)) passage.emplace(system, bodies, surfaces);
   for (const Vec3& x : bodies.nodes.reference) context.extent = std::max(context.extent, x.cwiseAbs().maxCoeff());
   for (std::size_t b = 0; b < surfaces.size(); ++b)
     if (!bodies.bodies[b].built_fixed()) context.mesh_size = std::max(context.mesh_size, surfaces[b].size);

@@ -24,6 +24,7 @@
 #include "solve/energy_balance.hpp"
 #include "solve/equilibrium/first_guess.hpp"
 #include "solve/equilibrium/open_close.hpp"
+#include "solve/local_origin.hpp"
 #include "solve/penalty_scaling.hpp"
 #include "solve/stress_recovery.hpp"
 #include "solve/trouble_log.hpp"
@@ -59,7 +60,8 @@ struct SimulationState {
   double dynamic_penetration() const;  ///< of h, that contacts of a dynamic stage may have
   bool anything_moves() const { return bodies.nodes.movable > 0; }
 
-  const Project& project;
+  const LocalModel model;
+  const Project& project;  ///< about the local origin, as all that follows
   const BlockSystem& system;
   const SolverTolerances tolerances;
   const std::vector<EffectStatus> called;  ///< if all blocks could touch

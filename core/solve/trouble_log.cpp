@@ -27,17 +27,20 @@ void TroubleLog::note_missed_contact(std::span<const int, 2> bodies, const Vec3&
   note(TroubleCause::missed_contact, -1, trial, iterations);
   ConvergenceTrouble& trouble = troubles_.back();
   trouble.blocks = {system_.blocks[bodies[0]].name, system_.blocks[bodies[1]].name};
-  trouble.position = position;
-  trouble.rest_position = place_before_run(bodies_, position, bodies[0]);
+  set_place(trouble, position, bodies[0]);
   trouble.relative_penetration = depth;
+}
+
+void TroubleLog::set_place(ConvergenceTrouble& trouble, const Vec3& position, int body) const {
+  trouble.position = origin_ + position;
+  trouble.rest_position = origin_ + place_before_run(bodies_, position, body);
 }
 
 void TroubleLog::place(int node, ConvergenceTrouble& trouble) const {
   const Vec3& position = bodies_.nodes.position[node];
   const int body = bodies_.nodes.body[node];
-  trouble.position = position;
+  set_place(trouble, position, body);
   trouble.blocks[0] = system_.blocks[body].name;
-  trouble.rest_position = place_before_run(bodies_, position, body);
   if (trouble.cause == TroubleCause::inverted) return;
   const ContactPoint* nearest = nullptr;
   const auto distance = [&](const ContactPoint& point) { return (point.position - position).squaredNorm(); };
@@ -46,8 +49,7 @@ void TroubleLog::place(int node, ConvergenceTrouble& trouble) const {
     if (touches && (!nearest || distance(point) < distance(*nearest))) nearest = &point;
   }
   if (!nearest) return;
-  trouble.position = nearest->position;
-  trouble.rest_position = place_before_run(bodies_, nearest->position, body);
+  set_place(trouble, nearest->position, body);
   trouble.relative_penetration = std::max(0.0, -nearest->gap / nearest->size);
   const auto [first, second] = std::minmax(nearest->bodies[0], nearest->bodies[1]);
   trouble.blocks = {system_.blocks[first].name, system_.blocks[second].name};

@@ -14,9 +14,10 @@ namespace talus {
 /// hard, so that easy ones cost nothing.
 class TroubleLog {
  public:
-  /// All outlive it.
-  TroubleLog(const Project& project, const BlockSystem& system, const BodySet& bodies, const ContactSet& contacts)
-      : project_(project), system_(system), bodies_(bodies), contacts_(contacts) {}
+  /// All outlive it. Places are told in coordinates from which bodies are counted at `origin` [m].
+  TroubleLog(const Project& project, const BlockSystem& system, const BodySet& bodies, const ContactSet& contacts,
+             const Vec3& origin)
+      : project_(project), system_(system), bodies_(bodies), contacts_(contacts), origin_(origin) {}
 
   /// Forgets those of the step before.
   void begin_step(int number);
@@ -37,10 +38,14 @@ class TroubleLog {
   /// Blocks, joint and position: of the contact of the node's body that is nearest to the node, else of the node.
   void place(int node, ConvergenceTrouble& trouble) const;
 
+  /// A place on a body, as bodies lie now.
+  void set_place(ConvergenceTrouble& trouble, const Vec3& position, int body) const;
+
   const Project& project_;
   const BlockSystem& system_;
   const BodySet& bodies_;
   const ContactSet& contacts_;
+  Vec3 origin_;
   int step_ = 0;
   std::vector<ConvergenceTrouble> troubles_;
 };

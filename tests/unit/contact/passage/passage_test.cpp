@@ -66,8 +66,7 @@ TEST_P(PassageOf, APlateThatStopsBeforeTheWallOrPassesBesideItIsLeftAlone) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, PassageOf,
-                         ::testing::Values(BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra));
+INSTANTIATE_TEST_SUITE_P(Bodies, PassageOf, ::testing::Values(BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra));
 
 TEST_F(Passage, WhatContactsKnowOrWhatWasDeepBeforeIsNoPassage) {
   build_plate(BodyKind::rigid);

@@ -42,7 +42,7 @@ constexpr double any = std::numeric_limits<double>::infinity();
 
 TEST(ConvexPieces, TakeTheCornersOfABoxAndTheTetrahedraOfWhatDeforms) {
   const BuiltBlocks scene({test::box_block("wall", {0, 0, 0}, {1, 2, 3}, BodyKind::fixed),
-                   test::box_block("soft", {4, 0, 0}, {5, 1, 1}, BodyKind::tetrahedra)});
+                           test::box_block("soft", {4, 0, 0}, {5, 1, 1}, BodyKind::tetrahedra)});
   const ConvexPieces pieces(scene.system, scene.set, scene.surfaces);
   ASSERT_EQ(pieces.count(0), 1);
   const ConvexPiece whole = pieces.piece(0, 0);
