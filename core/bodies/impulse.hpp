@@ -40,6 +40,7 @@ class StruckPoint {
               double step);
 
   Vec3 velocity(const BodySet& set) const;               ///< m/s
+  const Vec3& driven() const { return driven_; }         ///< m/s, of it what bodies that are moved by prescription do
   const Mat3& mobility() const { return mobility_; }     ///< 1/kg: velocity by an impulse of one
   void strike(BodySet& set, const Vec3& impulse) const;  ///< changes velocities and angular momenta [N s]
 

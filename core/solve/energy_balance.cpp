@@ -65,10 +65,12 @@ void EnergyBalance::awake_changed(const Composition& composition) {
 }
 
 const EnergyLedger& EnergyBalance::after_step(const Composition& composition, const std::vector<double>& works,
-                                              const Increment& d, double by_impacts, double springs_at_rest) {
-  ledger_.damping_dissipated += by_impacts;
+                                              const Increment& d, const ImpactEnergy& by_impacts,
+                                              double springs_at_rest) {
+  ledger_.damping_dissipated += by_impacts.taken;
+  ledger_.constraint_work += by_impacts.by_driven;
   ledger_.contact += springs_at_rest - springs_at_rest_;
-  ledger_.integration_loss -= by_impacts + springs_at_rest - springs_at_rest_;
+  ledger_.integration_loss -= by_impacts.taken - by_impacts.by_driven + springs_at_rest - springs_at_rest_;
   springs_at_rest_ = springs_at_rest;
   for (std::size_t i = 0; i < composition.effects.size(); ++i) {
     const Effect& effect = *composition.effects[i];

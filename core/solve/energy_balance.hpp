@@ -2,6 +2,7 @@
 
 #include "effects/compose.hpp"
 #include "results/run_report.hpp"
+#include "solve/dynamics/impacts.hpp"
 
 namespace talus {
 
@@ -20,10 +21,10 @@ class EnergyBalance {
   /// What was left of the motion of those that fell asleep is lost. Of contacts after_step() is told.
   void awake_changed(const Composition& composition);
   /// After effects have accepted D and bodies have moved. `works`: ∇Π_e·D over free nodes, an effect; `by_impacts`:
-  /// what impacts took from the kinetic energy at the end of the step [J]; `springs_at_rest`: what springs between
+  /// what impacts did to the energy at the end of the step; `springs_at_rest`: what springs between
   /// bodies hold that both rest [J].
   const EnergyLedger& after_step(const Composition& composition, const std::vector<double>& works, const Increment& d,
-                                 double by_impacts, double springs_at_rest);
+                                 const ImpactEnergy& by_impacts, double springs_at_rest);
   const EnergyLedger& ledger() const { return ledger_; }  ///< as of the last step
 
  private:

@@ -233,10 +233,11 @@ void accept(SimulationState& s, StepReport& report) {
   const bool may_hit = s.impacts && s.dynamic() && s.anything_moves();
   if (may_hit) s.impacts->note_speeds(s.contacts, s.context);
   s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
-  double by_impacts = may_hit ? s.impacts->let_go_landed(s.contacts, s.context, s.outcomes.outcomes()) : 0;
+  const double let_go = may_hit ? s.impacts->let_go_landed(s.contacts, s.context, s.outcomes.outcomes()) : 0;
   if (s.anything_moves()) remember_step(s, report);
   move_bodies(s, report);
-  if (may_hit) by_impacts += s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes());
+  ImpactEnergy by_impacts = may_hit ? s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes()) : ImpactEnergy{};
+  by_impacts.taken += let_go;
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   if (s.dynamic() && s.is_on(EffectKind::sleep)) put_to_sleep(s);
   report.energy = s.anything_moves() ? s.energy.after_step(s.composition, s.open_close.residual().works(), s.increment,

@@ -223,12 +223,12 @@ void Impacts::add_hits(const ContactSet& contacts, double step, const std::vecto
   }
 }
 
-double Impacts::apply(const ContactSet& contacts, const StepContext& step,
-                      const std::vector<ContactOutcome>& outcomes) {
+ImpactEnergy Impacts::apply(const ContactSet& contacts, const StepContext& step,
+                            const std::vector<ContactOutcome>& outcomes) {
   const Stopwatch watch(seconds_);
   ++evaluations_;
   gather(contacts, step.length, outcomes);
-  if (struck_.empty()) return 0;
+  if (struck_.empty()) return {};
   add_hits(contacts, step.length, outcomes);
   const double before = Inertia::kinetic_energy(set_);
   for (std::size_t begin = 0, end = 0; begin < struck_.size(); begin = end) {
@@ -238,7 +238,9 @@ double Impacts::apply(const ContactSet& contacts, const StepContext& step,
     limit_restitution(hits, step.length);
   }
   set_.carry_velocities();
-  return before - Inertia::kinetic_energy(set_);
+  double by_driven = 0;
+  for (const Hit& hit : hits_) by_driven -= hit.where.driven().dot(hit.pushed * hit.normal + hit.sheared);
+  return {before - Inertia::kinetic_energy(set_) + by_driven, by_driven};
 }
 
 }  // namespace talus

@@ -12,6 +12,12 @@
 
 namespace talus {
 
+/// What impacts do to the energy of a step [J].
+struct ImpactEnergy {
+  double taken = 0;      ///< from bodies, and from what driven ones give them
+  double by_driven = 0;  ///< work of bodies that are moved by prescription: a base that starts strikes what stands on it
+};
+
 /// Newton's law of impact: bodies whose contacts touched in a step part at its end at `restitution` times the speed at
 /// which they met. Springs that are stiff for the step throw bodies back at a speed that depends on where in the step
 /// they met; impulses correct it (Moreau 1988; nonlinear Gauss–Seidel of Jean 1999). Over the step as a whole a contact
@@ -31,9 +37,8 @@ class Impacts {
   /// go, for what they would push out later is speed that the law of impact has not given. What is in by then stays out
   /// of account until the contact opens. Returns the energy that was in them [J].
   double let_go_landed(ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes);
-  /// After it was accepted, and bodies have moved; forces and gaps are those at its end. Returns the kinetic energy
-  /// that impacts take [J].
-  double apply(const ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes);
+  /// After it was accepted, and bodies have moved; forces and gaps are those at its end.
+  ImpactEnergy apply(const ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes);
 
   double seconds() const { return seconds_; }
   long evaluations() const { return evaluations_; }

@@ -138,5 +138,29 @@ TEST(Impacts, BlockAtRestStaysAtRestAndFeelsItsWeight) {
   EXPECT_LT((block_motion(simulation.bodies(), 1).displacement - settled).norm(), 1e-9);
 }
 
+/// A slab that starts at once at v gives a block of mass m that lies on it m v², of which half is lost in the blow.
+TEST(Impacts, ABaseThatStartsGivesWhatTheBlockGetsAndWhatTheBlowTakes) {
+  constexpr double speed = 0.5, mass = 2600 * 0.08;
+  Scene scene = plate(0, Vec3::Zero(), {}, 0.5, 2e-3);
+  scene.project.velocities.clear();
+  scene.project.stages[0].steps = 100;
+  scene.project.constraints = {{"slab", std::nullopt, {0, 0, 0}, {{0, Vec3::Zero()}, {1, Vec3(0, 0, speed)}}}};
+  Simulation simulation(scene.project, scene.system);
+  StepReport report;
+  double highest = 0, least_damping = 0;
+  while (!simulation.finished()) {
+    report = simulation.step();
+    const EnergyLedger& energy = report.energy;
+    const double held = energy.kinetic + energy.contact - energy.constraint_work;
+    highest = std::max(highest, held);
+    least_damping = std::min(least_damping, energy.damping_dissipated);
+  }
+  ASSERT_TRUE(simulation.converged()) << simulation.failure();
+  EXPECT_NEAR(report.energy.kinetic, mass * speed * speed / 2, 1e-2 * mass * speed * speed);
+  EXPECT_NEAR(report.energy.constraint_work, mass * speed * speed, 2e-2 * mass * speed * speed);
+  EXPECT_GE(least_damping, 0) << "a blow takes energy";
+  EXPECT_LT(highest, 1e-6 * mass * speed * speed) << "nothing is made";
+}
+
 }  // namespace
 }  // namespace talus
