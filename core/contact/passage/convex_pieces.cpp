@@ -99,10 +99,13 @@ ConvexShape make_shape(const Surface& surface, std::span<const Vec3> x, std::vec
   return shape;
 }
 
-double thickness_of(const Surface& surface, std::span<const Vec3> x, double volume) {
-  double area = 0;
-  for (const SurfaceTriangle& t : surface.triangles)
-    area += area_vector(x[t.nodes[0]], x[t.nodes[1]], x[t.nodes[2]]).norm();
+double thickness_of(const Surface& surface, std::span<const Vec3> x) {
+  double area = 0, volume = 0;
+  for (const SurfaceTriangle& t : surface.triangles) {
+    const Vec3 across = area_vector(x[t.nodes[0]], x[t.nodes[1]], x[t.nodes[2]]);
+    area += across.norm();
+    volume += across.dot(x[t.nodes[0]] - x[0]) / 3;
+  }
   return 2 * volume / area;
 }
 
@@ -125,7 +128,7 @@ ConvexPieces::ConvexPieces(const BlockSystem& system, const BodySet& bodies, std
       }
     }
     begin_.push_back(static_cast<int>(nodes_begin_.size()) - 1);
-    thickness_.push_back(thickness_of(surfaces[b], block.mesh.nodes, body.reference_volume));
+    thickness_.push_back(thickness_of(surfaces[b], block.mesh.nodes));
   }
 }
 

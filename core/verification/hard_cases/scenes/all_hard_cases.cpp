@@ -10,7 +10,7 @@ namespace talus {
 std::vector<HardCase> hard_cases() {
   std::vector<HardCase> all;
   for (auto group : {degenerate_scenes, classic_scenes, ratio_scenes, odd_shape_scenes, time_scenes, crowd_scenes,
-                     jointed_slopes, state_change_scenes, threshold_scenes}) {
+                     jointed_slopes, state_change_scenes, threshold_scenes, found_scenes}) {
     std::vector<HardCase> scenes = group();
     std::move(scenes.begin(), scenes.end(), std::back_inserter(all));
   }

@@ -15,5 +15,6 @@ std::vector<HardCase> crowd_scenes();
 std::vector<HardCase> jointed_slopes();
 std::vector<HardCase> state_change_scenes();
 std::vector<HardCase> threshold_scenes();
+std::vector<HardCase> found_scenes();
 
 }  // namespace talus
