@@ -14,8 +14,6 @@
 #include "model/rules/validate.hpp"
 #include "model/solid_shape.hpp"
 
-extern const char project_schema[];
-
 namespace talus {
 namespace {
 
@@ -127,8 +125,6 @@ std::string change_project_text(const std::string& text, const std::string& valu
   const JsonText old = parse_json_text(text);
   return merge_json(old, old.value, parse_json_text(value).value);
 }
-
-const char* project_schema_text() { return project_schema; }
 
 void save_project(const Project& project, const std::filesystem::path& file) {
   std::error_code error;

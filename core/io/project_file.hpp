@@ -35,9 +35,6 @@ std::string write_project(const Project& project, const std::string& previous_te
 /// are JSON: throws InputError where one is not.
 std::string change_project_text(const std::string& text, const std::string& value);
 
-/// The schema of project files, a JSON text: what can be said, with titles, units and defaults.
-const char* project_schema_text();
-
 /// Writes by way of a temporary file beside it, so that a failure leaves the old one. A project that is there already
 /// is changed as by `write_project(project, previous_text)`. Throws InputError when the file cannot be written.
 void save_project(const Project& project, const std::filesystem::path& file);

@@ -11,11 +11,10 @@
 #include <valijson/validator.hpp>
 
 #include "base/error.hpp"
+#include "io/project_schema.hpp"
 #include "model/number_text.hpp"
 #include "model/place.hpp"
 #include "model/suggestion.hpp"
-
-extern const char project_schema[];
 
 namespace talus {
 namespace {
@@ -23,7 +22,7 @@ namespace {
 using Json = nlohmann::json;
 
 const Json& schema_json() {
-  static const Json json = Json::parse(project_schema);
+  static const Json json = Json::parse(project_schema_text());
   return json;
 }
 

@@ -1079,6 +1079,22 @@
         <source>Solve page</source>
         <translation>Seite Rechnen</translation>
     </message>
+    <message>
+        <source>blocks lay in each other at %1 s</source>
+        <translation>Blöcke lagen bei %1 s ineinander</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation>nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>blocks in each other</source>
+        <translation>Blöcke ineinander</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -5985,14 +6001,6 @@ Diese Datei gibt es nicht mehr</translation>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>angehalten</translation>
-    </message>
-    <message>
-        <source>not converged</source>
-        <translation>nicht konvergiert</translation>
     </message>
     <message>
         <source>%1 left</source>

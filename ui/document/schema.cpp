@@ -6,7 +6,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "io/project_file.hpp"
+#include "io/project_schema.hpp"
 
 namespace talus::schema {
 

@@ -14,8 +14,9 @@ namespace talus {
 
 /// What impacts do to the energy of a step [J].
 struct ImpactEnergy {
-  double taken = 0;      ///< from bodies, and from what driven ones give them
-  double by_driven = 0;  ///< work of bodies that are moved by prescription: a base that starts strikes what stands on it
+  double taken = 0;  ///< from bodies, and from what driven ones give them
+  double by_driven =
+      0;  ///< work of bodies that are moved by prescription: a base that starts strikes what stands on it
 };
 
 /// Newton's law of impact: bodies whose contacts touched in a step part at its end at `restitution` times the speed at

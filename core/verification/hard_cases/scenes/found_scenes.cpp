@@ -28,8 +28,8 @@ namespace {
 
 HardCaseExpectation stays_above(double height) { return stays_before({0, 0, height}, Vec3::UnitZ()); }
 
-HardCase found(const char* name, const char* title, const char* project_file,
-               std::vector<HardCaseExpectation> expected, std::string shortfall = {}, bool takes_long = false) {
+HardCase found(const char* name, const char* title, const char* project_file, std::vector<HardCaseExpectation> expected,
+               std::string shortfall = {}, bool takes_long = false) {
   return {.name = name,
           .group = "found at random",
           .title = title,
@@ -57,35 +57,39 @@ HardCase far_slope() {
   const double steeper = std::sin(radians(dip)) - std::cos(radians(dip)) * std::tan(radians(friction));
   return found("false_stick_far", "Block on a slope 0.05° steeper than friction, 4.7e6 m from the origin",
                found_scene_false_stick_far,
-               {travels("b", Vec3(-8.3282318925, 14.1283899658, -7.4181630646).normalized(), 9.81 / 2 * steeper * time * time, 1e-4)});
+               {travels("b", Vec3(-8.3282318925, 14.1283899658, -7.4181630646).normalized(),
+                        9.81 / 2 * steeper * time * time, 1e-4)});
 }
 
 std::vector<HardCase> energies() {
   return {found("restitution_makes_energy", "Box dropped by 1 m, restitution 1, friction 25°",
                 found_scene_restitution_makes_energy, {stays_above(0)}),
           found("ridge_tetrahedra_growth", "Ridge of a meshed wedge falls on a ridge across it",
-                found_scene_ridge_tetrahedra_growth, {stays_above(0)}),
+                found_scene_ridge_tetrahedra_growth, {stays_above(0)},
+                "contacts of ridges that cross by 0.01 rad run along them at 20 m/s and are found anew, 2e-3 deep"),
           found("shaking_tower_growth", "Tower of four boxes on a shaken table", found_scene_shaking_tower_growth,
                 {stays_above(0)})};
 }
 
 std::vector<HardCase> crowds() {
-  return {found("cavern_not_converged", "107 blocks round a cavern", found_scene_cavern_not_converged,
-                {stays_above(3)}),
-          found("chain_3_links", "Chain of rings of sixty faces swings", found_scene_chain_3_links,
-                {stays_above(-11)}),
-          found("crosses_deep", "Eight crosses poured into a box", found_scene_crosses_deep, {stays_above(0)}),
+  return {found("cavern_not_converged", "107 blocks round a cavern", found_scene_cavern_not_converged, {stays_above(3)},
+                {}, true),
+          found("chain_3_links", "Chain of rings of sixty faces swings", found_scene_chain_3_links, {stays_above(-11)},
+                "rings of 60 faces are 5e-3 of the mesh size deep in each other, and make 1.5e-6 of what moves"),
+          found("crosses_deep", "Eight crosses poured into a box", found_scene_crosses_deep, {stays_above(0)},
+                "crosses are 5.8e-2 of the mesh size deep in each other, by contacts that are found deep"),
           found("slab_1e_minus_9_above_boxes", "Slab 1e-9 m above eight boxes", found_scene_slab_1e_minus_9_above_boxes,
                 {all_rest(-1, 1e-3)})};
 }
 
 std::vector<HardCase> slopes() {
-  return {found("slope_35_tetrahedra", "35 meshed blocks of three random joint sets slide",
-                found_scene_slope_35_tetrahedra, {stays_above(0)}),
-          found("slope_59_static_slow", "59 blocks of three random joint sets, a static stage first",
-                found_scene_slope_59_static_slow, {stays_above(0)}, {}, true),
-          found("slope_71_affine", "71 affine blocks of three random joint sets slide", found_scene_slope_71_affine,
-                {stays_above(0)})};
+  return {
+      found("slope_35_tetrahedra", "35 meshed blocks of three random joint sets slide", found_scene_slope_35_tetrahedra,
+            {stays_above(0)}, "blocks are 1.7e-3 of the mesh size deep in each other; why is not known", true),
+      found("slope_59_static_slow", "59 blocks of three random joint sets, a static stage first",
+            found_scene_slope_59_static_slow, {stays_above(0)}, {}, true),
+      found("slope_71_affine", "71 affine blocks of three random joint sets slide", found_scene_slope_71_affine,
+            {stays_above(0)}, "contacts are 1.4e-3 of the mesh size deep; why is not known", true)};
 }
 
 }  // namespace
