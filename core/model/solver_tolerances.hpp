@@ -15,6 +15,9 @@ struct StepTolerances {
   /// Of the stage's time_step. No step is cut below it: then the run has not converged. Chosen. Smaller: hard places
   /// are tried longer before the run gives up.
   double shortest_step = 0.01;
+  /// Of the smallest h. … unless a node still goes further than this in it: a body that flies by many of its own sizes
+  /// a step is stopped by a wall in a small part of it. Chosen. Smaller: as above.
+  double shortest_way = 0.01;
   /// –. Contacts are sought within this many times the displacement that a node can make in the step. Chosen: two
   /// bodies may approach each other, and forces speed them up. Larger: more points that bear nothing. Smaller: missed
   /// contacts.

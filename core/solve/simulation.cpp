@@ -17,6 +17,7 @@ namespace {
 // In the order in which they come:
 void take_fixed_step(SimulationState& s, StepReport& report);
 void take_adaptive_step(SimulationState& s, StepReport& report);
+double shortest_part(const SimulationState& s, double length);
 bool try_step(SimulationState& s, double start, double length, StepReport& report);
 void set_times(SimulationState& s, double start, double length);
 void set_up(SimulationState& s);
@@ -75,7 +76,7 @@ void take_fixed_step(SimulationState& s, StepReport& report) {
       accept(s, report);
       left -= trial;
       s.trial_length = std::min(trial * t.cut_factor, length);
-    } else if (!s.goes_through && trial / t.cut_factor < t.shortest_step * length) {
+    } else if (!s.goes_through && trial / t.cut_factor < shortest_part(s, length)) {
       s.troubles.note_end_of_run();
       return;
     } else {
@@ -84,6 +85,14 @@ void take_fixed_step(SimulationState& s, StepReport& report) {
     }
   }
   s.clock.advance();
+}
+
+/// No part of a step of this length is cut below it [s].
+double shortest_part(const SimulationState& s, double length) {
+  const StepTolerances& t = s.tolerances.step;
+  const double speed = s.dynamic() ? s.bodies.top_speed() : 0;
+  const double shortest = t.shortest_step * length, way = t.shortest_way * s.smallest_size;
+  return speed * shortest > way ? way / speed : shortest;
 }
 
 /// One step of the length that its control chooses.

@@ -113,6 +113,7 @@ std::vector<Entry> entries() {
     add<G>(all, "solver.step.", [](Tolerances& t) -> G& { return t.solver.step; },
            {{"cut_factor", &G::cut_factor},
             {"shortest_step", &G::shortest_step},
+            {"shortest_way", &G::shortest_way},
             {"reach_factor", &G::reach_factor},
             {"least_reach", &G::least_reach},
             {"correction_limit", &G::correction_limit},

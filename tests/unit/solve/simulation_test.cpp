@@ -296,5 +296,30 @@ TEST(Simulation, TellsOfStepsThatUseAllSweepsOfImpulses) {
   }
 }
 
+/// A tetrahedron of 1.4 cm that goes 35 cm a step.
+TEST(Simulation, CutsAStepBelowItsShortestWhereABodyFliesByManyOfItsSizes) {
+  Project project = scene(30, {{"fly", StageKind::dynamic, 0.0115, 3, {}}});
+  project.gravity.setZero();
+  project.velocities = {{"B", Vec3(21, 0, -21), Vec3(0, 70, 10)}};
+  Block body = test::box_block("B", {0, 0, 0}, {0.014, 0.01, 0.008});
+  const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  for (Vec3& node : body.mesh.nodes) node = turn * node + Vec3(-1, 0, 0.15);
+  const BlockSystem system =
+      blocks({test::box_block("ground", Vec3(-3, -3, -1), Vec3(3, 3, 0), BodyKind::fixed), std::move(body)});
+  Simulation simulation(project, system);
+  int cuts = 0;
+  while (!simulation.finished()) cuts += simulation.step().cuts;
+  EXPECT_TRUE(simulation.converged()) << simulation.failure();
+  EXPECT_GT(cuts, 4);
+  for (int n = 0; n < simulation.bodies().bodies[1].node_count; ++n)
+    EXPECT_GT(simulation.bodies().nodes.position[simulation.bodies().bodies[1].first_node + n].z(), -1e-4);
+
+  Tolerances coarse;
+  coarse.solver.step.shortest_way = 1e9;
+  Simulation given_up(project, system, coarse);
+  while (!given_up.finished()) given_up.step();
+  EXPECT_FALSE(given_up.converged()) << "a hundredth of the step is too long";
+}
+
 }  // namespace
 }  // namespace talus
