@@ -1092,8 +1092,8 @@
         <translation>nicht konvergiert</translation>
     </message>
     <message>
-        <source>blocks in each other</source>
-        <translation>Blöcke ineinander</translation>
+        <source>broken off</source>
+        <translation>abgebrochen</translation>
     </message>
 </context>
 <context>

@@ -41,7 +41,7 @@ QString stateWords(JobState state, const CurrentRun& run) {
 /// How a run ended that did not complete.
 QString endWords(RunStatus status) {
   if (status == RunStatus::stopped) return QObject::tr("stopped");
-  return status == RunStatus::not_converged ? QObject::tr("not converged") : QObject::tr("blocks in each other");
+  return status == RunStatus::not_converged ? QObject::tr("not converged") : QObject::tr("broken off");
 }
 
 /// Of model time, by a run that has ended.
