@@ -24,12 +24,15 @@ const test::WrittenPage& written() {
 }
 
 TEST(HardCasesTable, HasEveryQuickSceneInItsGroup) {
+  const std::vector<HardCase> quick = scenes(false);
   std::vector<std::string> names;
   std::string group;
-  for (const HardCase& scene : scenes(false)) {
+  for (const HardCase& scene : quick) {
     if (scene.group != group) names.push_back("### " + (group = scene.group));
     names.push_back(scene.name);
   }
+  if (std::ranges::any_of(quick, [](const HardCase& scene) { return !scene.shortfall.empty(); }))
+    names.push_back("### What does not hold");
   EXPECT_EQ(written().names(), names) << stale;
 }
 
