@@ -22,7 +22,9 @@ bool update_normals(ContactSet& contacts, const ContactLinks& links,
     ContactPoint& point = contacts.points[i];
     const double limit = tolerance * point.size;
     const Vec3 displacement = links.moves().increment(i, d);
-    if (point.bonded || displacement.norm() < tolerances.noticeable_slide * limit) continue;
+    const double slides = displacement.norm();
+    // What goes by more than a facet has left its features.
+    if (point.bonded || slides < tolerances.noticeable_slide * limit || slides > point.size) continue;
     const ContactDetector::UpdatedNormal at_end = updated_normal(i);
     const double depth = -at_end.gap - at_end.normal.dot(displacement),
                  known = point.initial_interference - links.gap(i, d);

@@ -76,6 +76,14 @@ TEST_F(NormalUpdate, ContactsThatSlideByLessThanATenthOfTheToleranceKeepTheirNor
   }
 }
 
+TEST_F(NormalUpdate, ContactsThatSlideByMoreThanAFacetHaveLeftTheirFeaturesAndKeepTheirNormals) {
+  for (const double size : {0.11, 0.09}) {
+    point().size = size;
+    const auto updated = [&](int) { return ContactDetector::UpdatedNormal{Vec3::UnitZ(), -0.05}; };
+    EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), size > 0.1);
+  }
+}
+
 TEST_F(NormalUpdate, AContactThatKnowsHowDeepItIsKeepsItsNormal) {
   // As deep by one normal as by the other, to within a thousandth of the tolerance or not.
   for (const double deeper : {0.9e-6, 1.1e-6}) {
