@@ -37,7 +37,6 @@ class TroubleLog {
  private:
   /// Blocks, joint and position: of the contact of the node's body that is nearest to the node, else of the node.
   void place(int node, ConvergenceTrouble& trouble) const;
-
   /// A place on a body, as bodies lie now.
   void set_place(ConvergenceTrouble& trouble, const Vec3& position, int body) const;
 

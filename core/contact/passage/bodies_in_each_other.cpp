@@ -21,8 +21,6 @@ BodiesInEachOther::BodiesInEachOther(const BlockSystem& system, const BodySet& s
 
 BodiesInEachOther::BodiesInEachOther(const BlockSystem& system, const BodySet& set, std::span<const Surface> surfaces)
     : pieces_(system, set, surfaces), near_(pieces_) {
-  for (std::size_t b = 0; b < surfaces.size(); ++b)
-    sizes_.push_back(set.bodies[b].built_fixed() ? std::numeric_limits<double>::infinity() : surfaces[b].size);
   visit_pairs(set, [&](Bodies bodies, double) {
     if (const auto deep = depth(set, bodies, 0)) at_first_[bodies] = deep->depth;
   });
@@ -32,9 +30,9 @@ BodiesInEachOther::BodiesInEachOther(const BlockSystem& system, const BodySet& s
 template <class Visit>
 void BodiesInEachOther::visit_pairs(const BodySet& set, const Visit& visit) {
   near_.set_span(set.nodes.position, set.nodes.position, set);
-  for (int a = 0; a < static_cast<int>(sizes_.size()); ++a)
+  for (int a = 0; a < static_cast<int>(pieces_.bodies()); ++a)
     for (const int b : near_.near(a)) {
-      const double size = std::min(sizes_[a], sizes_[b]);
+      const double size = pieces_.size(a, b);
       if (a < b && size < std::numeric_limits<double>::infinity()) visit(Bodies{a, b}, size);
     }
 }
@@ -70,8 +68,7 @@ std::optional<DeepPair> BodiesInEachOther::depth(const BodySet& set, Bodies bodi
     if (whole) directions_[bodies] = gap.direction;
     if (gap.width >= -enough) continue;
     enough = -gap.width;
-    deepest =
-        DeepPair{{a, b}, deepest_corner(gap.direction, first_, second_), -gap.width, std::min(sizes_[a], sizes_[b])};
+    deepest = DeepPair{{a, b}, deepest_corner(gap.direction, first_, second_), -gap.width, pieces_.size(a, b)};
   }
   return deepest;
 }

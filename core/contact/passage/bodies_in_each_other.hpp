@@ -30,7 +30,6 @@ class BodiesInEachOther {
 
   ConvexPieces pieces_;
   NearPieces near_;
-  std::vector<double> sizes_;          // m, a body: its mesh size, infinite where it was built fixed
   std::map<Bodies, double> at_first_;  // m, of those that lay in each other at first
   std::map<Bodies, Vec3> directions_;  // of whole bodies: along which they were apart last
   PlacedPiece first_, second_;

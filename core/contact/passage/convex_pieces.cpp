@@ -2,14 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <map>
 
 namespace talus {
 namespace {
 
 const ConvexShape tetrahedron{
-    4,
     {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}},
     {{{0, 1}, {0, 1}}, {{1, 2}, {0, 2}}, {{0, 2}, {0, 3}}, {{0, 3}, {1, 3}}, {{1, 3}, {1, 2}}, {{2, 3}, {2, 3}}}};
 
@@ -84,7 +83,6 @@ ConvexShape make_shape(const Surface& surface, std::span<const Vec3> x, std::vec
   std::vector<int> corner_of;
   const std::vector<std::vector<int>> corners_of = find_corners(surface, planes, corners, corner_of);
   ConvexShape shape;
-  shape.corner_count = static_cast<int>(corners.size());
   for (std::size_t plane = 0; plane < corners_of.size(); ++plane)
     shape.faces.push_back(widest_triangle(planes.normals[plane], corners_of[plane], corners, x));
   std::map<std::pair<int, int>, std::vector<int>> ends;  // of two planes: the corners where their edge ends
@@ -129,6 +127,7 @@ ConvexPieces::ConvexPieces(const BlockSystem& system, const BodySet& bodies, std
     }
     begin_.push_back(static_cast<int>(nodes_begin_.size()) - 1);
     thickness_.push_back(thickness_of(surfaces[b], block.mesh.nodes));
+    sizes_.push_back(body.built_fixed() ? std::numeric_limits<double>::infinity() : surfaces[b].size);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -16,7 +17,6 @@ struct ConvexShape {
     std::array<int, 2> corners;
     std::array<int, 2> faces;  ///< that it joins
   };
-  int corner_count = 0;
   std::vector<std::array<int, 3>> faces;  ///< three corners of each, counter-clockwise as seen from outside
   std::vector<Edge> edges;                ///< between faces of different planes
 };
@@ -41,11 +41,13 @@ class ConvexPieces {
   ConvexPiece piece(int body, int number) const;
   /// 2 V / A of a body [m]: how thick a plate is, two thirds of half a cube's side.
   double thickness(int body) const { return thickness_[body]; }
+  /// The mesh size of two bodies, that of the finer [m]; a body that was built fixed does not count. Infinite for two.
+  double size(int body_a, int body_b) const { return std::min(sizes_[body_a], sizes_[body_b]); }
 
  private:
   std::vector<std::unique_ptr<ConvexShape>> whole_;  // a body: its shape, none where it is taken apart
   std::vector<int> begin_ = {0}, nodes_begin_ = {0}, nodes_;
-  std::vector<double> thickness_;
+  std::vector<double> thickness_, sizes_;
 };
 
 }  // namespace talus

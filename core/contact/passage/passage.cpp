@@ -18,10 +18,7 @@ PassageCheck::PassageCheck(const BlockSystem& system, const BodySet& set, std::s
       end_(set.nodes.position),
       displacements_(set.bodies.size(), Vec3::Zero()),
       rotations_(set.bodies.size(), 0.0) {
-  for (std::size_t b = 0; b < surfaces.size(); ++b) {
-    sizes_.push_back(set.bodies[b].built_fixed() ? std::numeric_limits<double>::infinity() : surfaces[b].size);
-    thinnest_ = std::min(thinnest_, pieces_.thickness(static_cast<int>(b)));
-  }
+  for (int b = 0; b < static_cast<int>(surfaces.size()); ++b) thinnest_ = std::min(thinnest_, pieces_.thickness(b));
 }
 
 std::optional<DeepPair> PassageCheck::find(const Increment& d, double tolerance,
@@ -34,7 +31,7 @@ std::optional<DeepPair> PassageCheck::find(const Increment& d, double tolerance,
   for (const int a : far_) {
     done[a] = 1;
     for (const int b : near_.near(a)) {
-      const double size = std::min(sizes_[a], sizes_[b]);
+      const double size = pieces_.size(a, b);
       const double thickness = std::min(pieces_.thickness(a), pieces_.thickness(b));
       motion_ = (displacements_[a] - displacements_[b]).norm() + rotations_[a] + rotations_[b];
       if (done[b] || !(size < std::numeric_limits<double>::infinity()) || motion_ <= far * thickness) continue;
@@ -49,23 +46,22 @@ std::optional<DeepPair> PassageCheck::find(const Increment& d, double tolerance,
 /// Lists those whose nodes may.
 bool PassageCheck::any_goes_far(const Increment& d, std::span<const char> alone) {
   const double least = far * thinnest_;
-  far_.clear();
-  const auto add = [&](int body) {
-    if ((far_.empty() || far_.back() != body) && (alone.empty() || !alone[body])) far_.push_back(body);
-  };
-  for (const int b : set_.moving) {
+  const auto goes_far = [&](int b) {
     const Body& body = set_.bodies[b];
+    if (body.fixed) return set_.nodes.prescribed[body.first_node].norm() > least;
     if (body.kind == BodyKind::rigid) {
       const RigidBody& one = set_.rigid[body.rigid];
       const double centre = d.segment<3>(3 * set_.nodes.dof_block[one.centre]).norm();
-      if (centre + one.reach * one.theta(d).norm() > least) add(b);
-      continue;
+      return centre + one.reach * one.theta(d).norm() > least;
     }
     for (int n = body.first_node; n < body.first_node + body.node_count; ++n)
-      if (set_.node_increment(n, d).norm() > least) add(b);
-  }
-  for (const int b : set_.driven)
-    if (set_.nodes.prescribed[set_.bodies[b].first_node].norm() > least) add(b);
+      if (set_.node_increment(n, d).norm() > least) return true;
+    return false;
+  };
+  far_.clear();
+  for (const auto* moved : {&set_.moving, &set_.driven})
+    for (const int b : *moved)
+      if ((alone.empty() || !alone[b]) && goes_far(b)) far_.push_back(b);
   return !far_.empty();
 }
 

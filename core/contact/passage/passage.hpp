@@ -51,7 +51,6 @@ class PassageCheck {
 
   ConvexPieces pieces_;
   const BodySet& set_;
-  std::vector<double> sizes_;  // m, a body: its mesh size, infinite where it was built fixed
   double thinnest_ = std::numeric_limits<double>::infinity();  // m, of all bodies
   NearPieces near_;
   const Increment* increment_ = nullptr;
