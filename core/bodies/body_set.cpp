@@ -355,6 +355,16 @@ void BodySet::give_accelerations(const Eigen::VectorXd& accelerations) {
   for (const int r : turning) rigid[r].moment = rigid[r].inertia_now() * rigid[r].theta(accelerations);
 }
 
+void BodySet::scale_acceleration(int body, double factor) {
+  const Body& scaled = bodies[body];
+  if (scaled.rigid >= 0) {
+    nodes.acceleration[rigid[scaled.rigid].centre] *= factor;
+    rigid[scaled.rigid].moment *= factor;
+    return;
+  }
+  for (int n = scaled.first_free(); n < scaled.first_free() + scaled.free_count(); ++n) nodes.acceleration[n] *= factor;
+}
+
 double BodySet::top_speed(std::span<const char> left_out) const {
   const auto counts = [&](int body) { return left_out.empty() || !left_out[body]; };
   double square = 0;

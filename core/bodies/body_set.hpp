@@ -111,6 +111,8 @@ struct BodySet {
   int node_of(int dof_block) const;
   /// Takes over accelerations [m/s²], three numbers a degree-of-freedom block.
   void give_accelerations(const Eigen::VectorXd& accelerations);
+  /// Multiplies the accelerations of a body that moves, and its moment, by `factor`.
+  void scale_acceleration(int body, double factor);
   /// No node moves faster than this [m/s]. Bodies that are `left_out`, a flag each, do not count.
   double top_speed(std::span<const char> left_out = {}) const;
 

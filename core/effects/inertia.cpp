@@ -84,12 +84,30 @@ double Inertia::time_error(const Increment& d) const {
   return std::abs(step_.integration.beta - 1.0 / 6) * step_.length * step_.length * largest;
 }
 
+namespace {
+
+double element_kinetic_energy(const BodySet& set, const Element& element) {
+  Corners v;
+  for (int i = 0; i < 4; ++i) v[i] = set.nodes.velocity[element.nodes[i]];
+  return 0.5 * mass_square(element.mass, v);
+}
+
+}  // namespace
+
 double Inertia::kinetic_energy(const BodySet& set) {
   double sum = rigid_kinetic_energy(set);
-  for (const Element& element : set.elements) {
-    Corners v;
-    for (int i = 0; i < 4; ++i) v[i] = set.nodes.velocity[element.nodes[i]];
-    sum += 0.5 * mass_square(element.mass, v);
+  for (const Element& element : set.elements) sum += element_kinetic_energy(set, element);
+  return sum;
+}
+
+double Inertia::kinetic_energy(const BodySet& set, std::span<const int> bodies) {
+  double sum = 0;
+  for (const int b : bodies) {
+    const Body& body = set.bodies[b];
+    if (body.fixed) continue;
+    if (body.rigid >= 0) sum += talus::kinetic_energy(set, set.rigid[body.rigid]);
+    for (int e = body.first_element; e < body.first_element + body.element_count; ++e)
+      sum += element_kinetic_energy(set, set.elements[e]);
   }
   return sum;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "effects/effect.hpp"
 
 namespace talus {
@@ -29,8 +31,9 @@ class Inertia final : public Effect {
   /// |β − 1/6| Δ² |a₁ − a₀| (Zienkiewicz & Xie 1991).
   double time_error(const Increment& d) const;
 
-  /// ½ VᵀMV of the bodies' present velocities [J].
+  /// ½ VᵀMV of the present velocities [J], of all bodies and of some.
   static double kinetic_energy(const BodySet& set);
+  static double kinetic_energy(const BodySet& set, std::span<const int> bodies);
 
  private:
   BodySet& set_;

@@ -27,9 +27,11 @@ bool SymmetricBlocks::assign_part(const SymmetricBlocks& whole, std::span<const 
   return changed;
 }
 
-double SymmetricBlocks::diagonal_norm() const {
+double SymmetricBlocks::diagonal_norm() const { return diagonal_norm(0, pattern_.nodes()); }
+
+double SymmetricBlocks::diagonal_norm(int begin, int end) const {
   double squares = 0;
-  for (int column = 0; column < nodes(); ++column)
+  for (int column = begin; column < end; ++column)
     squares += values_[pattern_.column_begin()[column]].diagonal().squaredNorm();
   return std::sqrt(squares);
 }

@@ -39,8 +39,9 @@ class SymmetricBlocks {
   void assign(const SymmetricBlocks& other) { values_ = other.values_; }
   /// Takes over the columns of some nodes of a larger matrix, of which this pattern is their part. Has a bit changed?
   bool assign_part(const SymmetricBlocks& whole, std::span<const int> nodes);
-  /// Norm of the diagonal.
+  /// Norm of the diagonal, and of its part from block `begin` to that before `end`.
   double diagonal_norm() const;
+  double diagonal_norm(int begin, int end) const;
   /// y = K x.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
 

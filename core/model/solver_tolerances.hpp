@@ -219,15 +219,8 @@ struct AccelerationResetTolerances {
   /// step. Chosen on bodies that land. Larger: blows are carried over and throw blocks up. Smaller: what slides or
   /// rolls loses second order.
   double sudden_change = 0.3;
-  /// – (fraction). An acceleration of which less is left is over. Chosen: stiff contacts swing to and fro with a third.
-  double acceleration_left = 0.25;
-  /// Of the kinetic energy. An acceleration that gives back more in a step belongs to a blow that dies away. Chosen.
-  /// Larger: energy is gained after landing. Smaller: steady accelerations are reset.
-  double returned_energy = 1e-3;
   /// Of h a step. A body that was hit goes on without an acceleration where that moves it by less. Chosen.
   double visible_displacement = 1e-4;
-  /// Of h a step. An acceleration, or a change of one, that moves a body by less is rounding.
-  double least_displacement = 1e-9;
 };
 
 /// The law of impact at the end of a step.

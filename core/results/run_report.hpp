@@ -21,11 +21,12 @@ struct Phases {
 /// Energies in J: stored in effects, dissipated, and lost to time integration. Their sum, less the work of constraints,
 /// is the energy that the run began with, up to the remainder, which residual forces and round-off leave.
 /// `integration_loss` is summed up effect by effect: the work of its force over a step, less what it stores and
-/// dissipates.
+/// dissipates. Of that `integration_reserve` comes back (solve/dynamics/integration_reserve); files leave it out.
 struct EnergyLedger {
   double kinetic = 0, elastic = 0, potential = 0, contact = 0;
   double friction_dissipated = 0, damping_dissipated = 0, constraint_work = 0, integration_loss = 0;
   double remainder = 0;
+  double integration_reserve = 0;  ///< beyond what the accelerations have brought with which stages began
 };
 
 /// A row of steps.csv.

@@ -52,6 +52,11 @@ void EnergyBalance::energy_was_given(const Composition& composition) {
   }
 }
 
+void EnergyBalance::accelerations_were_given(double reserve) {
+  reserve_of_given_ += reserve - reserve_;
+  reserve_ = reserve;
+}
+
 void EnergyBalance::awake_changed(const Composition& composition) {
   for (std::size_t i = 0; i < composition.effects.size(); ++i) {
     const Effect& effect = *composition.effects[i];
@@ -66,12 +71,14 @@ void EnergyBalance::awake_changed(const Composition& composition) {
 
 const EnergyLedger& EnergyBalance::after_step(const Composition& composition, const std::vector<double>& works,
                                               const Increment& d, const ImpactEnergy& by_impacts,
-                                              double springs_at_rest) {
+                                              double springs_at_rest, double reserve) {
   ledger_.damping_dissipated += by_impacts.taken;
   ledger_.constraint_work += by_impacts.by_driven;
   ledger_.contact += springs_at_rest - springs_at_rest_;
   ledger_.integration_loss -= by_impacts.taken - by_impacts.by_driven + springs_at_rest - springs_at_rest_;
   springs_at_rest_ = springs_at_rest;
+  reserve_ = reserve;
+  ledger_.integration_reserve = reserve_ - reserve_of_given_;
   for (std::size_t i = 0; i < composition.effects.size(); ++i) {
     const Effect& effect = *composition.effects[i];
     if (effect.account() == EnergyAccount::constraint) {

@@ -153,6 +153,8 @@ void set_up(SimulationState& s) {
   s.open_close.begin_step(s.context);
   if (!s.accelerations_wanted) return;
   s.bodies.give_accelerations(s.open_close.start_accelerations(s.context));
+  s.reserve.give(s.context);
+  s.energy.accelerations_were_given(s.reserve.total());
   s.accelerations_wanted = false;
 }
 
@@ -245,13 +247,15 @@ void accept(SimulationState& s, StepReport& report) {
   const double let_go = may_hit ? s.impacts->let_go_landed(s.contacts, s.context, s.outcomes.outcomes()) : 0;
   if (s.anything_moves()) remember_step(s, report);
   move_bodies(s, report);
-  ImpactEnergy by_impacts = may_hit ? s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes()) : ImpactEnergy{};
+  ImpactEnergy by_impacts =
+      may_hit ? s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes(), s.reserve) : ImpactEnergy{};
   by_impacts.taken += let_go;
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   if (s.dynamic() && s.is_on(EffectKind::sleep)) put_to_sleep(s);
-  report.energy = s.anything_moves() ? s.energy.after_step(s.composition, s.open_close.residual().works(), s.increment,
-                                                           by_impacts, s.detector.spring_energy_at_rest())
-                                     : s.energy.ledger();
+  report.energy = s.anything_moves()
+                      ? s.energy.after_step(s.composition, s.open_close.residual().works(), s.increment, by_impacts,
+                                            s.detector.spring_energy_at_rest(), s.reserve.total())
+                      : s.energy.ledger();
   s.first_guess.remember(s.increment, s.context.length);
 }
 
@@ -262,9 +266,14 @@ void remember_step(SimulationState& s, StepReport& report) {
   if (!s.dynamic() && s.project.solver.static_inertia == StaticInertia::fading)
     s.pseudo_transient.accept(measured.displacement, s.open_close.residual().static_residual());
   s.acceleration_reset.note_contact_forces(s.bodies, s.contacts, s.outcomes.outcomes());
-  if (s.resets_accelerations()) s.acceleration_reset.find_blows(s.bodies, s.context, s.increment);
+  if (s.resets_accelerations()) {
+    const EffectTimer timer(s.work_of(EffectKind::acceleration_reset));
+    s.acceleration_reset.look_at(s.bodies, s.context, s.increment);
+  }
+  s.reserve.note_start(s.context);
   for (const auto& effect : s.composition.effects) effect->accept(s.increment);
-  if (s.resets_accelerations()) s.acceleration_reset.drop_after_blows(s.bodies);
+  if (s.resets_accelerations()) s.acceleration_reset.drop(s.bodies);
+  s.reserve.hold(s.context);
   s.detector.accept(s.contacts, s.outcomes.outcomes());
 }
 

@@ -16,6 +16,7 @@
 #include "solve/dynamics/acceleration_reset.hpp"
 #include "solve/dynamics/followed_springs.hpp"
 #include "solve/dynamics/impacts.hpp"
+#include "solve/dynamics/integration_reserve.hpp"
 #include "solve/dynamics/prescribed_motion.hpp"
 #include "solve/dynamics/pseudo_transient.hpp"
 #include "solve/dynamics/sleep.hpp"
@@ -98,6 +99,7 @@ struct SimulationState {
   FirstGuess first_guess;
   PseudoTransientContinuation pseudo_transient;  ///< of static stages
   AccelerationReset acceleration_reset;
+  IntegrationReserve reserve;
   MissedContacts missed_contacts{bodies};
   std::optional<PassageCheck> passage;  ///< none where missed contacts are not looked for
   bool goes_through = false;  ///< the trial step took a body through another: it is cut until no body goes that far

@@ -24,9 +24,9 @@ bool scale_penalty(SimulationState& s, double tolerance) {
   return s.penalty_scaling.scale(s.contacts, s.links, s.increment, tolerance, as_given);
 }
 
-/// Contacts that go deeper than the tolerance get the normal that their features have at the end of the step, a stiffer
-/// spring or, in static stages, a larger multiplier. Whether any did.
-bool correct_contacts(SimulationState& s) {
+}  // namespace
+
+bool correct(SimulationState& s) {
   const std::optional<double>& asked = s.project.solver.penetration_tolerance;
   // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
   if (s.dynamic()) {
@@ -37,24 +37,6 @@ bool correct_contacts(SimulationState& s) {
   if (!asked || multiplier_error(s.links, s.increment) <= *asked) return false;
   adapt_multipliers(s.contacts, s.links, s.increment);
   return true;
-}
-
-/// Bodies after a blow begin the step with the acceleration that they end it with. Whether any do.
-bool correct_accelerations(SimulationState& s) {
-  if (!s.resets_accelerations()) return false;
-  {
-    const EffectTimer timer(s.work_of(EffectKind::acceleration_reset));
-    if (!s.acceleration_reset.correct(s.bodies, s.context, s.increment)) return false;
-  }
-  s.open_close.begin_step(s.context);  // inertia is another one
-  return true;
-}
-
-}  // namespace
-
-bool correct(SimulationState& s) {
-  const bool contacts = correct_contacts(s), accelerations = correct_accelerations(s);
-  return contacts || accelerations;
 }
 
 }  // namespace talus

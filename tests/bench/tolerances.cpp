@@ -195,11 +195,7 @@ std::vector<Entry> entries() {
   {
     using G = AccelerationResetTolerances;
     add<G>(all, "solver.acceleration_reset.", [](Tolerances& t) -> G& { return t.solver.acceleration_reset; },
-           {{"sudden_change", &G::sudden_change},
-            {"acceleration_left", &G::acceleration_left},
-            {"returned_energy", &G::returned_energy},
-            {"visible_displacement", &G::visible_displacement},
-            {"least_displacement", &G::least_displacement}});
+           {{"sudden_change", &G::sudden_change}, {"visible_displacement", &G::visible_displacement}});
   }
   {
     using G = ImpactTolerances;

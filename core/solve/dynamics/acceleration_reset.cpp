@@ -2,78 +2,22 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "bodies/nodal_motion.hpp"
 #include "effects/rigid_inertia.hpp"
 
 namespace talus {
 
-void AccelerationReset::AccelerationChange::add(const Vec3& v0, const Vec3& a0, const Vec3& a1, const Mat3& weight) {
-  before += a0.dot(weight * a0);
-  after += a1.dot(weight * a1);
-  returned += a1.dot(weight * (a0 - a1));
-  change += (a0 - a1).dot(weight * (a0 - a1));
-  motion += v0.dot(weight * v0);
-  along += v0.dot(weight * a1);
-}
-
-namespace {
-
-using AccelerationChange = AccelerationReset::AccelerationChange;
-
-AccelerationChange change_over_step(const BodySet& set, const Body& body, const StepContext& step, const Increment& d) {
-  AccelerationChange sum;
-  const auto add_node = [&](int n) {
-    sum.add(set.nodes.velocity[n], start_acceleration(set, step, n), end_acceleration(set, step, n, d));
-  };
-  if (body.rigid >= 0) {
-    const RigidBody& rigid = set.rigid[body.rigid];
-    add_node(rigid.centre);
-    sum.add(rigid.angular_momentum, rigid.moment, end_moment(set, rigid, step, d),
-            rigid.inertia_now().inverse() / rigid.mass);
-  } else {
-    for (int n = 0; n < body.free_count(); ++n) add_node(body.first_free() + n);
-  }
-  return sum;
-}
-
-/// The accelerations at the start of the step become those at its end.
-void set_to_end(BodySet& set, const Body& body, const StepContext& step, const Increment& d) {
-  for (int n = body.first_free(); n < body.first_free() + body.free_count(); ++n)
-    set.nodes.acceleration[n] = end_acceleration(set, step, n, d);
-}
-
-void set_to_zero(BodySet& set, const Body& body) {
-  if (body.rigid >= 0) {
-    RigidBody& rigid = set.rigid[body.rigid];
-    set.nodes.acceleration[rigid.centre] = rigid.moment = Vec3::Zero();
-    return;
-  }
-  std::fill_n(set.nodes.acceleration.begin() + body.first_free(), body.free_count(), Vec3(Vec3::Zero()));
-}
-
-}  // namespace
-
 void AccelerationReset::begin_stage(BodySet& set) {
   for (Body& body : set.bodies) body.constant_acceleration = false;
   was_hit_.assign(was_hit_.size(), false);
-  goes_on_ = was_hit_;
+  for (std::size_t b = 0; b < set.bodies.size(); ++b) goes_on_[b] = set.bodies[b].rigid >= 0;
+  ends_.assign(ends_.size(), {});
 }
 
-void AccelerationReset::begin_step(BodySet& set) {
-  for (const int b : set.moving) {
-    set.bodies[b].constant_acceleration = goes_on_[b];
-    was_changed_[b] = false;
-  }
-}
-
-void AccelerationReset::find_blows(const BodySet& set, const StepContext& step, const Increment& d) {
-  for (const int b : set.moving) {
-    const double change = (forces_[b] - before_[b]).norm();
-    was_hit_[b] = change > tolerances_.sudden_change * std::max(forces_[b].norm(), before_[b].norm());
-    goes_on_[b] = was_hit_[b] && set.bodies[b].rigid >= 0 &&
-                  is_visible(b, change_over_step(set, set.bodies[b], step, d).after, step);
-  }
+void AccelerationReset::begin_step(BodySet& set) const {
+  for (const int b : set.moving) set.bodies[b].constant_acceleration = goes_on_[b];
 }
 
 void AccelerationReset::note_contact_forces(const BodySet& set, const ContactSet& contacts,
@@ -90,45 +34,37 @@ void AccelerationReset::note_contact_forces(const BodySet& set, const ContactSet
   }
 }
 
-void AccelerationReset::drop_after_blows(BodySet& set) const {
-  for (const int b : set.moving)
-    if (was_hit_[b]) set_to_zero(set, set.bodies[b]);
-}
-
-bool AccelerationReset::is_visible(int body, double square, const StepContext& step) const {
-  const double least = tolerances_.visible_displacement * sizes_[body] / (step.length * step.length);
-  return square > least * least;
-}
-
-bool AccelerationReset::is_constant(int body, bool is_constant_now, const AccelerationChange& a,
-                                    const StepContext& step) const {
-  const AccelerationResetTolerances& t = tolerances_;
-  if (was_hit_[body]) {
-    const bool turns_back = a.motion + step.length * a.along < 0;  // the rest of the blow would throw it back
-    return !turns_back && (is_constant_now || is_visible(body, a.after, step));
-  }
-  const double square = step.length * step.length, least = t.least_displacement * sizes_[body] / square,
-               rounding = least * least;
-  const bool has_ended = a.before > rounding && a.after < t.acceleration_left * t.acceleration_left * a.before;
-  const bool ends_at_once = a.change > t.sudden_change * t.sudden_change * a.before;
-  const bool dies_away = square / 8 * a.returned > t.returned_energy * a.motion;
-  return is_constant_now || has_ended || (a.change > rounding && a.returned > 0 && (ends_at_once || dies_away));
-}
-
-bool AccelerationReset::correct(BodySet& set, const StepContext& step, const Increment& d) {
-  bool any = false;
+void AccelerationReset::look_at(const BodySet& set, const StepContext& step, const Increment& d) {
   for (const int b : set.moving) {
-    Body& body = set.bodies[b];
-    if (was_changed_[b]) continue;
-    const bool constant = is_constant(b, body.constant_acceleration, change_over_step(set, body, step, d), step);
-    if (constant == body.constant_acceleration) continue;
-    was_changed_[b] = any = true;
-    if (body.rigid >= 0)
-      body.constant_acceleration = constant;
-    else
-      set_to_end(set, body, step, d);
+    const double change = (forces_[b] - before_[b]).norm();
+    was_hit_[b] = change > tolerances_.sudden_change * std::max(forces_[b].norm(), before_[b].norm());
+    if (set.bodies[b].rigid >= 0) goes_on_[b] = goes_on_with_the_end(set, b, step, d);
   }
-  return any;
+}
+
+bool AccelerationReset::goes_on_with_the_end(const BodySet& set, int body, const StepContext& step,
+                                             const Increment& d) {
+  const RigidBody& rigid = set.rigid[set.bodies[body].rigid];
+  const End end{end_acceleration(set, step, rigid.centre, d), end_moment(set, rigid, step, d)};
+  const Mat3 inverse = rigid.inertia_now().inverse() / rigid.mass;
+  const auto product = [&](const End& a, const End& b) {  // m²/s⁴
+    return a.acceleration.dot(b.acceleration) + a.moment.dot(inverse * b.moment);
+  };
+  const std::optional<End> before = std::exchange(ends_[body], end);
+  if (was_hit_[body]) {
+    const double least = tolerances_.visible_displacement * sizes_[body] / (step.length * step.length);
+    return product(end, end) > least * least;
+  }
+  if (!before) return set.bodies[body].constant_acceleration;
+  const End change{before->acceleration - end.acceleration, before->moment - end.moment};
+  const bool dies_away = product(end, change) > 0;
+  return dies_away ||
+         product(change, change) < tolerances_.sudden_change * tolerances_.sudden_change * product(*before, *before);
+}
+
+void AccelerationReset::drop(BodySet& set) const {
+  for (const int b : set.moving)
+    if (was_hit_[b] || set.bodies[b].constant_acceleration) set.scale_acceleration(b, 0);
 }
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,19 +11,17 @@
 
 namespace talus {
 
-/// Resets the acceleration of bodies after blows, that is, after contact forces that came or went within a step.
+/// Decides which bodies go on with the acceleration of the last step.
 ///
-/// An integrator with β ≠ ½ goes on with the acceleration a₀ of the last step. After a blow that is wrong: a force that
-/// acted for a moment is taken to last, and (½ − β)Δ²a₀ of it enters the next increment, which throws a block that has
-/// just landed up again. A blow that dies away over a step, from a₀ to a₁, returns the energy (β − ½)Δ²·m a₁(a₀ − a₁)
-/// to the body. (What cannot grow is not the kinetic energy, but the sum of it and ½(β − ½)Δ²·m a².) So
-///   - a body that has taken a blow goes on without an acceleration (`drop_after_blows`), and begins its next step with
-///     the one that it ends it with, a₀ = a₁, if that moves it;
-///   - so do bodies of which a step, once it has converged, shows that their acceleration ends or dies away in it; the
-///     step is converged again (`correct`).
-/// a₀ = a₁ gives nothing back and is exact for a constant force: there the integrator of a rigid body is Newmark's with
-/// β = ½. That would let the waves of a body that deforms ring on: there a₀ becomes the a₁ that the step has converged
-/// to first, which is less than a ninth of the change away from it.
+/// An integrator with β ≠ ½ lets (½ − β)Δ²a₀ of the last acceleration into the next increment. After a blow, that is, a
+/// contact force that came or went within a step, this is wrong: a force that acted for a moment is taken to last, and
+/// throws a block that has just landed up again. Nor may a step give back what none has paid for (IntegrationReserve).
+/// So
+///   - a rigid body whose acceleration stays much the same, or dies away, begins its next step with the acceleration
+///     that it ends it with, a₀ = a₁: the integrator is Newmark's with β = ½ then, exact for a constant force, and
+///     gives nothing back. One that swings on a stiff contact, from a₀ to −a₀/3, is damped by β ≠ ½;
+///   - a body goes on without an acceleration after a blow, and after a step of β = ½, which has paid for none.
+/// β = ½ would let the waves of a body that deforms ring on: there the last acceleration counts but after blows.
 class AccelerationReset {
  public:
   /// `sizes`: mesh sizes of the bodies [m].
@@ -31,47 +30,35 @@ class AccelerationReset {
         sizes_(std::move(sizes)),
         forces_(set.bodies.size(), Vec3::Zero()),
         before_(forces_),
+        ends_(set.bodies.size()),
         was_hit_(set.bodies.size(), false),
-        goes_on_(was_hit_),
-        was_changed_(was_hit_) {}
+        goes_on_(was_hit_) {}
 
-  /// Nothing is known of blows any more.
+  /// Nothing is known of blows any more; rigid bodies begin with a₀ = a₁.
   void begin_stage(BodySet& set);
   /// A step is about to be tried: says of each body whether it begins with the acceleration that it ends with.
-  void begin_step(BodySet& set);
-  /// It has converged at `d`: says so of the bodies for which `d` calls for it, and not of those that it would throw
-  /// back. Of each body that changes once a step. Whether any did; then the step is to be converged again.
-  bool correct(BodySet& set, const StepContext& step, const Increment& d);
+  void begin_step(BodySet& set) const;
   /// A step is accepted: takes the contact forces at its end.
   void note_contact_forces(const BodySet& set, const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes);
-  /// After that, with velocities as at the start of the step: finds the bodies that have taken a blow in it.
-  void find_blows(const BodySet& set, const StepContext& step, const Increment& d);
-  /// After that, with accelerations as at the end of the step: bodies that have taken a blow lose theirs.
-  void drop_after_blows(BodySet& set) const;
-
-  /// How the acceleration of a body changes over a step: sums over its parts, weighed by mass but for a common factor.
-  struct AccelerationChange {
-    double before = 0;    ///< a₀·a₀
-    double after = 0;     ///< a₁·a₁
-    double returned = 0;  ///< a₁·(a₀ − a₁), what the step returns to the body
-    double change = 0;    ///< (a₀ − a₁)·(a₀ − a₁)
-    double motion = 0;    ///< v₀·v₀
-    double along = 0;     ///< v₀·a₁
-
-    void add(const Vec3& v0, const Vec3& a0, const Vec3& a1, const Mat3& weight = Mat3::Identity());
-  };
+  /// After that, with velocities as at the start of the step: finds the bodies that have taken a blow in it, and those
+  /// that begin the next one with a₀ = a₁.
+  void look_at(const BodySet& set, const StepContext& step, const Increment& d);
+  /// After that, with accelerations as at the end of the step: takes from bodies those that do not go on.
+  void drop(BodySet& set) const;
 
  private:
-  /// Whether an acceleration of this square [m²/s⁴] moves a body in a step.
-  bool is_visible(int body, double square, const StepContext& step) const;
-  bool is_constant(int body, bool is_constant_now, const AccelerationChange& a, const StepContext& step) const;
+  /// Of a rigid body, at the end of its last step.
+  struct End {
+    Vec3 acceleration = Vec3::Zero(), moment = Vec3::Zero();  // m/s², N m
+  };
+  bool goes_on_with_the_end(const BodySet& set, int body, const StepContext& step, const Increment& d);
 
   AccelerationResetTolerances tolerances_;
   std::vector<double> sizes_;
-  std::vector<Vec3> forces_, before_;  // N, all normal forces on a body; of one asleep as it fell asleep
-  std::vector<bool> was_hit_;          // a body: in the step before, and goes on without an acceleration
-  std::vector<bool> goes_on_;          // a body: was hit, and moves by what it ended that step with
-  std::vector<bool> was_changed_;      // a body: in this trial
+  std::vector<Vec3> forces_, before_;     // N, all normal forces on a body; of one asleep as it fell asleep
+  std::vector<std::optional<End>> ends_;  // a body: none before its first step
+  std::vector<bool> was_hit_;             // a body: in the step before
+  std::vector<bool> goes_on_;             // a body: begins its next step with a₀ = a₁
 };
 
 }  // namespace talus

@@ -165,18 +165,22 @@ void Impacts::take_away(std::span<Hit> hits) {
   }
 }
 
-void Impacts::limit_restitution(std::span<Hit> hits, double step) {
-  const auto throws_back = [](const Hit& hit) { return hit.elastic.highest > hit.inelastic.highest; };
-  if (std::none_of(hits.begin(), hits.end(), throws_back)) return;
+std::vector<int> Impacts::bodies_of(std::span<const Hit> hits) const {
   std::vector<int> bodies;
-  for (const Hit& hit : hits)
-    for (const int body : hit.bodies) {
-      const bool keeps_energy = set_.bodies[body].kind == BodyKind::rigid || set_.bodies[body].fixed;
-      if (!keeps_energy || std::ranges::count(set_.driven, body)) return;  // what it gives is not known
-      bodies.push_back(body);
-    }
+  for (const Hit& hit : hits) bodies.insert(bodies.end(), hit.bodies.begin(), hit.bodies.end());
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
+void Impacts::limit_restitution(std::span<Hit> hits, std::span<const int> bodies, double step) {
+  const auto throws_back = [](const Hit& hit) { return hit.elastic.highest > hit.inelastic.highest; };
+  if (std::none_of(hits.begin(), hits.end(), throws_back)) return;
+  const auto keeps_energy = [&](int body) {
+    const bool is_still = set_.bodies[body].fixed && !std::ranges::count(set_.driven, body);
+    return is_still || (!set_.bodies[body].fixed && set_.bodies[body].kind == BodyKind::rigid);
+  };
+  if (!std::ranges::all_of(bodies, keeps_energy)) return;  // what it gives is not known
 
   double in_springs = 0;
   for (const Hit& hit : hits) in_springs += hit.spring_energy;
@@ -224,23 +228,28 @@ void Impacts::add_hits(const ContactSet& contacts, double step, const std::vecto
 }
 
 ImpactEnergy Impacts::apply(const ContactSet& contacts, const StepContext& step,
-                            const std::vector<ContactOutcome>& outcomes) {
+                            const std::vector<ContactOutcome>& outcomes, IntegrationReserve& reserve) {
   const Stopwatch watch(seconds_);
   ++evaluations_;
   gather(contacts, step.length, outcomes);
   if (struck_.empty()) return {};
   add_hits(contacts, step.length, outcomes);
-  const double before = Inertia::kinetic_energy(set_);
+  double taken = 0;
   for (std::size_t begin = 0, end = 0; begin < struck_.size(); begin = end) {
     while (end < struck_.size() && struck_[end].group == struck_[begin].group) ++end;
     const auto hits = std::span(hits_).subspan(begin, end - begin);
+    const std::vector<int> bodies = bodies_of(hits);
+    const double before = Inertia::kinetic_energy(set_, bodies);
     find_impulses(hits);
-    limit_restitution(hits, step.length);
+    limit_restitution(hits, bodies, step.length);
+    const double taken_here = before - Inertia::kinetic_energy(set_, bodies);
+    reserve.release(bodies, -taken_here);
+    taken += taken_here;
   }
   set_.carry_velocities();
   double by_driven = 0;
   for (const Hit& hit : hits_) by_driven -= hit.where.driven().dot(hit.pushed * hit.normal + hit.sheared);
-  return {before - Inertia::kinetic_energy(set_) + by_driven, by_driven};
+  return {taken + by_driven, by_driven};
 }
 
 }  // namespace talus

@@ -8,6 +8,7 @@
 #include "contact/contact_point.hpp"
 #include "effects/effect.hpp"
 #include "model/solver_tolerances.hpp"
+#include "solve/dynamics/integration_reserve.hpp"
 #include "solve/dynamics/rigid_energy.hpp"
 
 namespace talus {
@@ -38,8 +39,10 @@ class Impacts {
   /// go, for what they would push out later is speed that the law of impact has not given. What is in by then stays out
   /// of account until the contact opens. Returns the energy that was in them [J].
   double let_go_landed(ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes);
-  /// After it was accepted, and bodies have moved; forces and gaps are those at its end.
-  ImpactEnergy apply(const ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes);
+  /// After it was accepted, and bodies have moved; forces and gaps are those at its end. What impacts give to bodies
+  /// comes out of `reserve` first.
+  ImpactEnergy apply(const ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes,
+                     IntegrationReserve& reserve);
 
   double seconds() const { return seconds_; }
   long evaluations() const { return evaluations_; }
@@ -90,8 +93,10 @@ class Impacts {
   void add_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
   /// Finds the impulses of the hits of a group, contact by contact.
   void find_impulses(std::span<Hit> hits);
+  /// The bodies that hits strike, each once.
+  std::vector<int> bodies_of(std::span<const Hit> hits) const;
   /// Takes from the restitution of a group of rigid bodies what would make energy.
-  void limit_restitution(std::span<Hit> hits, double step);
+  void limit_restitution(std::span<Hit> hits, std::span<const int> bodies, double step);
   /// Takes all that hits have pushed over the step from the velocities.
   void take_away(std::span<Hit> hits);
   /// The impulse of one contact while the others stay; returns by how much it changed [N s].

@@ -203,7 +203,8 @@ bool OpenClose::has_converged(const OpenCloseResult& now, bool stalled, const In
   const double rounding =
       std::max(tolerances_.rounding_residual * now.force_scale, tolerances_.rounding_factor * residual_.rounding());
   const bool is_rounding = stalled && norm_left() <= rounding;
-  const bool stands_still = now.iterations == 0 && now.residual <= residual_.rounding_of_positions() && d.isZero(0);
+  const bool stands_still = now.iterations == 0 && now.residual <= residual_.rounding_of_positions() &&
+                            residual_.each_body_within_rounding() && d.isZero(0);
   return is_rounding || stands_still;
 }
 

@@ -58,6 +58,7 @@ void StepResidual::set_pattern(int nodes, std::vector<std::pair<int, int>> coupl
     const Body& body = bodies.bodies[b];
     body_begins_.push_back(body_begins_.back() + (body.rigid >= 0 ? 2 : body.free_count()));
   }
+  body_roundings_.setZero(this->bodies());
   find_systems(pattern);
 }
 
@@ -101,6 +102,12 @@ bool StepResidual::each_body_balances(int system, double tolerance) const {
   const System& s = systems_[system];
   if (std::abs(s.work) > tolerances_.work_of_residual * tolerance * s.works_together) return false;
   return each_body_within(system, tolerance);
+}
+
+bool StepResidual::each_body_within_rounding() const {
+  for (int b = 0; b < bodies(); ++b)
+    if (norm_of_body(gradient_, b) > body_roundings_[b]) return false;
+  return true;
 }
 
 double StepResidual::norm_of_body(const Eigen::VectorXd& vector, int body) const {
@@ -278,7 +285,10 @@ void StepResidual::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) {
 void StepResidual::measure_rounding() {
   const double stiffness = matrix_.diagonal_norm();
   rounding_ = std::numeric_limits<double>::epsilon() * step_.mesh_size * stiffness;
-  rounding_of_positions_ = std::numeric_limits<double>::epsilon() * step_.extent * stiffness;
+  const double of_positions = std::numeric_limits<double>::epsilon() * step_.extent;
+  rounding_of_positions_ = of_positions * stiffness;
+  for (int b = 0; b < bodies(); ++b)
+    body_roundings_[b] = of_positions * matrix_.diagonal_norm(body_begins_[b], body_begins_[b + 1]);
 }
 
 void StepResidual::add_gradient_without_contacts(const Increment& d, Eigen::VectorXd& sum) {

@@ -76,6 +76,8 @@ class StepResidual {
   /// N; 0: it was not measured since the pattern changed.
   double rounding() const { return rounding_; }
   double rounding_of_positions() const { return rounding_of_positions_; }
+  /// Whether on each body no more is out of balance than the rounding of positions may leave by its own stiffness.
+  bool each_body_within_rounding() const;
   /// Adds the unsymmetric part of the derivative of the gradient [N/m].
   void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum);
 
@@ -142,6 +144,7 @@ class StepResidual {
   std::vector<System> systems_;
   std::vector<int> system_of_;  ///< of each degree-of-freedom block
   double rounding_ = 0, rounding_of_positions_ = 0;
+  Eigen::VectorXd body_roundings_;  ///< N, of positions, by moving bodies
   double force_scale_ = 0, momentum_scale_ = 0;
   SolveTimes times_;
   std::vector<EffectWork> effect_work_;  ///< of each effect of the stage

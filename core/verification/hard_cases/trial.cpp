@@ -49,7 +49,7 @@ double edge_volume(const std::vector<Vec3>& at, const std::array<int, 4>& nodes)
 
 bool all_finite(const EnergyLedger& e) {
   return std::isfinite(e.kinetic + e.elastic + e.potential + e.contact + e.friction_dissipated + e.damping_dissipated +
-                       e.constraint_work + e.integration_loss);
+                       e.constraint_work + e.integration_loss + e.integration_reserve);
 }
 
 /// One run, measured step by step.

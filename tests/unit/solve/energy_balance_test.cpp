@@ -1,6 +1,8 @@
 // The ledger of whole runs: what time integration eats is known in closed form for the simplest of them.
 #include <gmock/gmock.h>
 
+#include <numbers>
+
 #include "support/solver_scenes.hpp"
 
 namespace talus {
@@ -51,6 +53,36 @@ EnergyLedger after_ringing(Integrator integrator, double spectral_radius, Strain
   *start = most;
   EXPECT_LT(std::abs(ledger.remainder), 1e-8 * most);
   return ledger;
+}
+
+/// Mechanical energy goes up and down by what Newmark's method holds; both together only go down (Krenk 2006).
+TEST(EnergyBalance, NewmarkGivesBackNoMoreThanItHolds) {
+  for (const BodyKind body : {BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra}) {
+    Project project = test::rock_project(35, {{"shake", StageKind::dynamic, 0.005, 120, {}}});
+    Constraint base;
+    base.block = "ground";
+    for (int i = 0; i <= 120; ++i)
+      base.table.push_back({0.005 * i, {0.004 * std::sin(2 * std::numbers::pi * 3 * 0.005 * i), 0, 0}});
+    project.constraints.push_back(base);
+    BlockSystem system = test::cube_on_slab();
+    system.blocks[1].body = body;
+    Simulation simulation(project, system);
+    double least = 0, moved_at_most = 0, swing = 0, loss_before = 0;
+    while (!simulation.finished()) {
+      const EnergyLedger& ledger = simulation.step().energy;
+      const double gone =
+          ledger.friction_dissipated + ledger.damping_dissipated + ledger.integration_loss - ledger.integration_reserve;
+      moved_at_most = std::max(moved_at_most, moved(ledger));
+      EXPECT_GE(gone, least - 1e-7 * moved_at_most) << static_cast<int>(body) << " at " << simulation.time();
+      least = std::max(least, gone);
+      swing = std::max(swing, loss_before - ledger.integration_loss);
+      loss_before = ledger.integration_loss;
+    }
+    ASSERT_TRUE(simulation.converged());
+    if (body != BodyKind::rigid) {
+      EXPECT_GT(swing, 1e-6 * moved_at_most) << "without the reserve it would grow";
+    }
+  }
 }
 
 TEST(EnergyBalance, GeneralizedAlphaWithSpectralRadiusOneConservesWhatIsLinear) {

@@ -105,5 +105,24 @@ TEST(SolverTolerance, AtDraftABlockBelowItsFrictionAngleDoesNotCreep) {
   EXPECT_LT((block_motion(simulation.bodies(), 1).displacement - settled).norm(), 1e-9);
 }
 
+/// A grain of 1 mm that leans on an edge falls flat on a cube of 1 m, whose positions are rounded by more of its force
+/// than the grain weighs.
+TEST(SolverTolerance, AGrainIsNoRoundingOfTheCubeItLiesOn) {
+  constexpr double grain = 1e-3, lean = 0.17;  // m, rad
+  const Project project = test::rock_project(30, {dynamic_stage(1e-3, 0.1)});
+  BlockSystem system = test::block_system(
+      {test::box_block("ground", Vec3(-3, -3, -1), Vec3(3, 3, 0), BodyKind::fixed),
+       test::box_block("cube", Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1), BodyKind::rigid),
+       test::box_block("grain", Vec3(0.2, 0.1, 1), Vec3(0.2 + grain, 0.1 + grain, 1 + grain), BodyKind::rigid)});
+  for (Vec3& node : system.blocks[2].mesh.nodes) {
+    const double x = node.x() - 0.2, z = node.z() - 1;
+    node = {0.2 + std::cos(lean) * x - std::sin(lean) * z, node.y(), 1 + std::sin(lean) * x + std::cos(lean) * z};
+  }
+  Simulation simulation(project, system);
+  while (!simulation.finished()) simulation.step();
+  ASSERT_TRUE(simulation.converged()) << simulation.failure();
+  EXPECT_NEAR(block_motion(simulation.bodies(), 2).rotation, lean, 1e-3);
+}
+
 }  // namespace
 }  // namespace talus

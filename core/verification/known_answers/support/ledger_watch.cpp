@@ -16,7 +16,7 @@ LedgerWatch::LedgerWatch(const CaseScene& scene) {
 
 void LedgerWatch::look(const EnergyLedger& e) {
   moved_ = std::max(moved_, largest_account(e));
-  const double dissipated = e.friction_dissipated + e.damping_dissipated + e.integration_loss;
+  const double dissipated = e.friction_dissipated + e.damping_dissipated + e.integration_loss - e.integration_reserve;
   growth_ = std::max(growth_, dissipated_ - dissipated);
   dissipated_ = std::max(dissipated_, dissipated);
   remainder_ = e.remainder;

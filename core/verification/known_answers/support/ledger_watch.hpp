@@ -9,7 +9,8 @@
 namespace talus {
 
 /// Follows the energy ledger of a run: whether it closes, and whether mechanical energy (what effects hold, less the
-/// work of constraints) ever grows. What dissipates and what time integration eats may only become more.
+/// work of constraints, and with what time integration holds of it) ever grows. What dissipates and what time
+/// integration eats for good may only become more.
 class LedgerWatch {
  public:
   explicit LedgerWatch(const CaseScene& scene);

@@ -1,0 +1,58 @@
+#include "solve/dynamics/integration_reserve.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bodies/consistent_mass.hpp"
+
+namespace talus {
+
+IntegrationReserve::IntegrationReserve(BodySet& set) : set_(set), held_(set.bodies.size(), 0) {}
+
+void IntegrationReserve::measure(const StepContext& step, std::vector<double>& reserves) const {
+  reserves.assign(set_.bodies.size(), 0);
+  if (step.dynamic_factor == 0 || !step.integration.carries_acceleration()) return;
+  const double scale = (step.integration.beta - step.integration.gamma / 2) / 2 * step.length * step.length;
+  for (const int r : set_.turning) {
+    const RigidBody& body = set_.rigid[r];
+    reserves[set_.nodes.body[body.centre]] = scale * (body.mass * set_.nodes.acceleration[body.centre].squaredNorm() +
+                                                      body.moment.dot(body.inertia_now().inverse() * body.moment));
+  }
+  for (const Element& element : set_.elements) {
+    Corners a;
+    for (int i = 0; i < 4; ++i) a[i] = set_.nodes.acceleration[element.nodes[i]];
+    reserves[element.body] += scale * mass_square(element.mass, a);
+  }
+}
+
+void IntegrationReserve::give(const StepContext& step) {
+  measure(step, held_);
+  for (const int b : set_.moving)
+    if (set_.bodies[b].constant_acceleration) held_[b] = 0;
+}
+
+void IntegrationReserve::hold(const StepContext& step) {
+  measure(step, at_end_);
+  for (const int b : set_.moving) {
+    const bool holds = !set_.bodies[b].constant_acceleration;
+    const double paid = std::min(held_[b], at_start_[b]) + at_end_[b] - at_start_[b];
+    held_[b] = holds ? std::max(0.0, paid) : 0;
+  }
+}
+
+void IntegrationReserve::release(std::span<const int> bodies, double energy) {
+  double held = 0;
+  for (const int b : bodies) held += held_[b];
+  if (energy <= 0 || held == 0) return;
+  const double left = std::max(0.0, 1 - energy / held);
+  for (const int b : bodies) {
+    held_[b] *= left;
+    set_.scale_acceleration(b, std::sqrt(left));
+  }
+}
+
+double IntegrationReserve::total() const { return std::accumulate(held_.begin(), held_.end(), 0.0); }
+
+}  // namespace talus

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bodies/step_context.hpp"
+
+namespace talus {
+
+struct BodySet;
+
+/// What Newmark's method holds of the energy of a motion, and gives back (Krenk 2006, Energy conservation in Newmark
+/// based time integration algorithms). A step with forces that have a potential takes from the mechanical energy what
+///   R = ½ (β − γ/2) Δ² aᵀ M a  [J]
+/// grows by, or more, and gives back no more than it shrinks by: the sum of both never grows. So a body may begin a
+/// step with the acceleration of the last one only as far as that has paid for it, and the ledger keeps account of what
+/// was paid. Steps of β = ½ (Body::constant_acceleration) hold nothing.
+class IntegrationReserve {
+ public:
+  /// `set` outlives it.
+  explicit IntegrationReserve(BodySet& set);
+
+  /// Bodies have been given the accelerations with which they begin `step`, and what belongs to these.
+  void give(const StepContext& step);
+  /// A step is about to be accepted: accelerations are those with which it begins.
+  void note_start(const StepContext& step) { measure(step, at_start_); }
+  /// It is accepted: accelerations are those with which the next one begins.
+  void hold(const StepContext& step);
+  /// Impacts gave `energy` to these bodies [J], which time integration had taken from them in the step: they keep as
+  /// much less, and of their accelerations what they have paid for.
+  void release(std::span<const int> bodies, double energy);
+
+  double total() const;  ///< J, all that is held
+
+ private:
+  /// R of each body that moves, with its present acceleration [J].
+  void measure(const StepContext& step, std::vector<double>& reserves) const;
+
+  BodySet& set_;
+  std::vector<double> held_, at_start_, at_end_;  // J, a body
+};
+
+}  // namespace talus
