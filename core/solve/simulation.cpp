@@ -250,6 +250,10 @@ void accept(SimulationState& s, StepReport& report) {
   ImpactEnergy by_impacts =
       may_hit ? s.impacts->apply(s.contacts, s.context, s.outcomes.outcomes(), s.reserve) : ImpactEnergy{};
   by_impacts.taken += let_go;
+  if (s.anything_moves() && s.resets_accelerations()) {
+    const EffectTimer timer(s.work_of(EffectKind::acceleration_reset));
+    s.acceleration_reset.end_step(s.bodies, s.context.length);
+  }
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   if (s.dynamic() && s.is_on(EffectKind::sleep)) put_to_sleep(s);
   report.energy = s.anything_moves()
@@ -265,11 +269,7 @@ void remember_step(SimulationState& s, StepReport& report) {
   report.time_error = std::max(report.time_error, measured.time_error);
   if (!s.dynamic() && s.project.solver.static_inertia == StaticInertia::fading)
     s.pseudo_transient.accept(measured.displacement, s.open_close.residual().static_residual());
-  s.acceleration_reset.note_contact_forces(s.bodies, s.contacts, s.outcomes.outcomes());
-  if (s.resets_accelerations()) {
-    const EffectTimer timer(s.work_of(EffectKind::acceleration_reset));
-    s.acceleration_reset.look_at(s.bodies, s.context, s.increment);
-  }
+  s.acceleration_reset.note_start(s.bodies, s.contacts, s.outcomes.outcomes());
   s.reserve.note_start(s.context);
   for (const auto& effect : s.composition.effects) effect->accept(s.increment);
   if (s.resets_accelerations()) s.acceleration_reset.drop(s.bodies);

@@ -85,7 +85,7 @@ SimulationState::SimulationState(const Project& given, const BlockSystem& blocks
                  project.solver.effects.elimination != Switch::off),
       first_guess(tolerances.first_guess),
       pseudo_transient(tolerances.pseudo_transient),
-      acceleration_reset(bodies, sizes_of(surfaces), tolerances.acceleration_reset),
+      acceleration_reset(bodies, tolerances.acceleration_reset),
       reserve(bodies),
       followed_springs(bodies, tolerances.followed_spring),
       sleep(sizes_of(surfaces), is_on(EffectKind::sleep) ? project.solver.sleep_tolerance : 0, tolerances.sleep),

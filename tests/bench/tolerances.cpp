@@ -195,7 +195,7 @@ std::vector<Entry> entries() {
   {
     using G = AccelerationResetTolerances;
     add<G>(all, "solver.acceleration_reset.", [](Tolerances& t) -> G& { return t.solver.acceleration_reset; },
-           {{"sudden_change", &G::sudden_change}, {"visible_displacement", &G::visible_displacement}});
+           {{"sudden_change", &G::sudden_change}, {"swing", &G::swing}});
   }
   {
     using G = ImpactTolerances;

@@ -234,7 +234,7 @@ ImpactEnergy Impacts::apply(const ContactSet& contacts, const StepContext& step,
   gather(contacts, step.length, outcomes);
   if (struck_.empty()) return {};
   add_hits(contacts, step.length, outcomes);
-  double taken = 0;
+  ImpactEnergy energy;
   for (std::size_t begin = 0, end = 0; begin < struck_.size(); begin = end) {
     while (end < struck_.size() && struck_[end].group == struck_[begin].group) ++end;
     const auto hits = std::span(hits_).subspan(begin, end - begin);
@@ -242,14 +242,15 @@ ImpactEnergy Impacts::apply(const ContactSet& contacts, const StepContext& step,
     const double before = Inertia::kinetic_energy(set_, bodies);
     find_impulses(hits);
     limit_restitution(hits, bodies, step.length);
-    const double taken_here = before - Inertia::kinetic_energy(set_, bodies);
-    reserve.release(bodies, -taken_here);
-    taken += taken_here;
+    double by_driven = 0;
+    for (const Hit& hit : hits) by_driven -= hit.where.driven().dot(hit.pushed * hit.normal + hit.sheared);
+    const double taken = before - Inertia::kinetic_energy(set_, bodies) + by_driven;
+    reserve.release(bodies, -taken);
+    energy.taken += taken;
+    energy.by_driven += by_driven;
   }
   set_.carry_velocities();
-  double by_driven = 0;
-  for (const Hit& hit : hits_) by_driven -= hit.where.driven().dot(hit.pushed * hit.normal + hit.sheared);
-  return {taken + by_driven, by_driven};
+  return energy;
 }
 
 }  // namespace talus

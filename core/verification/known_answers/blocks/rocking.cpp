@@ -32,9 +32,11 @@ struct RockingColumn {
   }
   /// Kinetic energy of rotation left after an impact that brings the other edge down for good, of that before.
   double energy_kept() const { return std::pow(1 - 1.5 * std::pow(std::sin(slope()), 2), 2); }
-  /// What takes the column up to `angle` beyond upright, of what it had upright before the impact.
-  double energy_to(double angle) const {
-    return (std::cos(slope() - angle) - std::cos(slope())) / (std::cos(slope() - tilt) - std::cos(slope()));
+  /// Of the energy that it had upright before the impact, what it has at `angle` beyond upright when it turns at
+  /// `speed` [rad/s]. By mgR the first is cos(α − θ₀) − cos α, the kinetic energy θ̇²/2p².
+  double energy(double angle, double speed) const {
+    return (std::cos(slope() - angle) - std::cos(slope()) + speed * speed / (2 * p_squared())) /
+           (std::cos(slope() - tilt) - std::cos(slope()));
   }
 
   CaseScene scene(double time_step, double duration) const {
@@ -59,14 +61,16 @@ CaseOutcome rocks(const CaseOptions& options, Progress& progress) {
   column.tilt = 0.5 * column.slope();
   const double quarter = column.quarter_period();
   const auto snapshots = record(column.scene(quarter / 1000, 2.5 * quarter), options, progress);
-  // Rotation is measured from the start: upright is where it comes to the tilt.
-  double upright = NAN, farthest_turn = 0;
-  for (std::size_t i = 1; i < snapshots.size(); ++i) {
-    const double before = snapshots[i - 1].blocks[1].rotation, after = snapshots[i].blocks[1].rotation;
+  // Rotation is measured from the start: upright is where it comes to the tilt. What is left of the energy is taken
+  // half as far beyond. Later the elastic column hops on its edge, and what rounding leaves grows tenfold each 200
+  // steps.
+  const auto rotation = [&](std::size_t i) { return snapshots[i].blocks[1].rotation; };
+  double upright = NAN, kept = NAN;
+  for (std::size_t i = 1; i + 1 < snapshots.size() && std::isnan(kept); ++i) {
+    const double before = rotation(i - 1), after = rotation(i), step = snapshots[i].time - snapshots[i - 1].time;
     if (std::isnan(upright) && after >= column.tilt)
-      upright = snapshots[i - 1].time +
-                (column.tilt - before) / (after - before) * (snapshots[i].time - snapshots[i - 1].time);
-    farthest_turn = std::max(farthest_turn, after);
+      upright = snapshots[i - 1].time + (column.tilt - before) / (after - before) * step;
+    if (after >= 1.5 * column.tilt) kept = column.energy(after - column.tilt, (rotation(i + 1) - before) / (2 * step));
   }
   CaseOutcome outcome;
   outcome.findings.push_back(
@@ -74,7 +78,7 @@ CaseOutcome rocks(const CaseOptions& options, Progress& progress) {
   outcome.findings.push_back({.quantity = "energy kept in the first impact",
                               .unit = "",
                               .expected = column.energy_kept(),
-                              .computed = column.energy_to(farthest_turn - column.tilt),
+                              .computed = kept,
                               .tolerance = 0.01});
   return outcome;
 }
