@@ -12,6 +12,7 @@ void Attachments::clear() {
   pattern_ = 0;
   terms_.clear();
   turns_.clear();
+  meetings_.clear();
 }
 
 void Attachments::add_term(int first, int dof_block, double weight) {
@@ -30,7 +31,7 @@ void Attachments::add_turn(int first, const RigidBody& rigid, int node, double w
       turns_[i].arm += arm;
       return;
     }
-  turns_.push_back({.dof_block = rigid.rotation_dof_block, .radius = rigid.radius, .arm = arm});
+  turns_.push_back({.dof_block = rigid.rotation_dof_block, .radius = rigid.radius, .arm = arm, .rigid = &rigid});
 }
 
 void Attachments::add(std::span<const int> nodes, std::span<const double> weights) {
@@ -57,6 +58,28 @@ void Attachments::add(std::span<const int> nodes, std::span<const double> weight
   point.turn_end = static_cast<int>(turns_.size());
   points_.push_back(point);
   pattern_ = 0;
+}
+
+bool Attachments::may_meet() const {
+  const Point& point = points_.back();
+  return point.turns() == 2 && point.terms() == 2;
+}
+
+void Attachments::let_meet(int carrier) {
+  Point& point = points_.back();
+  const auto side = [&](int k) -> Meeting::Side {
+    const Term& term = terms_[point.term_begin + k];
+    const int body = set_.nodes.body[set_.node_of(term.dof_block)];
+    return {body, term.weight, turns_[point.turn_begin + k].arm / term.weight};
+  };
+  const int first = (terms_[point.term_begin].weight > 0) == (carrier == 0) ? 0 : 1;
+  point.meeting = static_cast<int>(meetings_.size());
+  meetings_.emplace_back(set_, side(first), side(1 - first));
+}
+
+std::array<int, Meeting::part_count> Attachments::numbers_of_parts(const Point& point) const {
+  const bool swapped = meetings_[point.meeting].dof_blocks()[0] != terms_[point.term_begin].dof_block;
+  return swapped ? std::array{1, 0, 3, 2} : std::array{0, 1, 2, 3};
 }
 
 void Attachments::find_slots(const BlockPattern& pattern) const {
@@ -86,7 +109,7 @@ void Attachments::move(const Turn& turn, const Increment& d) {
   const Vec3 theta = turn.unknowns / turn.radius;
   const double angle = theta.norm();
   turn.moved = turn_of(theta, turn.arm);
-  turn.stretch = angle > 0 ? cayley_vector(theta).norm() / angle : 1;
+  turn.stretch = angle > 0 && !turn.rigid->touches ? cayley_vector(theta).norm() / angle : 1;
 }
 
 Vec3 Attachments::lever_at(const Turn& turn, const Increment& d, Arms arms) {
@@ -96,6 +119,7 @@ Vec3 Attachments::lever_at(const Turn& turn, const Increment& d, Arms arms) {
 
 Vec3 Attachments::increment(int index, const Increment& d) const {
   const Point& point = points_[index];
+  if (point.meeting >= 0) return meetings_[point.meeting].increment(d);
   Vec3 u = point.held;
   for (int i = point.term_begin; i < point.term_end; ++i) u += terms_[i].weight * d.segment<3>(3 * terms_[i].dof_block);
   for (int i = point.turn_begin; i < point.turn_end; ++i) u += moved_by(turns_[i], d);
@@ -128,6 +152,7 @@ void Attachments::join_dof_blocks(int index, DisjointSets& together) const {
 
 void Attachments::add_force(int index, const Increment& d, const Vec3& force, Arms arms, Eigen::VectorXd& sum) const {
   const Point& point = points_[index];
+  if (point.meeting >= 0) return meetings_[point.meeting].add_force(d, force, arms, sum);
   for (int i = point.term_begin; i < point.term_end; ++i)
     sum.segment<3>(3 * terms_[i].dof_block) += terms_[i].weight * force;
   for (int i = point.turn_begin; i < point.turn_end; ++i)
@@ -136,6 +161,19 @@ void Attachments::add_force(int index, const Increment& d, const Vec3& force, Ar
 
 void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const {
   const Point& point = points_[index];
+  if (point.meeting >= 0) {
+    const Slots slots(*this, index, sum.pattern());
+    const Meeting& meeting = meetings_[point.meeting];
+    const Meeting::Slope slope = meeting.slope(d);
+    const auto numbers = numbers_of_parts(point);
+    for (int a = 0; a < Meeting::part_count; ++a) {
+      const Mat3 left = slope.place[a].transpose() * spring;
+      for (int b = 0; b <= a; ++b)
+        sum.add_at(slots.of(numbers[a], numbers[b]), meeting.dof_blocks()[a], meeting.dof_blocks()[b],
+                   left * slope.place[b]);
+    }
+    return;
+  }
   const Slots slots(*this, index, sum.pattern());
   for (int a = point.term_begin; a < point.term_end; ++a)
     for (int b = point.term_begin; b <= a; ++b)
@@ -153,6 +191,7 @@ void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, 
 
 void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const {
   const Point& point = points_[index];
+  if (point.meeting >= 0) return add_met_spring(index, d, spring, true, sum);
   const Slots slots(*this, index, sum.pattern());
   for (int a = point.term_begin; a < point.term_end; ++a) {
     for (int b = point.term_begin; b < point.term_end; ++b)
@@ -172,10 +211,27 @@ void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, 
                      (turns_[a].radius * turns_[b].radius));
 }
 
+void Attachments::add_met_spring(int index, const Increment& d, const Mat3& spring, bool whole,
+                                 UnsymmetricBlocks& sum) const {
+  const Slots slots(*this, index, sum.pattern());
+  const Meeting& meeting = meetings_[points_[index].meeting];
+  const Meeting::Slope slope = meeting.slope(d);
+  const auto numbers = numbers_of_parts(points_[index]);
+  for (int a = 0; a < Meeting::part_count; ++a) {
+    Mat3 left = slope.levers[a];
+    if (!whole) left -= slope.place[a].transpose();
+    left *= spring;
+    for (int b = 0; b < Meeting::part_count; ++b)
+      sum.add_at(slots.of(numbers[a], numbers[b]), meeting.dof_blocks()[a], meeting.dof_blocks()[b],
+                 left * slope.place[b]);
+  }
+}
+
 void Attachments::add_lever_difference(int index, const Increment& d, const Mat3& spring, Arms arms,
                                        UnsymmetricBlocks& sum) const {
   if (arms == Arms::end) return;
   const Point& point = points_[index];
+  if (point.meeting >= 0) return add_met_spring(index, d, spring, false, sum);
   const Slots slots(*this, index, sum.pattern());
   for (int a = point.turn_begin; a < point.turn_end; ++a) {
     const Turn& turn = turns_[a];
@@ -191,6 +247,12 @@ void Attachments::add_lever_difference(int index, const Increment& d, const Mat3
 void Attachments::add_turning(int index, const Increment& d, const Vec3& force, Arms arms,
                               UnsymmetricBlocks& sum) const {
   const Point& point = points_[index];
+  if (point.meeting >= 0 && arms == Arms::mean) {
+    const Meeting& meeting = meetings_[point.meeting];
+    for (const Meeting::Turning& turning : meeting.turning(d, force))
+      sum.add(meeting.dof_blocks()[turning.row], meeting.dof_blocks()[turning.column], turning.block);
+    return;
+  }
   for (int i = point.turn_begin; i < point.turn_end; ++i) {
     const Turn& turn = turns_[i];
     const Vec3 arm = (arms == Arms::mean ? 0.5 * turn.stretch : 1) * arm_at(turn, d);

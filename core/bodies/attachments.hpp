@@ -5,6 +5,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "bodies/body_set.hpp"
+#include "bodies/meeting.hpp"
 #include "bodies/step_context.hpp"
 #include "linear/symmetric_blocks.hpp"
 #include "linear/unsymmetric_blocks.hpp"
@@ -26,6 +27,10 @@ class Attachments {
   /// A point at Σ weight·node: the bodies stand at the start of the step. Points are numbered from 0.
   void add(std::span<const int> nodes, std::span<const double> weights);
   int size() const { return static_cast<int>(points_.size()); }
+  /// Whether the last point added is that of one rigid body against another, both of which move.
+  bool may_meet() const;
+  /// Then they meet from now on (Meeting) where the first (0) or the second (1) of them has it.
+  void let_meet(int carrier);
 
   /// u(D) [m].
   Vec3 increment(int point, const Increment& d) const;
@@ -58,16 +63,18 @@ class Attachments {
   };
   struct Turn {
     int dof_block;
-    double radius;  // m
-    Vec3 arm;       // m, at the start of the step, times the weights
+    double radius;           // m
+    Vec3 arm;                // m, at the start of the step, times the weights
+    const RigidBody* rigid;  // whose rotation it is
     // Every contact effect asks for the same few D one after the other: the last one's answer is kept.
     mutable Vec3 unknowns = Vec3::Zero();  // radius·θ
     mutable Vec3 moved = Vec3::Zero();     // (exp(θ̂) − 1) arm
-    mutable double stretch = 1;            // tan(|θ|/2) over |θ|/2
+    mutable double stretch = 1;            // tan(|θ|/2) over |θ|/2, or 1 of a body that touches others
   };
   struct Point {
     int term_begin, term_end, turn_begin, turn_end;
     Vec3 held;
+    int meeting = -1;  // into meetings_
     int terms() const { return term_end - term_begin; }
     int turns() const { return turn_end - turn_begin; }
   };
@@ -79,10 +86,10 @@ class Attachments {
     int of_terms(int a, int b) const { return of(a - point_.term_begin, b - point_.term_begin); }
     int of_turn_and_term(int turn, int term) const { return of(number(turn), term - point_.term_begin); }
     int of_turns(int a, int b) const { return of(number(a), number(b)); }
+    int of(int a, int b) const { return a >= b ? first_[a * (a + 1) / 2 + b] : first_[b * (b + 1) / 2 + a]; }
 
    private:
     int number(int turn) const { return point_.terms() + turn - point_.turn_begin; }
-    int of(int a, int b) const { return a >= b ? first_[a * (a + 1) / 2 + b] : first_[b * (b + 1) / 2 + a]; }
     const Point& point_;
     const int* first_;
   };
@@ -97,11 +104,16 @@ class Attachments {
   static Vec3 arm_at(const Turn& turn, const Increment& d) { return turn.arm + moved_by(turn, d); }
   /// With which a force turns the body.
   static Vec3 lever_at(const Turn& turn, const Increment& d, Arms arms);
+  /// Numbers of a meeting's parts among the point's terms and turns.
+  std::array<int, Meeting::part_count> numbers_of_parts(const Point& point) const;
+  /// Of a meeting: sum += levers · spring · place, the `whole` or only what it is more than placeᵀ · spring · place.
+  void add_met_spring(int point, const Increment& d, const Mat3& spring, bool whole, UnsymmetricBlocks& sum) const;
 
   const BodySet& set_;
   std::vector<Point> points_;
   std::vector<Term> terms_;
   std::vector<Turn> turns_;
+  std::vector<Meeting> meetings_;
   // Pairs of all points, each with those before it and itself, in the pattern that was asked for last:
   mutable std::uint64_t pattern_ = 0;    // 0: none since the last point was added
   mutable std::vector<int> slot_begin_;  // a point

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bodies/finite_rotation.hpp"
+#include "bodies/meeting.hpp"
 
 namespace talus {
 
@@ -59,6 +60,19 @@ StruckPoint::StruckPoint(const BodySet& set, InverseMasses& masses, std::span<co
       add(set, masses, body, nodes, weights);
     }
   }
+  if (turning_count_ == 2) meet(set, Meeting::carrier(weights));
+  for (const Turning& body : turning()) {
+    const Mat3 arm = cross_matrix(body.arm);
+    mobility_ += body.weight * body.response * Mat3::Identity() - arm * body.inverse_inertia * arm;
+  }
+}
+
+void StruckPoint::meet(const BodySet& set, int carrier) {
+  auto [first, second] = turning_;
+  if ((first.weight < 0) == (carrier == 0)) std::swap(first, second);
+  turning_ = {first, second};
+  turning_[1].arm =
+      -(first.arm + first.weight * (set.nodes.position[first.centre] - set.nodes.position[second.centre]));
 }
 
 void StruckPoint::add(const BodySet& set, InverseMasses& masses, int index, std::span<const int> nodes,
@@ -73,8 +87,6 @@ void StruckPoint::add(const BodySet& set, InverseMasses& masses, int index, std:
       turning.weight += weights[k];
       turning.arm += weights[k] * (set.nodes.position[nodes[k]] - set.nodes.position[rigid.centre]);
     }
-    const Mat3 arm = cross_matrix(turning.arm);
-    mobility_ += turning.weight * turning.weight / rigid.mass * Mat3::Identity() - arm * turning.inverse_inertia * arm;
     turning.response = turning.weight / rigid.mass;
     return;
   }

@@ -57,6 +57,8 @@ class StruckPoint {
     Mat3 inverse_inertia;  // 1/(kg m²)
   };
   std::span<const Turning> turning() const { return std::span(turning_).first(turning_count_); }
+  /// Two rigid bodies strike each other at one place, the point of the first or second of them.
+  void meet(const BodySet& set, int carrier);
   void add(const BodySet& set, InverseMasses& masses, int body, std::span<const int> nodes,
            std::span<const double> weights);
 

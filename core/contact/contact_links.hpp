@@ -11,8 +11,9 @@ class ContactLinks {
   /// Both outlive the links.
   ContactLinks(const BodySet& set, const ContactSet& contacts) : contacts_(contacts), moves_(set) {}
 
-  /// Contacts were sought anew; the bodies stand at the start of the step.
-  void connect();
+  /// Contacts were sought anew; the bodies stand at the start of the step. With mean arms they act on each other at one
+  /// place.
+  void connect(Arms arms = Arms::end);
 
   const ContactSet& contacts() const { return contacts_; }
   const ContactPoint& point(int i) const { return contacts_.points[i]; }

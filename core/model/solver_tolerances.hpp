@@ -222,6 +222,9 @@ struct AccelerationResetTolerances {
   /// geometric mean of both). Larger: stiff contacts ring on, and a block on a shaken table slips too soon, by 2 % of
   /// its way at 0.3 (measured). Smaller: swings that steps follow are damped.
   double swing = 0.05;
+  /// Of the body's size. Changes of an acceleration that move it by less in a step are no swing. Rounding. Smaller:
+  /// what flies freely swings by rounding.
+  double visible_swing = 1e-9;
 };
 
 /// The law of impact at the end of a step.

@@ -125,6 +125,9 @@ struct ContactTolerances {
 
   // Normals updated at the end of a step.
 
+  /// Of the mesh size. Contacts that slide by less in a step begin it with the normal of its start. Chosen. Larger:
+  /// blocks that turn as they slide make energy. Smaller: more normals are asked for.
+  double foreseen_slide = 1e-6;
   /// Of the tolerance of penetration. Contacts that slide by less keep their normal. Chosen. Larger: points go deeper
   /// than they know. Smaller: more normals are asked for.
   double noticeable_slide = 0.1;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/stopwatch.hpp"
+#include "contact/detection/normal_update.hpp"
 #include "solve/awake_bodies.hpp"
 #include "solve/simulation_state.hpp"
 
@@ -57,6 +58,41 @@ std::vector<std::pair<int, int>> couplings_of_contacts(const SimulationState& s)
   return couplings;
 }
 
+/// Normals of contacts in the middle of the step, if bodies go on as they do. Faces of bodies that deform swing with
+/// their waves: what they do next their velocities do not tell.
+void foresee_normals(SimulationState& s, double length) {
+  if (!s.dynamic() || !s.is_on(EffectKind::updated_normals)) return;
+  const EffectTimer timer(s.work_of(EffectKind::updated_normals));
+  const NodeSet& nodes = s.bodies.nodes;
+  const auto moved = [&](int node) -> Vec3 {
+    return s.bodies.bodies[nodes.body[node]].fixed ? nodes.prescribed[node] : Vec3(length * nodes.velocity[node]);
+  };
+  const auto start = [&](int node) { return nodes.position[node]; };
+  const auto middle = [&](int node) -> Vec3 { return nodes.position[node] + 0.5 * moved(node); };
+  const auto deforms = [&](int b) { return !s.bodies.bodies[b].fixed && s.bodies.bodies[b].rigid < 0; };
+  const auto sliding = [&](const ContactPoint& point) {
+    Vec3 sum = Vec3::Zero();
+    if (deforms(point.bodies[0]) || deforms(point.bodies[1])) return sum;
+    for (int k = point.stencil_begin; k < point.stencil_end; ++k)
+      sum += s.contacts.weights[k] * moved(s.contacts.nodes[k]);
+    return sum;
+  };
+  const auto middle_normal = [&](int point) { return s.detector.updated_normal(point, start, middle).normal; };
+  foresee_normals(s.contacts, sliding, middle_normal, s.detector.tolerances());
+}
+
+/// Contacts were sought anew: attaches them to bodies, and says which rigid ones touch others that move.
+void connect(SimulationState& s) {
+  for (RigidBody& rigid : s.bodies.rigid) rigid.touches = false;
+  const auto turns = [&](int body) { return s.bodies.bodies[body].rigid >= 0 && !s.bodies.bodies[body].fixed; };
+  if (s.context.arms == Arms::mean)
+    for (const ContactPoint& point : s.contacts.points) {
+      if (!turns(point.bodies[0]) || !turns(point.bodies[1])) continue;
+      for (const int body : point.bodies) s.bodies.rigid[s.bodies.bodies[body].rigid].touches = true;
+    }
+  s.links.connect(s.context.arms);
+}
+
 void follow_couplings(SimulationState& s) {
   if (s.pattern_generation == s.detector.coupling_generation()) return;
   s.pattern_generation = s.detector.coupling_generation();
@@ -94,9 +130,10 @@ void seek_contacts(SimulationState& s, double length) {
   s.context.reach = reach + s.smallest_size;
   s.context.unlimited = s.dynamic() && s.company.any_alone() ? s.company.alone() : std::span<const char>();
   s.reach = reach + s.tolerances.step.least_reach * s.smallest_size;
-  if (!s.company.any() && s.contacts.points.empty()) return;
+  if (!s.company.any() && s.contacts.points.empty()) return connect(s);
   s.detector.detect(s.bodies.nodes.position, s.reach, s.contacts);
-  s.links.connect();
+  foresee_normals(s, length);
+  connect(s);
 }
 
 void detect_contacts(SimulationState& s, double length) {
@@ -112,7 +149,7 @@ bool take_in(SimulationState& s, std::span<const ContactDetector::MissedContact>
                   [&](const auto& contact) { return sleeps(contact.bodies[0]) || sleeps(contact.bodies[1]); }))
     return false;
   s.detector.take_in(missed, s.bodies.nodes.position, s.reach, s.contacts);
-  s.links.connect();
+  connect(s);
   limit_springs(s, s.context.length);
   follow_couplings(s);
   s.open_close.begin_step(s.context);

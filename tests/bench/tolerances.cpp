@@ -102,6 +102,7 @@ std::vector<Entry> entries() {
             {"transfer_agreement", &G::transfer_agreement},
             {"least_turned_shear", &G::least_turned_shear},
             {"bonded_gap", &G::bonded_gap},
+            {"foreseen_slide", &G::foreseen_slide},
             {"noticeable_slide", &G::noticeable_slide},
             {"noticeable_deepening", &G::noticeable_deepening},
             {"inward_normal", &G::inward_normal},
@@ -195,7 +196,7 @@ std::vector<Entry> entries() {
   {
     using G = AccelerationResetTolerances;
     add<G>(all, "solver.acceleration_reset.", [](Tolerances& t) -> G& { return t.solver.acceleration_reset; },
-           {{"sudden_change", &G::sudden_change}, {"swing", &G::swing}});
+           {{"sudden_change", &G::sudden_change}, {"swing", &G::swing}, {"visible_swing", &G::visible_swing}});
   }
   {
     using G = ImpactTolerances;

@@ -4,15 +4,29 @@ namespace talus {
 namespace {
 
 /// Shear goes on in the new plane with its length kept.
-void turn(ContactPoint& point, const ContactDetector::UpdatedNormal& updated) {
+void turn(ContactPoint& point, const Vec3& normal) {
   const double length = point.shear_start.norm();
-  point.normal = updated.normal;
-  point.gap = updated.gap + point.initial_interference;
-  point.shear_start -= updated.normal * updated.normal.dot(point.shear_start);
+  point.normal = normal;
+  point.shear_start -= normal * normal.dot(point.shear_start);
   if (const double left = point.shear_start.norm(); left > 0) point.shear_start *= length / left;
 }
 
+/// What goes by more than a facet leaves its features.
+bool slides(const ContactPoint& point, double by, double least) {
+  return !point.bonded && by >= least && by <= point.size;
+}
+
 }  // namespace
+
+void foresee_normals(ContactSet& contacts, const std::function<Vec3(const ContactPoint&)>& sliding,
+                     const std::function<Vec3(int point)>& middle_normal, const ContactTolerances& tolerances) {
+  for (std::size_t i = 0; i < contacts.points.size(); ++i) {
+    ContactPoint& point = contacts.points[i];
+    const Vec3 u = sliding(point), along = u - point.normal * point.normal.dot(u);
+    if (slides(point, along.norm(), tolerances.foreseen_slide * point.size))
+      turn(point, middle_normal(static_cast<int>(i)));
+  }
+}
 
 bool update_normals(ContactSet& contacts, const ContactLinks& links,
                     const std::function<ContactDetector::UpdatedNormal(int point)>& updated_normal, const Increment& d,
@@ -22,14 +36,13 @@ bool update_normals(ContactSet& contacts, const ContactLinks& links,
     ContactPoint& point = contacts.points[i];
     const double limit = tolerance * point.size;
     const Vec3 displacement = links.moves().increment(i, d);
-    const double slides = displacement.norm();
-    // What goes by more than a facet has left its features.
-    if (point.bonded || slides < tolerances.noticeable_slide * limit || slides > point.size) continue;
+    if (!slides(point, displacement.norm(), tolerances.noticeable_slide * limit)) continue;
     const ContactDetector::UpdatedNormal at_end = updated_normal(i);
     const double depth = -at_end.gap - at_end.normal.dot(displacement),
                  known = point.initial_interference - links.gap(i, d);
     if (!(depth > limit && depth > known + tolerances.noticeable_deepening * limit)) continue;
-    turn(point, at_end);
+    turn(point, at_end.normal);
+    point.gap = at_end.gap + point.initial_interference;
     any = true;
   }
   return any;

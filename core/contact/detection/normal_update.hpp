@@ -7,11 +7,18 @@
 
 namespace talus {
 
-/// Updates the normals of contacts that a converged step would let go too deep. A step holds the normal of its start,
-/// which errs by how far a contact slides times the angle by which its features rotate. A point gets the normal that
-/// its features have at the increment `d`, as `updated_normal` tells, if along that one it is deeper than `tolerance`
-/// of its mesh size, and deeper than the step knows. Bonded points neither slide nor rotate. `links` are those of
-/// `contacts`. Returns whether any normal was updated: then the step must converge again.
+/// Gives contacts that slide the normal that their features will have in the middle of the step, as `middle_normal`
+/// tells: about it the gap at the end follows from that at the start to third order in the step (docs/theory.md, "One
+/// place"). `sliding`: how far the bodies of a point will move against each other [m], as far as that can be foreseen.
+/// Bonded points neither slide nor rotate.
+void foresee_normals(ContactSet& contacts, const std::function<Vec3(const ContactPoint&)>& sliding,
+                     const std::function<Vec3(int point)>& middle_normal, const ContactTolerances& tolerances);
+
+/// Updates the normals of contacts that a converged step would let go too deep. A step holds the normal that was
+/// foreseen, which errs by how far a contact slides times the angle by which its features rotate otherwise. A point
+/// gets the normal that its features have at the increment `d`, as `updated_normal` tells, if along that one it is
+/// deeper than `tolerance` of its mesh size, and deeper than the step knows. Bonded points neither slide nor rotate.
+/// `links` are those of `contacts`. Returns whether any normal was updated: then the step must converge again.
 bool update_normals(ContactSet& contacts, const ContactLinks& links,
                     const std::function<ContactDetector::UpdatedNormal(int point)>& updated_normal, const Increment& d,
                     double tolerance, const ContactTolerances& tolerances);

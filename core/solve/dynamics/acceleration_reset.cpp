@@ -65,7 +65,8 @@ bool AccelerationReset::swings(const RigidBody& rigid, const Vec3& velocity, dou
   if (!last) return swung;
   const Pair change{now.linear - last->linear, now.angular - last->angular};
   const std::optional<Pair> before = std::exchange(past.change, change);
-  const double large = tolerances_.swing * tolerances_.swing * product(*last, *last);
+  const double least = tolerances_.visible_swing * rigid.reach / (length * length);
+  const double large = std::max(tolerances_.swing * tolerances_.swing * product(*last, *last), least * least);
   return swung ? product(change, change) > large : before && product(change, *before) < -large;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "bodies/consistent_mass.hpp"
+#include "bodies/finite_rotation.hpp"
 #include "effects/body_force.hpp"
 #include "effects/corotational_elasticity.hpp"
 #include "effects/damping.hpp"
@@ -20,7 +21,8 @@ namespace {
 /// A rigid block on an affine one, both turned before, in the middle of a step that turns them further.
 class SingleBodyDerivatives : public testing::Test {
  protected:
-  SingleBodyDerivatives() : set_(project(), system()), d_(set_.unknowns()) {
+  explicit SingleBodyDerivatives(BodyKind lower = BodyKind::affine)
+      : set_(project(), system(lower)), d_(set_.unknowns()) {
     for (int i = 0; i < d_.size(); ++i) d_[i] = 0.02 * std::sin(7.0 * i + 1);
     for (std::size_t i = 0; i < set_.nodes.velocity.size(); ++i) {
       set_.nodes.velocity[i] = Vec3(0.1 * double(i), 0.2, -0.3);
@@ -35,9 +37,9 @@ class SingleBodyDerivatives : public testing::Test {
     project.materials = {{"rock", 2600, 5e9, 0.24}};
     return project;
   }
-  static BlockSystem system() {
+  static BlockSystem system(BodyKind lower = BodyKind::affine) {
     BlockSystem system;
-    system.blocks = {test::box_block("lower", Vec3(0, 0, 0), Vec3(2, 1.5, 1), BodyKind::affine),
+    system.blocks = {test::box_block("lower", Vec3(0, 0, 0), Vec3(2, 1.5, 1), lower),
                      test::box_block("upper", Vec3(0.2, 0.1, 1), Vec3(1.2, 1.3, 2.1), BodyKind::rigid)};
     return system;
   }
@@ -144,7 +146,7 @@ TEST_F(SingleBodyDerivatives, DisplacementConstraint) {
 
 /// A point of the rigid block against one of the affine block, deep in penetration at the increment.
 struct Touching {
-  Touching(const BodySet& set, const Increment& d, double friction) : links(set, contacts) {
+  Touching(const BodySet& set, const Increment& d, double friction, Arms arms = Arms::end) : links(set, contacts) {
     ContactPoint point{};
     point.normal = Vec3(0.1, -0.2, 1).normalized();
     point.normal_stiffness = 3e9;
@@ -155,7 +157,7 @@ struct Touching {
     contacts.nodes = {8, 4, 5, 6};
     contacts.weights = {1, -0.5, -0.2, -0.3};
     contacts.sort_out();
-    links.connect();
+    links.connect(arms);
     contacts.points[0].gap = -0.01 - point.normal.dot(links.moves().increment(0, d));
   }
   ContactSet contacts;
@@ -191,6 +193,72 @@ TEST_F(SingleBodyDerivatives, TangentsOfContactsAndLoadsKnowMeanArms) {
   PointLoads load(set_, {{inside(), Vec3(1e4, 2e4, -3e4)}});
   load.begin_step({});
   expect_tangent_with_mean_arms(load, 1e-2);
+}
+
+/// Two rigid blocks, which meet at one place.
+class MeetingDerivatives : public SingleBodyDerivatives {
+ protected:
+  MeetingDerivatives() : SingleBodyDerivatives(BodyKind::rigid) {
+    for (RigidBody& rigid : set_.rigid) rigid.touches = true;
+    d_ *= 0.25;
+  }
+};
+
+TEST_F(MeetingDerivatives, TangentsOfContacts) {
+  for (const double friction : {0.05, 50.0}) {
+    const Touching touching(set_, d_, friction, Arms::mean);
+    const NormalContact normal(touching.links, NormalContact::Points::loose);
+    expect_tangent(
+        normal, [&](const Increment& d) { return gradient(normal, d, Arms::mean); }, 1e-6, Arms::mean);
+    ShearContact shear(touching.links);
+    const auto gradient_at = [&](const Increment& d) {
+      shear.update_strength(d);
+      return gradient(shear, d, Arms::mean);
+    };
+    gradient_at(d_);
+    ASSERT_EQ(shear.slip(0, d_) > 0, friction < 1);
+    expect_tangent(shear, gradient_at, 1e-2, Arms::mean);  // of strength, arms at the end
+  }
+}
+
+TEST_F(MeetingDerivatives, Inertia) {
+  talus::Inertia inertia(set_);
+  inertia.begin_step({0, 0.01, 1, TimeIntegration::newmark()});
+  expect_tangent(inertia, 1e-7);
+}
+
+TEST_F(MeetingDerivatives, ForcesHaveAPotentialWithArmsAtTheEnd) {
+  const Touching touching(set_, d_, 0.5, Arms::mean);
+  const NormalContact normal(touching.links, NormalContact::Points::loose);
+  const Eigen::VectorXd gradient_there = gradient(normal, d_);
+  constexpr double step = 1e-6;
+  Increment plus, minus;
+  for (int i = 0; i < d_.size(); ++i) {
+    set_.advance(d_, step * Eigen::VectorXd::Unit(d_.size(), i), plus);
+    set_.advance(d_, -step * Eigen::VectorXd::Unit(d_.size(), i), minus);
+    EXPECT_NEAR((normal.energy(plus) - normal.energy(minus)) / (2 * step), gradient_there[i],
+                1e-6 * gradient_there.norm());
+  }
+}
+
+/// Moments about one place; and the work of a force is that of its displacement, also where they slide.
+TEST_F(MeetingDerivatives, ForcesKeepAngularMomentumAndDoTheirWork) {
+  const Touching touching(set_, d_, 0.5, Arms::mean);
+  const Attachments& moves = touching.links.moves();
+  const Vec3 force(3e4, -2e4, 5e4);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(d_.size());
+  moves.add_force(0, d_, force, Arms::mean, sum);
+  Vec3 moments = Vec3::Zero();
+  double work = 0;
+  for (const RigidBody& rigid : set_.rigid) {
+    const Vec3 on_centre = sum.segment<3>(3 * set_.nodes.dof_block[rigid.centre]),
+               moment = rigid.radius * sum.segment<3>(3 * rigid.rotation_dof_block),
+               moved = d_.segment<3>(3 * set_.nodes.dof_block[rigid.centre]);
+    moments += (set_.nodes.position[rigid.centre] + 0.5 * moved).cross(on_centre) + moment;
+    work += on_centre.dot(moved) + moment.dot(cayley_vector(rigid.theta(d_)));
+  }
+  EXPECT_LT(moments.norm(), 1e-10 * force.norm());
+  EXPECT_NEAR(work, force.dot(moves.increment(0, d_)), 1e-10 * std::abs(work));
 }
 
 using test::one_block;

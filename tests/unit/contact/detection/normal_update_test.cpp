@@ -56,6 +56,21 @@ TEST_F(NormalUpdate, ACornerThatSlidesUpAgainstARisingSlabTakesItsNormalAtTheEnd
   EXPECT_FALSE(follows(0.05));  // it knows by now
 }
 
+TEST_F(NormalUpdate, WhatSlidesBeginsWithTheNormalInTheMiddleOfTheStep) {
+  const Vec3 middle(-std::sin(0.02), 0, std::cos(0.02));
+  const auto foresee = [&](double slide) {
+    foresee_normals(
+        contacts_, [&](const ContactPoint&) { return Vec3(slide, 0, 0.3); }, [&](int) { return middle; }, {});
+  };
+  const ContactTolerances tolerances;
+  for (const double slide : {0.0, 0.9 * tolerances.foreseen_slide, 1.1}) foresee(slide);
+  EXPECT_EQ(point().normal, Vec3(Vec3::UnitZ())) << "at rest, or gone by more than a facet";
+  foresee(1.1 * tolerances.foreseen_slide);
+  EXPECT_EQ(point().normal, middle);
+  EXPECT_DOUBLE_EQ(point().gap, 3e-4);
+  EXPECT_NEAR(point().shear_start.norm(), 5, 1e-14);
+}
+
 TEST_F(NormalUpdate, NormalsThatFallAwayOrRiseByLittleStayAsTheyAre) {
   EXPECT_FALSE(follows(-0.05));
   EXPECT_FALSE(follows(0.01));

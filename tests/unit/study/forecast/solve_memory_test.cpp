@@ -59,7 +59,7 @@ void expect_told_ahead(const char* what, const Project& project) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers hold memory of their own";
 #endif
-  constexpr double within = 1.3, budget = 0.5;
+  constexpr double within = 1.3, budget = 2;  // s: the first step is in it on a busy machine too
   NoProgress nobody;
   const BlockSystem system = build_blocks(project, ".", nobody);
   const double told = test::in_a_child([&] { return run_beginning(project, system, budget, nobody).memory; });
