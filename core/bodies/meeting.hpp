@@ -58,7 +58,8 @@ class Meeting {
   };
   const State& at(const Increment& d) const;
 
-  Side first_, second_;
+  double weight_;                        // of the first body
+  Vec3 arm_;                             // m, of its point at the start of the step
   double first_radius_, second_radius_;  // m
   Vec3 apart_;                           // m, of the centroids at the start of the step
   std::array<int, part_count> dof_blocks_;
