@@ -80,6 +80,10 @@ Vec3 cayley_vector(const Vec3& theta) {
   return (half > 0 ? std::tan(half) / half : 1) * theta;
 }
 
+Mat3 cayley_tangent(const Vec3& phi) {
+  return Mat3::Identity() - 0.5 * cross_matrix(phi) + 0.25 * phi * phi.transpose();
+}
+
 Mat3 rotation_tangent(const Vec3& theta) {
   const double square = theta.squaredNorm();
   const Mat3 hat = cross_matrix(theta);

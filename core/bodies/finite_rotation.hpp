@@ -36,6 +36,9 @@ Vec3 composed(const Vec3& later, const Vec3& earlier);
 /// as θ.
 Vec3 cayley_vector(const Vec3& theta);
 
+/// δφ = C(φ) δω of the Cayley vector φ of exp(δω̂) exp(θ̂), for a small δω.
+Mat3 cayley_tangent(const Vec3& phi);
+
 /// δω of exp(θ̂ + δ) = exp(δω̂) exp(θ̂), for a small δ: δω = T(θ) δ.
 Mat3 rotation_tangent(const Vec3& theta);
 

@@ -66,8 +66,7 @@ Meeting::Slope Meeting::slope(const Increment& d) const {
   slope.place[first_centre] = w * (Mat3::Identity() - 0.5 * turn);
   slope.place[second_centre] = -slope.place[first_centre];
   slope.place[first_turn] = -1 / first_radius_ * slope.place[first_centre] * cross_matrix(s.first_arm);
-  slope.place[second_turn] =
-      w / second_radius_ * lever * (Mat3::Identity() - 0.5 * turn + 0.25 * s.turn * s.turn.transpose());
+  slope.place[second_turn] = w / second_radius_ * lever * cayley_tangent(s.turn);
   slope.levers[first_centre] = w * Mat3::Identity();
   slope.levers[second_centre] = -w * Mat3::Identity();
   slope.levers[first_turn] = w / first_radius_ * cross_matrix(s.first_lever);

@@ -17,7 +17,7 @@ Vec3 RigidBody::momentum_of(const Vec3& theta) const {
 Mat3 RigidBody::momentum_slope(const Vec3& theta) const {
   const Vec3 phi = cayley_vector(theta);
   const Mat3 inertia_start = inertia_now(), hat = cross_matrix(phi);
-  const Mat3 phi_slope = Mat3::Identity() - 0.5 * hat + 0.25 * phi * phi.transpose();
+  const Mat3 phi_slope = cayley_tangent(phi);
   const Mat3 turned = touches ? phi_slope : inverse_rotation_tangent(theta);
   return (Mat3::Identity() + 0.5 * hat) * inertia_start * turned -
          0.5 * cross_matrix(inertia_start * (touches ? phi : theta)) * phi_slope;

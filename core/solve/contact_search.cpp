@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/stopwatch.hpp"
+#include "bodies/impulse.hpp"
 #include "contact/detection/normal_update.hpp"
 #include "solve/awake_bodies.hpp"
 #include "solve/simulation_state.hpp"
@@ -70,12 +71,11 @@ void foresee_normals(SimulationState& s, double length) {
   const auto start = [&](int node) { return nodes.position[node]; };
   const auto middle = [&](int node) -> Vec3 { return nodes.position[node] + 0.5 * moved(node); };
   const auto deforms = [&](int b) { return !s.bodies.bodies[b].fixed && s.bodies.bodies[b].rigid < 0; };
-  const auto sliding = [&](const ContactPoint& point) {
-    Vec3 sum = Vec3::Zero();
-    if (deforms(point.bodies[0]) || deforms(point.bodies[1])) return sum;
-    for (int k = point.stencil_begin; k < point.stencil_end; ++k)
-      sum += s.contacts.weights[k] * moved(s.contacts.nodes[k]);
-    return sum;
+  const auto sliding = [&](const ContactPoint& point) -> Vec3 {
+    if (deforms(point.bodies[0]) || deforms(point.bodies[1])) return Vec3::Zero();
+    const auto count = static_cast<std::size_t>(point.stencil_end - point.stencil_begin);
+    return length * velocity_of(s.bodies, std::span(s.contacts.nodes).subspan(point.stencil_begin, count),
+                                std::span(s.contacts.weights).subspan(point.stencil_begin, count), length);
   };
   const auto middle_normal = [&](int point) { return s.detector.updated_normal(point, start, middle).normal; };
   foresee_normals(s.contacts, sliding, middle_normal, s.detector.tolerances());

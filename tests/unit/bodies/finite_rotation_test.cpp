@@ -44,5 +44,18 @@ TEST(FiniteRotation, TheTangentIsHowTheRotationChanges) {
   }
 }
 
+TEST(FiniteRotation, TheCayleyTangentIsHowItsVectorChanges) {
+  for (const double angle : {0.02, 0.3, 2.0}) {
+    const Vec3 theta = angle * axis;
+    constexpr double step = 1e-5;
+    Mat3 differences;
+    for (int k = 0; k < 3; ++k) {
+      const auto phi = [&](double turn) { return cayley_vector(composed(turn * Vec3::Unit(k), theta)); };
+      differences.col(k) = (phi(step) - phi(-step)) / (2 * step);
+    }
+    EXPECT_LT((cayley_tangent(cayley_vector(theta)) - differences).norm(), 1e-8) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace talus
