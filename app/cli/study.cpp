@@ -60,8 +60,8 @@ bool compute_and_tell(const StudyFolder& study, const AccuracyOptions& options) 
     compute(study, options);
     return true;
   } catch (const Cancelled&) {
-    std::cerr << "talus-cli: stopped with " << study.missing_runs().size() << " of "
-              << study.plan().ladder.settings.size() << " runs left"
+    std::cerr << "talus-cli: stopped with " << study.missing_runs().size() << " of " << study.plan().runs()
+              << " runs left"
               << (options.engine == "slurm" ? ", which Slurm goes on with; the same command collects them\n"
                                             : "; the same command goes on\n");
     return false;
@@ -113,7 +113,7 @@ class PlainProgress final : public Progress {
 ExitCode run_one(const std::filesystem::path& folder, int number) {
   catch_interrupts();
   const StudyFolder study(folder);
-  const int count = static_cast<int>(study.plan().ladder.settings.size());
+  const int count = study.plan().runs();
   if (number < 0 || number >= count)
     throw InputError("run " + std::to_string(number), "the study has runs 0 to " + std::to_string(count - 1),
                      "choose one of these");
@@ -140,6 +140,15 @@ void add_ladder_options(CLI::App& command, AccuracyOptions& options) {
       .add_option("--target", options.target,
                   "Error to meet, like 1% or 0.01: names the cheapest setting that does and writes it as a project")
       ->type_name("ERROR");
+}
+
+void add_measure_options(CLI::App& command, AccuracyOptions& options) {
+  command
+      .add_option("--repeat", options.request.repeats,
+                  "Run each setting N times, hardly changed: errors are of the means, and their spread is told")
+      ->check(CLI::Range(1, 1000).description(""))
+      ->type_name("N")
+      ->capture_default_str();
 }
 
 void add_engine_options(CLI::App& command, AccuracyOptions& options) {
@@ -173,6 +182,7 @@ void add_accuracy(CLI::App& study, Invocation& invocation) {
       ->add_option("--out", options->out, "Folder of the study (default: NAME.accuracy beside the project NAME.talus)")
       ->type_name("DIR");
   add_ladder_options(*command, *options);
+  add_measure_options(*command, *options);
   add_engine_options(*command, *options);
   add_size(*command, options->size);
   add_theme(*command, options->theme);

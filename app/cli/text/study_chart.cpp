@@ -38,8 +38,15 @@ std::vector<std::string> notes_of(const AccuracyStudy& study) {
   if (!study.known_answer)
     notes.push_back("Errors are from run " + std::to_string(study.reference) + ", which is itself off by about " +
                     error_text(study.reference_error) + ".");
+  if (study.repeats > 1) notes.push_back(repeats_text(study));
   if (study.target) notes.push_back(recommendation_text(study));
   return notes;
+}
+
+std::string error_title(const AccuracyStudy& study) {
+  const std::string of = study.repeats > 1 ? "Mean of " + std::to_string(study.repeats) + " runs ± spread" : "Error";
+  return of + (study.known_answer ? ": largest relative difference from the known answer"
+                                  : ": relative difference from the finest run");
 }
 
 }  // namespace
@@ -47,8 +54,7 @@ std::vector<std::string> notes_of(const AccuracyStudy& study) {
 CostPlot cost_plot(const AccuracyStudy& study, Theme theme) {
   CostPlot plot;
   plot.title = study.project_name + ": what accuracy costs";
-  plot.error_title = study.known_answer ? "Error: largest relative difference from the known answer"
-                                        : "Error: relative difference from the finest run";
+  plot.error_title = error_title(study);
   plot.theme = theme;
   plot.target = study.target;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
@@ -60,6 +66,7 @@ CostPlot cost_plot(const AccuracyStudy& study, Theme theme) {
     point.seconds = std::max(row.run->cpu_seconds, shortest_seconds);
     point.error = *row.error;
     point.uncertainty = row.error_estimate;
+    point.spread = row.spread;
     point.group = group_of(row, plot.groups);
     point.on_front = row.pareto;
     point.recommended = static_cast<int>(i) == study.recommended;

@@ -17,6 +17,8 @@ std::string error_of(const AccuracyRow& row) {
   return error_text(*row.error) + (row.error_estimate > 0 ? " ± " + error_text(row.error_estimate) : "");
 }
 
+std::string spread_of(const AccuracyRow& row) { return row.spread ? error_text(*row.spread) : "–"; }
+
 /// Those that did not run go last.
 std::vector<std::size_t> by_cost(const AccuracyStudy& study) {
   std::vector<std::size_t> order(study.rows.size());
@@ -50,6 +52,9 @@ std::string convergence_text(const AxisOrder& order, const std::string& name) {
     case Convergence::not_expected:
       return "The " + name + ": answers differ by up to " + error_text(order.fit.spread) +
              ", and no order is expected.";
+    case Convergence::within_scatter:
+      return "The " + name + ": answers differ by up to " + error_text(order.fit.spread) +
+             ", no more than repeats scatter.";
     case Convergence::order_assumed:
       return "Order in the " + name + ": too few runs; theory's " + number(*order.theory, 2) + " was taken.";
     case Convergence::converging:
@@ -79,20 +84,43 @@ std::string recommendation_text(const AccuracyStudy& study) {
          error_of(row) + " in " + number(row.run->cpu_seconds, 3) + " s.";
 }
 
+std::string repeats_text(const AccuracyStudy& study) {
+  if (study.repeats == 1) return {};
+  std::string text = "Errors are of means of " + std::to_string(study.repeats) +
+                     " runs, hardly changed; one run scatters about its mean by " +
+                     error_text(study.scatter.value_or(0)) + " (standard deviation).";
+  if (study.told_apart == false)
+    text += " Settings differ by no more than that lets means differ by chance: no better setting can be told apart.";
+  return text;
+}
+
 std::string study_text(const AccuracyStudy& study) {
-  Table table({"", "Run", "Setting", "Error", "CPU [s]", "Mesh [s]", "Unknowns", "Steps", "Iterations", "Note"},
-              "lrlrrrrrrl");
+  const bool repeated = study.repeats > 1;
+  std::vector<std::string> head = {"",         "Run",      "Setting", "Error",      "CPU [s]",
+                                   "Mesh [s]", "Unknowns", "Steps",   "Iterations", "Note"};
+  if (repeated) head.insert(head.begin() + 4, "Spread");
+  Table table(head, repeated ? "lrlrrrrrrrl" : "lrlrrrrrrl");
   for (const std::size_t i : by_cost(study)) {
     const AccuracyRow& row = study.rows[i];
     const StudyRun run = row.run.value_or(StudyRun{});
-    table.add({row.pareto ? "*" : "", std::to_string(i), row.label, error_of(row), number(run.cpu_seconds, 3),
-               number(run.mesh_seconds, 3), std::to_string(run.dofs), std::to_string(run.steps),
-               std::to_string(run.iterations), row.note});
+    std::vector<std::string> cells = {row.pareto ? "*" : "",
+                                      std::to_string(i),
+                                      row.label,
+                                      error_of(row),
+                                      number(run.cpu_seconds, 3),
+                                      number(run.mesh_seconds, 3),
+                                      std::to_string(run.dofs),
+                                      std::to_string(run.steps),
+                                      std::to_string(run.iterations),
+                                      row.note};
+    if (repeated) cells.insert(cells.begin() + 4, spread_of(row));
+    table.add(cells);
   }
   std::string text = table.text() + "* no run that costs no more has less error.\n";
   text += study.known_answer
               ? "Errors are from the project's expect lines.\n"
               : "Errors are from run " + std::to_string(study.reference) + ", ± its own estimated error.\n";
+  if (repeated) text += paragraph(repeats_text(study), 0);
   for (const AxisOrder& order : study.orders) text += order_text(order) + '\n';
   for (const LeftOut& one : study.left_out) text += paragraph("Left out: " + one.what + ": " + one.reason, 0);
   if (study.target) text += paragraph(recommendation_text(study), 0);

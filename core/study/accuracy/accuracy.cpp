@@ -1,9 +1,10 @@
 #include "study/accuracy/accuracy.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 #include "study/accuracy/choice.hpp"
+#include "study/accuracy/mean_run.hpp"
 #include "study/accuracy/measured_error.hpp"
 #include "study/accuracy/study_run_json.hpp"
 
@@ -13,6 +14,9 @@ namespace {
 
 bool completed(const AccuracyRow& row) { return row.run && row.run->status == StudyStatus::completed; }
 
+/// A setting's answers, and none of those that have none.
+using Answers = std::vector<std::optional<StudyAnswer>>;
+
 /// Newmark's method with γ = 1 is of first order in the step, generalized-alpha of second; linear tetrahedra give
 /// displacements of second order in the mesh size.
 std::optional<double> theory_of(StudyAxis axis, const Setting& own) {
@@ -21,12 +25,12 @@ std::optional<double> theory_of(StudyAxis axis, const Setting& own) {
   return own.integrator == Integrator::generalized_alpha ? 2 : 1;
 }
 
-/// The wanted reference, or else the most expensive run that completed.
-int reference_among(const std::vector<AccuracyRow>& rows, int wanted) {
-  if (completed(rows[static_cast<std::size_t>(wanted)])) return wanted;
+/// The wanted reference, or else the most expensive setting, of those that answer.
+int reference_among(const std::vector<AccuracyRow>& rows, const Answers& answers, int wanted) {
+  if (answers[static_cast<std::size_t>(wanted)]) return wanted;
   int best = -1;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!completed(rows[i])) continue;
+    if (!answers[i]) continue;
     const double cost = relative_cost(rows[i].setting);
     if (best < 0 || cost > relative_cost(rows[static_cast<std::size_t>(best)].setting)) best = static_cast<int>(i);
   }
@@ -51,7 +55,16 @@ std::vector<int> runs_along(StudyAxis axis, const std::vector<AccuracyRow>& rows
   return runs;
 }
 
-std::optional<AxisOrder> order_along(StudyAxis axis, const AccuracyStudy& study, const ErrorMeasure& measure) {
+/// Means that lie farther apart than so many of their standard errors do not do so by chance.
+constexpr double beyond_chance = 3;
+
+/// How far apart means of settings may come by chance, relative.
+double apart_by_chance(const AccuracyStudy& study) {
+  return beyond_chance * std::sqrt(2.0 / study.repeats) * study.scatter.value_or(0);
+}
+
+std::optional<AxisOrder> order_along(StudyAxis axis, const AccuracyStudy& study, const ErrorMeasure& measure,
+                                     const Answers& answers) {
   AxisOrder order;
   order.axis = axis;
   order.theory = theory_of(axis, study.rows.front().setting);
@@ -59,39 +72,63 @@ std::optional<AxisOrder> order_along(StudyAxis axis, const AccuracyStudy& study,
   for (const int run : runs_along(axis, study.rows))
     (axis != StudyAxis::mesh_size && mostly_cut(*row(run).run) ? order.cut_runs : order.runs).push_back(run);
   if (order.runs.size() < 2) return std::nullopt;
-  const AccuracyRow& finest = row(order.runs.front());
+  const auto answer = [&](int run) -> const auto& { return answers[static_cast<std::size_t>(run)]; };
+  const int finest = order.runs.front();
   std::vector<AxisDistance> distances;
-  for (std::size_t i = 1; i < order.runs.size(); ++i) {
-    const AccuracyRow& one = row(order.runs[i]);
-    const auto distance = measure.between(*one.run, *finest.run, *row(study.reference).run);
-    if (distance) distances.push_back({size_on(axis, one.setting), *distance});
+  for (const int one : order.runs) {
+    if (one == finest || !answer(one) || !answer(finest)) continue;
+    const auto distance = measure.between(*answer(one), *answer(finest), *answer(study.reference));
+    if (distance) distances.push_back({size_on(axis, row(one).setting), *distance});
   }
-  const auto fit = fit_order(size_on(axis, finest.setting), distances, order.theory);
+  const auto fit = fit_order(size_on(axis, row(finest).setting), distances, order.theory, apart_by_chance(study));
   if (!fit) return std::nullopt;
   order.fit = *fit;
   return order;
 }
 
-void measure_errors(AccuracyStudy& study, const ErrorMeasure& measure) {
-  const StudyRun& reference = *study.rows[static_cast<std::size_t>(study.reference)].run;
-  for (AccuracyRow& row : study.rows) {
-    if (!completed(row)) continue;
-    row.from_finest = measure.between(*row.run, reference, reference);
+/// How far repeats scatter: of each setting, and of all together.
+void measure_spread(AccuracyStudy& study, const ErrorMeasure& measure, const Answers& answers) {
+  if (study.repeats == 1) return;
+  double squares = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    if (!answers[i]) continue;
+    AccuracyRow& row = study.rows[i];
+    row.spread = measure.spread(*answers[i], *answers[static_cast<std::size_t>(study.reference)]);
+    row.standard_error = *row.spread / std::sqrt(study.repeats);
+    squares += *row.spread * *row.spread;
+    ++count;
+  }
+  study.scatter = std::sqrt(squares / count);
+}
+
+void measure_errors(AccuracyStudy& study, const ErrorMeasure& measure, const Answers& answers) {
+  AccuracyRow& finest = study.rows[static_cast<std::size_t>(study.reference)];
+  const StudyAnswer& reference = *answers[static_cast<std::size_t>(study.reference)];
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    AccuracyRow& row = study.rows[i];
+    if (answers[i]) row.from_finest = measure.between(*answers[i], reference, reference);
     if (study.known_answer) {
-      row.error = measure.from_known(*row.run);
+      if (answers[i]) row.error = measure.from_known(*answers[i]);
+      row.error_estimate = row.standard_error;
     } else {
       row.error = row.from_finest;
-      row.error_estimate = study.reference_error;
+      row.error_estimate = study.reference_error + std::hypot(row.standard_error, finest.standard_error);
     }
-    if (study.known_answer && !row.error) row.note = "it ended before the time of an expectation";
   }
   // The finest run's distance from itself says nothing: what is known of its error is the estimate.
-  if (!study.known_answer) {
-    AccuracyRow& finest = study.rows[static_cast<std::size_t>(study.reference)];
-    finest.error = study.reference_error;
-    finest.error_estimate = 0;
-    finest.note = "the others are held to this run";
-  }
+  if (study.known_answer) return;
+  finest.error = study.reference_error;
+  finest.error_estimate = finest.standard_error;
+  finest.note = "the others are held to this run";
+}
+
+/// Whether any setting's mean lies farther from the finest's than chance takes it.
+void tell_apart(AccuracyStudy& study) {
+  if (!study.scatter) return;
+  study.told_apart = std::any_of(study.rows.begin(), study.rows.end(), [&](const AccuracyRow& row) {
+    return row.from_finest.value_or(0) > std::max(rounding, apart_by_chance(study));
+  });
 }
 
 /// What each run costs and how far off it is, `safe` with its estimate on top.
@@ -110,18 +147,36 @@ void mark_the_best(AccuracyStudy& study) {
   for (std::size_t i = 0; i < study.rows.size(); ++i) study.rows[i].pareto = front[i];
 }
 
-std::vector<AccuracyRow> read_rows(const StudyFolder& folder) {
+/// The repeats of a setting that have ended.
+std::vector<StudyRun> read_repeats(const StudyFolder& folder, int setting) {
+  std::vector<StudyRun> runs;
+  for (int repeat = 0; repeat < folder.plan().repeats; ++repeat)
+    if (auto run = read_study_run(folder.run_file(folder.plan().run_of(setting, repeat))))
+      runs.push_back(std::move(*run));
+  return runs;
+}
+
+std::string note_of(const std::vector<StudyRun>& ended, int repeats) {
+  if (ended.empty()) return "not run";
+  return std::to_string(ended.size()) + " of " + std::to_string(repeats) + " repeats have ended";
+}
+
+/// A row a setting, and what each answers once all of its repeats have ended.
+Answers read_rows(const StudyFolder& folder, const ErrorMeasure& measure, AccuracyStudy& study) {
   const std::vector<Setting>& settings = folder.plan().ladder.settings;
-  std::vector<AccuracyRow> rows;
+  Answers answers;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    AccuracyRow row;
+    AccuracyRow& row = study.rows.emplace_back();
     row.setting = settings[i];
     row.label = label_of(settings[i], settings.front());
-    row.run = read_study_run(folder.run_file(static_cast<int>(i)));
-    row.note = row.run ? row.run->reason : "not run";
-    rows.push_back(std::move(row));
+    const std::vector<StudyRun> repeats = read_repeats(folder, static_cast<int>(i));
+    const bool all = static_cast<int>(repeats.size()) == study.repeats;
+    if (all) row.run = mean_run(repeats);
+    answers.push_back(all ? measure.mean_answer(repeats) : std::nullopt);
+    row.note = all ? row.run->reason : note_of(repeats, study.repeats);
+    if (completed(row) && !answers.back()) row.note = "it ended before the time of an expectation";
   }
-  return rows;
+  return answers;
 }
 
 }  // namespace
@@ -152,15 +207,18 @@ AccuracyStudy evaluate(const StudyFolder& folder, std::optional<double> target) 
   study.known_answer = measure.known();
   study.target = target;
   study.left_out = folder.plan().ladder.left_out;
-  study.rows = read_rows(folder);
-  study.reference = reference_among(study.rows, folder.plan().ladder.finest);
+  study.repeats = folder.plan().repeats;
+  const Answers answers = read_rows(folder, measure, study);
+  study.reference = reference_among(study.rows, answers, folder.plan().ladder.finest);
   if (study.reference < 0) return study;
+  measure_spread(study, measure, answers);
   for (const StudyAxis axis : sized_axes)
-    if (auto order = order_along(axis, study, measure)) {
+    if (auto order = order_along(axis, study, measure, answers)) {
       study.reference_error += order->fit.finest_error;
       study.orders.push_back(std::move(*order));
     }
-  measure_errors(study, measure);
+  measure_errors(study, measure, answers);
+  tell_apart(study);
   mark_the_best(study);
   set_target(study, target);
   return study;

@@ -13,10 +13,12 @@ namespace talus {
 struct AccuracyRow {
   Setting setting;
   std::string label;
-  std::optional<StudyRun> run;        ///< none: not run yet, or it ended without a word
+  std::optional<StudyRun> run;        ///< of repeats the mean; none: not run yet, or it ended without a word
   std::optional<double> error;        ///< relative: from the known answer, else from the finest run
   double error_estimate = 0;          ///< by how much that may be wrong; 0 from a known answer
   std::optional<double> from_finest;  ///< relative, also where the answer is known: what the study would have claimed
+  std::optional<double> spread;       ///< relative, of one repeat about their mean: standard deviation
+  double standard_error = 0;          ///< relative, of the mean: part of `error_estimate`
   bool pareto = false;                ///< no run that costs no more has less error
   std::string note;
 };
@@ -42,6 +44,9 @@ struct AccuracyStudy {
   std::vector<AccuracyRow> rows;
   std::vector<AxisOrder> orders;
   std::vector<LeftOut> left_out;
+  int repeats = 1;                 ///< of each setting; errors are of their means
+  std::optional<double> scatter;   ///< relative, of one repeat about the mean of its setting, over all settings
+  std::optional<bool> told_apart;  ///< means of settings differ by more than repeats scatter; empty: one run each
   std::optional<double> target;
   int recommended = -1;  ///< the cheapest whose error, with its estimate, is within the target; −1: none, or no target
 

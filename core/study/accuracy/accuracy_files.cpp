@@ -57,7 +57,9 @@ std::string line_of(std::size_t number, const AccuracyRow& row) {
                                cell(row.from_finest),
                                status_of(row),
                                row.pareto ? "yes" : "no",
-                               cell(row.note)};
+                               cell(row.note),
+                               cell(row.spread),
+                               row.spread ? number_text(row.standard_error) : ""};
   std::string line;
   for (const std::string& one : cells) (line += line.empty() ? "" : ",") += one;
   return line + '\n';
@@ -81,6 +83,8 @@ Json json_of(int number, const AccuracyRow& row) {
                {"error", or_null(row.error)},
                {"error_estimate", row.error ? Json(row.error_estimate) : Json()},
                {"from_finest", or_null(row.from_finest)},
+               {"spread", or_null(row.spread)},
+               {"standard_error", row.spread ? Json(row.standard_error) : Json()},
                {"status", status_of(row)},
                {"pareto", row.pareto},
                {"note", row.note},
@@ -108,8 +112,7 @@ std::string accuracy_csv(const AccuracyStudy& study) {
   std::string text =
       "number,label,body,strain,integrator,time_step,static_step,mesh_size,penetration_tolerance,tolerance,scheme,dofs,"
       "blocks,tetrahedra,steps,iterations,cuts,cpu_seconds,wall_seconds,mesh_seconds,error,error_estimate,from_finest,"
-      "status,"
-      "pareto,note\n";
+      "status,pareto,note,spread,standard_error\n";
   for (std::size_t i = 0; i < study.rows.size(); ++i) text += line_of(i, study.rows[i]);
   return text;
 }
@@ -126,6 +129,9 @@ std::string accuracy_json(const AccuracyStudy& study) {
                      {"measured_against", study.known_answer ? "expect" : "finest"},
                      {"reference", run_or_null(study.reference)},
                      {"reference_error", study.reference_error},
+                     {"repeats", study.repeats},
+                     {"scatter", or_null(study.scatter)},
+                     {"told_apart", study.told_apart ? Json(*study.told_apart) : Json()},
                      {"target", or_null(study.target)},
                      {"recommended", run_or_null(study.recommended)},
                      {"orders", orders},

@@ -25,6 +25,8 @@ AccuracyRow row_of(const Json& json) {
   row.error = number_or_none(json.at("error"));
   row.error_estimate = number_or_none(json.at("error_estimate")).value_or(0);
   row.from_finest = number_or_none(json.at("from_finest"));
+  row.spread = number_or_none(json.value("spread", Json()));  // studies made before there were repeats
+  row.standard_error = number_or_none(json.value("standard_error", Json())).value_or(0);
   row.pareto = json.at("pareto");
   row.note = json.at("note");
   return row;
@@ -35,8 +37,9 @@ AxisOrder order_of(const Json& json) {
   for (const StudyAxis axis : sized_axes)
     if (json.at("axis") == to_string(axis)) order.axis = axis;
   order.theory = number_or_none(json.at("theory"));
-  for (const Convergence convergence : {Convergence::converging, Convergence::exact, Convergence::not_monotone,
-                                        Convergence::order_assumed, Convergence::not_expected})
+  for (const Convergence convergence :
+       {Convergence::converging, Convergence::exact, Convergence::not_monotone, Convergence::order_assumed,
+        Convergence::not_expected, Convergence::within_scatter})
     if (json.at("convergence") == to_string(convergence)) order.fit.convergence = convergence;
   order.fit.order = number_or_none(json.at("order")).value_or(0);
   order.fit.misfit = number_or_none(json.at("misfit")).value_or(0);
@@ -54,6 +57,9 @@ AccuracyStudy study_of(const Json& json) {
   study.known_answer = json.at("measured_against") == "expect";
   study.reference = run_or_none(json.at("reference"));
   study.reference_error = json.at("reference_error");
+  study.repeats = json.value("repeats", 1);
+  study.scatter = number_or_none(json.value("scatter", Json()));
+  if (const Json told = json.value("told_apart", Json()); !told.is_null()) study.told_apart = told.get<bool>();
   for (const Json& row : json.at("runs")) study.rows.push_back(row_of(row));
   for (const Json& order : json.at("orders")) study.orders.push_back(order_of(order));
   for (const Json& one : json.at("left_out")) study.left_out.push_back({one.at("what"), one.at("reason")});

@@ -44,8 +44,8 @@ double finest_error(double order, double finest, const AxisDistance& next) {
 
 }  // namespace
 
-std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> distances,
-                                  std::optional<double> theory) {
+std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> distances, std::optional<double> theory,
+                                  double scatter) {
   if (distances.empty()) return std::nullopt;
   const auto nearer = [](const AxisDistance& a, const AxisDistance& b) { return a.distance < b.distance; };
   const double largest = std::max_element(distances.begin(), distances.end(), nearer)->distance;
@@ -55,8 +55,8 @@ std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> d
     fit.convergence = Convergence::exact;
     return fit;
   }
-  if (!theory) {
-    fit.convergence = Convergence::not_expected;
+  if (!theory || largest <= scatter) {
+    fit.convergence = largest <= scatter ? Convergence::within_scatter : Convergence::not_expected;
     fit.finest_error = largest;
     return fit;
   }

@@ -17,14 +17,16 @@ inline constexpr double rounding = 1e-10;
 inline constexpr double good_fit = 0.1;
 
 enum class Convergence {
-  converging,     ///< distances fall with the size, by `order`
-  exact,          ///< all runs agree to rounding
-  not_monotone,   ///< distances do not fall with the size: no order can be told
-  order_assumed,  ///< two runs only: theory's order was taken
-  not_expected,   ///< theory knows no order: answers scatter
+  converging,      ///< distances fall with the size, by `order`
+  exact,           ///< all runs agree to rounding
+  not_monotone,    ///< distances do not fall with the size: no order can be told
+  order_assumed,   ///< two runs only: theory's order was taken
+  not_expected,    ///< theory knows no order: answers scatter
+  within_scatter,  ///< answers differ by no more than repeats of one run scatter
 };
 constexpr const char* to_string(Convergence convergence) {
-  constexpr const char* words[] = {"converging", "exact", "not monotone", "order assumed", "not expected"};
+  constexpr const char* words[] = {"converging",    "exact",        "not monotone",
+                                   "order assumed", "not expected", "within scatter"};
   return words[static_cast<int>(convergence)];
 }
 
@@ -41,6 +43,8 @@ struct OrderFit {
 /// follows from the nearest distance, with `theory`'s order where the observed one is higher (a coarse run may come
 /// nearer by chance) unless three distances or more fit it within `good_fit`, and is the largest distance where nothing
 /// converges or `theory` is none. `distances`: ascending sizes, all above `finest`. Nothing without any distance.
-std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> distances, std::optional<double> theory);
+/// Distances of `scatter` and less are chance, and no order comes of them.
+std::optional<OrderFit> fit_order(double finest, std::span<const AxisDistance> distances, std::optional<double> theory,
+                                  double scatter = 0);
 
 }  // namespace talus

@@ -98,7 +98,7 @@ class Queue {
   }
 
  private:
-  double cost(int run) const { return relative_cost(study_.plan().ladder.settings[static_cast<std::size_t>(run)]); }
+  double cost(int run) const { return relative_cost(study_.plan().setting_of(run)); }
 
   const StudyFolder& study_;
   const LocalOptions& options_;

@@ -32,6 +32,12 @@ double norm_of_difference(std::vector<double> a, const std::vector<double>& b) {
   return norm(a);
 }
 
+/// What differences are taken over; where nothing moves they are what they are.
+double scale_of(const StudyAnswer& reference) {
+  const double scale = norm(reference.mean);
+  return scale > 0 ? scale : 1;
+}
+
 }  // namespace
 
 ErrorMeasure::ErrorMeasure(const Project& project) {
@@ -47,7 +53,7 @@ ErrorMeasure::ErrorMeasure(const Project& project) {
   }
 }
 
-std::vector<double> ErrorMeasure::answer_of(const StudyRun& run) const {
+std::vector<double> ErrorMeasure::numbers_of(const StudyRun& run) const {
   std::vector<double> answer;
   if (run.status != StudyStatus::completed) return answer;
   if (known()) {
@@ -62,18 +68,40 @@ std::vector<double> ErrorMeasure::answer_of(const StudyRun& run) const {
   return answer;
 }
 
-std::optional<double> ErrorMeasure::from_known(const StudyRun& run) const {
-  const std::vector<double> answer = answer_of(run);
-  if (!known() || answer.size() != expected_.size()) return std::nullopt;
-  return largest_difference(answer, expected_);
+std::optional<StudyAnswer> ErrorMeasure::mean_answer(const std::vector<StudyRun>& repeats) const {
+  std::vector<std::vector<double>> answers;
+  for (const StudyRun& run : repeats) {
+    answers.push_back(numbers_of(run));
+    if (answers.back().empty() || answers.back().size() != answers.front().size()) return std::nullopt;
+  }
+  if (answers.empty()) return std::nullopt;
+  StudyAnswer answer{std::vector<double>(answers.front().size(), 0.0), {}, static_cast<int>(answers.size())};
+  answer.deviation = answer.mean;
+  const double runs = answer.runs;
+  for (std::size_t i = 0; i < answer.mean.size(); ++i) {
+    for (const auto& one : answers) answer.mean[i] += one[i] / runs;
+    double squares = 0;
+    for (const auto& one : answers) squares += (one[i] - answer.mean[i]) * (one[i] - answer.mean[i]);
+    if (answer.runs > 1) answer.deviation[i] = std::sqrt(squares / (runs - 1));
+  }
+  return answer;
 }
 
-std::optional<double> ErrorMeasure::between(const StudyRun& a, const StudyRun& b, const StudyRun& reference) const {
-  const std::vector<double> of_a = answer_of(a), of_b = answer_of(b);
-  if (of_a.empty() || of_a.size() != of_b.size()) return std::nullopt;
-  if (known()) return largest_difference(of_a, of_b);
-  const double scale = norm(answer_of(reference));
-  return norm_of_difference(of_a, of_b) / (scale > 0 ? scale : 1);
+std::optional<double> ErrorMeasure::from_known(const StudyAnswer& answer) const {
+  if (!known() || answer.mean.size() != expected_.size()) return std::nullopt;
+  return largest_difference(answer.mean, expected_);
+}
+
+std::optional<double> ErrorMeasure::between(const StudyAnswer& a, const StudyAnswer& b,
+                                            const StudyAnswer& reference) const {
+  if (a.mean.size() != b.mean.size()) return std::nullopt;
+  if (known()) return largest_difference(a.mean, b.mean);
+  return norm_of_difference(a.mean, b.mean) / scale_of(reference);
+}
+
+double ErrorMeasure::spread(const StudyAnswer& answer, const StudyAnswer& reference) const {
+  if (known()) return *std::max_element(answer.deviation.begin(), answer.deviation.end());
+  return norm(answer.deviation) / scale_of(reference);
 }
 
 }  // namespace talus

@@ -7,7 +7,14 @@
 
 namespace talus {
 
-/// How far a run's answer is from the known one, and from another run's. The answer is
+/// What the runs of one setting answer, number by number.
+struct StudyAnswer {
+  std::vector<double> mean;
+  std::vector<double> deviation;  ///< standard deviation of one run about it; zeros of a single run
+  int runs = 1;
+};
+
+/// How far a setting's answer is from the known one, and from another setting's. The answer is
 /// - with `expect` lines: their computed numbers, each over what is expected, and the error is the largest difference.
 ///   Where zero is expected a number is over the largest that is expected of its kind (displacement, velocity, stress):
 ///   what a block goes astray is held to how far it goes. Where that is zero too, it is over the tolerance.
@@ -18,13 +25,17 @@ class ErrorMeasure {
   explicit ErrorMeasure(const Project& project);
 
   bool known() const { return !scales_.empty(); }
-  /// From the `expect` lines; nothing where there are none, or where the run did not get that far.
-  std::optional<double> from_known(const StudyRun& run) const;
-  /// Relative, in the same sense; `reference` gives the norm. Nothing where one of them has no answer.
-  std::optional<double> between(const StudyRun& a, const StudyRun& b, const StudyRun& reference) const;
+  /// The mean of the runs; nothing where one of them has no answer, or there is none.
+  std::optional<StudyAnswer> mean_answer(const std::vector<StudyRun>& repeats) const;
+  /// From the `expect` lines; nothing where there are none, or where the runs did not get that far.
+  std::optional<double> from_known(const StudyAnswer& answer) const;
+  /// Relative, in the same sense; `reference` gives the norm. Nothing where they answer unlike questions.
+  std::optional<double> between(const StudyAnswer& a, const StudyAnswer& b, const StudyAnswer& reference) const;
+  /// How far one run scatters about the mean: its standard deviation, in the same sense.
+  double spread(const StudyAnswer& answer, const StudyAnswer& reference) const;
 
  private:
-  std::vector<double> answer_of(const StudyRun& run) const;  ///< empty: it has none
+  std::vector<double> numbers_of(const StudyRun& run) const;  ///< empty: it has none
 
   std::vector<double> scales_, expected_;  ///< an expectation
 };

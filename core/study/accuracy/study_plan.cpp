@@ -46,6 +46,7 @@ Json json_of(const StudyPlan& plan) {
           {"fingerprint", plan.fingerprint},
           {"settings", settings},
           {"finest", plan.ladder.finest},
+          {"repeats", plan.repeats},
           {"left_out", left_out},
           {"project_text", plan.project_text}};
 }
@@ -59,6 +60,7 @@ StudyPlan plan_of(const Json& json) {
   plan.project_text = json.at("project_text");
   for (const Json& setting : json.at("settings")) plan.ladder.settings.push_back(setting_of(setting));
   plan.ladder.finest = json.at("finest");
+  plan.repeats = json.value("repeats", 1);  // studies made before there were more
   for (const Json& one : json.at("left_out")) plan.ladder.left_out.push_back({one.at("what"), one.at("reason")});
   return plan;
 }
@@ -68,6 +70,8 @@ std::string difference(const StudyPlan& old, const StudyPlan& now) {
   if (old.fingerprint != now.fingerprint) return "another project, or this one before it was changed";
   if (old.program != now.program) return "the version " + old.program + " of the program";
   if (old.ladder.settings != now.ladder.settings || old.ladder.finest != now.ladder.finest) return "other settings";
+  if (old.repeats != now.repeats)
+    return std::to_string(old.repeats) + (old.repeats == 1 ? " run" : " runs") + " a setting";
   return {};
 }
 
@@ -100,6 +104,7 @@ StudyPlan make_plan(const StudyRequest& request) {
   const Project project = read_project(plan.project_file, {plan.allow_outside});
   plan.fingerprint = fingerprint_of(plan.project_text, project, plan.project_file.parent_path());
   plan.ladder = make_ladder(project, request.wish);
+  plan.repeats = request.repeats;
   return plan;
 }
 
@@ -134,7 +139,7 @@ std::filesystem::path StudyFolder::log_file(int number) const { return run_file(
 
 std::vector<int> StudyFolder::missing_runs() const {
   std::vector<int> missing;
-  for (int number = 0; number < static_cast<int>(plan_.ladder.settings.size()); ++number)
+  for (int number = 0; number < plan_.runs(); ++number)
     if (!std::filesystem::exists(run_file(number))) missing.push_back(number);
   return missing;
 }

@@ -15,6 +15,15 @@ struct StudyPlan {
   std::string project_text;            ///< as it was when the study began
   std::string fingerprint;             ///< of the text and of the files that it names
   Ladder ladder;
+  int repeats = 1;  ///< how often each setting is run: the first time as it is, then hardly changed (perturbation.hpp)
+
+  /// Runs are numbered from 0: all settings once, then all of them again.
+  int runs() const { return static_cast<int>(ladder.settings.size()) * repeats; }
+  int run_of(int setting, int repeat) const { return setting + repeat * static_cast<int>(ladder.settings.size()); }
+  const Setting& setting_of(int run) const {
+    return ladder.settings[static_cast<std::size_t>(run) % ladder.settings.size()];
+  }
+  int repeat_of(int run) const { return run / static_cast<int>(ladder.settings.size()); }
 };
 
 struct StudyRequest {
@@ -22,6 +31,7 @@ struct StudyRequest {
   bool allow_outside = false;
   LadderWish wish;
   std::string program;
+  int repeats = 1;
 };
 
 /// Reads the project and makes its ladder. Throws InputError for a faulty project or wish.

@@ -15,6 +15,7 @@
 #include "mesh/unknowns.hpp"
 #include "model/stage_length.hpp"
 #include "run/run.hpp"
+#include "study/accuracy/perturbation.hpp"
 #include "study/accuracy/study_run_json.hpp"
 
 namespace talus {
@@ -156,7 +157,7 @@ void perform_study_run(const StudyFolder& study, int number, Progress& progress)
   PartOfProgress meshing(progress, 0, meshing_share, ""), solving(progress, meshing_share, 1 - meshing_share, "");
   StudyRun outcome;
   try {
-    const Project project = under(plan.ladder.settings.at(static_cast<std::size_t>(number)), project_of(plan));
+    const Project project = perturbed(under(plan.setting_of(number), project_of(plan)), plan.repeat_of(number));
     const double begin = wall_seconds();
     const BlockSystem system = build_blocks(project, plan.project_file.parent_path(), meshing);
     outcome.mesh_seconds = wall_seconds() - begin;

@@ -20,6 +20,10 @@ constexpr double front_width = 0.16, cost_bar_width = 0.07;
 
 constexpr const char* rounding_label = "rounding";
 
+std::string text_of_error(const CostPoint& point) {
+  return error_text(point.error) + (point.spread ? " ± " + error_text(*point.spread) : "");
+}
+
 /// A chart of a given size, laid out once and then painted.
 class CostChart {
  public:
@@ -73,7 +77,7 @@ class CostChart {
     double label_width = text_width("Setting", em_), error_width = text_width("Error", em_), tick_width = 0;
     for (const CostPoint& point : plot_.points) {
       label_width = std::max(label_width, text_width(point.label, em_, weight_of(point)));
-      error_width = std::max(error_width, text_width(error_text(point.error), em_, weight_of(point)));
+      error_width = std::max(error_width, text_width(text_of_error(point), em_, weight_of(point)));
     }
     for (const double tick : y_.ticks) tick_width = std::max(tick_width, text_width(error_tick_text(tick), em_));
     if (has_rounding_) tick_width = std::max(tick_width, text_width(rounding_label, em_));
@@ -232,7 +236,7 @@ class CostChart {
       style.weight = weight_of(point);
       painter.text({label_column_, y}, point.label, style);
       style.x = AlignX::right;
-      painter.text({error_column_, y}, error_text(point.error), style);
+      painter.text({error_column_, y}, text_of_error(point), style);
       painter.text({seconds_column, y}, format_number(point.seconds), style);
       y -= row_height * em_;
     }

@@ -11,12 +11,13 @@ namespace talus {
 
 /// One run: what it cost and how far off it was.
 struct CostPoint {
-  int number = 0;          ///< on the chart and in the list beside it
-  std::string label;       ///< in the list
-  double seconds = 0;      ///< above 0
-  double error = 0;        ///< relative
-  double uncertainty = 0;  ///< of the error, drawn as a bar; 0: none
-  int group = 0;           ///< into CostPlot::groups, by colour
+  int number = 0;                  ///< on the chart and in the list beside it
+  std::string label;               ///< in the list
+  double seconds = 0;              ///< above 0
+  double error = 0;                ///< relative
+  double uncertainty = 0;          ///< of the error, drawn as a bar; 0: none
+  std::optional<double> spread{};  ///< of one run about the mean that the error is of: in the list
+  int group = 0;                   ///< into CostPlot::groups, by colour
   bool on_front = false, recommended = false;
 };
 /// Below this a relative error is rounding, and drawn at the foot of the chart: it would stretch the axis beyond

@@ -28,7 +28,9 @@ constexpr int orders_width = 450;  // the orders of convergence whole
 QString errorOf(const AccuracyRow& row) {
   if (!row.error) return text(ending_text(row));
   const QString error = text(error_text(*row.error));
-  return row.error_estimate > 0 ? QObject::tr("%1 ± %2").arg(error, text(error_text(row.error_estimate))) : error;
+  const QString whole =
+      row.error_estimate > 0 ? QObject::tr("%1 ± %2").arg(error, text(error_text(row.error_estimate))) : error;
+  return row.spread ? QObject::tr("%1, spread %2").arg(whole, text(error_text(*row.spread))) : whole;
 }
 
 QString secondsOf(const AccuracyRow& row) {
@@ -38,6 +40,17 @@ QString secondsOf(const AccuracyRow& row) {
 QString nameOf(StudyAxis axis) {
   if (axis == StudyAxis::mesh_size) return QObject::tr("mesh size");
   return axis == StudyAxis::time_step ? QObject::tr("time step") : QObject::tr("static step");
+}
+
+QString heldTo(const AccuracyStudy& study) {
+  return study.known_answer ? QObject::tr("the known answer") : QObject::tr("run %1, the finest").arg(study.reference);
+}
+
+/// Nothing of a study that made each run once.
+QString repeatsOf(const AccuracyStudy& study) {
+  if (study.repeats == 1) return {};
+  const QString mean = QObject::tr("; mean of %1 runs ± spread").arg(study.repeats);
+  return study.told_apart.value_or(true) ? mean : mean + QObject::tr("; no better setting can be told apart");
 }
 
 }  // namespace
@@ -189,10 +202,8 @@ void AccuracyPanel::show(std::optional<StudyRecord> record) {
     return;
   }
   title_->setText(tr("%1: what accuracy costs").arg(text(record_->study.project_name)));
-  note_->setText(tr("%1, errors from %2")
-                     .arg(text(record_->place.string()), record_->study.known_answer
-                                                             ? tr("the known answer")
-                                                             : tr("run %1, the finest").arg(record_->study.reference)));
+  note_->setText(tr("%1, errors from %2").arg(text(record_->place.string()), heldTo(record_->study)) +
+                 repeatsOf(record_->study));
   chart_->show(record_->study);
   showRuns();
   showOrders();

@@ -71,10 +71,10 @@ nlohmann::json spinning_cube(const std::string& body) {
 class AccuracyStudyTest : public testing::Test {
  protected:
   AccuracyStudy studied(const nlohmann::json& project, std::optional<double> target = {},
-                        const LadderWish& wish = parse_ladder_wish({"time_step"}, {})) {
+                        const LadderWish& wish = parse_ladder_wish({"time_step"}, {}), int repeats = 1) {
     const auto file = folder_.path() / "bar.talus";
     std::ofstream(file) << project.dump();
-    plan_ = make_plan({file, false, wish, "test"});
+    plan_ = make_plan({file, false, wish, "test", repeats});
     const StudyFolder study(folder_.path() / "study", plan_, true);
     NoProgress nobody;
     for (const int run : study.missing_runs()) perform_study_run(study, run, nobody);
@@ -204,6 +204,62 @@ TEST_F(AccuracyStudyTest, ItsFilesHoldARowARun) {
   EXPECT_EQ(json["recommended"], study.recommended);
   EXPECT_NEAR(json["orders"][0]["order"].get<double>(), 1, 0.1);
   EXPECT_GT(json["runs"][0]["effects"].size(), 3u);
+}
+
+TEST_F(AccuracyStudyTest, RepeatsOfASmoothMotionChangeNoErrorAndNoOrder) {
+  const AccuracyStudy once = studied(bar("newmark"));
+  const AccuracyStudy study = studied(bar("newmark"), {}, parse_ladder_wish({"time_step"}, {}), 3);
+  EXPECT_EQ(study.repeats, 3);
+  EXPECT_EQ(plan_.runs(), 15);
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    const AccuracyRow& row = study.rows[i];
+    ASSERT_TRUE(row.error && row.spread);
+    EXPECT_NEAR(*row.error, *once.rows[i].error, 1e-6) << "by what is changed, no more";
+    EXPECT_GT(*row.spread, 1e-8);
+    EXPECT_LT(*row.spread, 1e-6);
+    EXPECT_DOUBLE_EQ(row.standard_error, *row.spread / std::sqrt(3.0));
+    EXPECT_DOUBLE_EQ(row.error_estimate, row.standard_error);
+  }
+  EXPECT_NEAR(study.orders[0].fit.order, 1, 0.1);
+  EXPECT_EQ(study.told_apart, true);
+  EXPECT_FALSE(once.told_apart);
+  EXPECT_FALSE(once.rows[0].spread);
+}
+
+/// Free fall is exact in every step: settings differ by rounding, repeats by what is changed.
+TEST_F(AccuracyStudyTest, SaysThatNoSettingIsBetterWhereRepeatsScatterAsMuch) {
+  nlohmann::json project = spinning_cube("rigid");
+  project.erase("expect");
+  project["gravity"] = {0, 0, -10};
+  project.erase("velocities");
+  const AccuracyStudy study = studied(project, {}, parse_ladder_wish({}, {"time_step=1,2"}), 4);
+  ASSERT_TRUE(study.scatter);
+  EXPECT_GT(*study.scatter, 1e-8);
+  EXPECT_EQ(study.told_apart, false);
+  const auto json = nlohmann::json::parse(accuracy_json(study));
+  EXPECT_EQ(json["repeats"], 4);
+  EXPECT_EQ(json["told_apart"], false);
+  EXPECT_EQ(json["scatter"], *study.scatter);
+  EXPECT_EQ(json["runs"][0]["spread"], *study.rows[0].spread);
+}
+
+TEST_F(AccuracyStudyTest, OfOtherRepeatsIsAnotherStudy) {
+  studied(bar("newmark"));
+  StudyPlan more = plan_;
+  more.repeats = 2;
+  EXPECT_THROW(StudyFolder(folder_.path() / "study", more, false), InputError);
+  EXPECT_EQ(StudyFolder(folder_.path() / "study", more, true).missing_runs().size(), 10u);
+}
+
+TEST_F(AccuracyStudyTest, ASettingIsJudgedOnceAllOfItsRepeatsHaveEnded) {
+  studied(bar("newmark"), {}, parse_ladder_wish({}, {"time_step=1,2"}), 2);
+  const StudyFolder folder(folder_.path() / "study");
+  std::filesystem::remove(folder.run_file(plan_.run_of(1, 1)));
+  const AccuracyStudy study = evaluate(folder, {});
+  EXPECT_FALSE(study.complete());
+  EXPECT_FALSE(study.rows[1].error);
+  EXPECT_EQ(study.rows[1].note, "1 of 2 repeats have ended");
+  EXPECT_TRUE(study.rows[0].error);
 }
 
 }  // namespace

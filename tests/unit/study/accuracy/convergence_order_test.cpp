@@ -92,5 +92,14 @@ TEST(ConvergenceOrder, OfOneDistanceIsTheorys) {
   EXPECT_FALSE(fit_order(0.5, {}, 2));
 }
 
+TEST(ConvergenceOrder, IsNoneWhereDistancesAreNoMoreThanRepeatsScatter) {
+  const AxisDistance distances[] = {{1, 0.01}, {2, 0.03}};
+  EXPECT_EQ(fit_order(0.5, distances, 1, 0.029)->convergence, Convergence::converging);
+  const auto chance = fit_order(0.5, distances, 1, 0.03);
+  ASSERT_TRUE(chance);
+  EXPECT_EQ(chance->convergence, Convergence::within_scatter);
+  EXPECT_EQ(chance->finest_error, 0.03) << "that it is less nobody knows";
+}
+
 }  // namespace
 }  // namespace talus
