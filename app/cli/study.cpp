@@ -23,7 +23,7 @@ struct AccuracyOptions {
   StudyRequest request;
   std::filesystem::path out;
   std::vector<std::string> axes, values, sbatch;
-  std::string target, engine = "local";
+  std::string target, measure, engine = "local";
   int jobs = 0;
   bool restart = false, collect = false;
   PictureSize size{1600, 1000};
@@ -40,6 +40,7 @@ StudyFolder open_study(const AccuracyOptions& options) {
   StudyRequest request = options.request;
   request.program = TALUS_VERSION;
   request.wish = parse_ladder_wish(options.axes, options.values);
+  if (!options.measure.empty()) request.measure = study_measure_from(options.measure);
   return StudyFolder(study_folder(options), about(request.project_file, [&] { return make_plan(request); }),
                      options.restart);
 }
@@ -149,6 +150,11 @@ void add_measure_options(CLI::App& command, AccuracyOptions& options) {
       ->check(CLI::Range(1, 1000).description(""))
       ->type_name("N")
       ->capture_default_str();
+  command
+      .add_option("--measure", options.measure,
+                  "What errors are of: displacement, run-out, deposit, start, end or stress, each from the finest run "
+                  "(default: the project's expect lines, else displacement)")
+      ->type_name("WHAT");
 }
 
 void add_engine_options(CLI::App& command, AccuracyOptions& options) {

@@ -46,7 +46,7 @@ std::vector<std::string> notes_of(const AccuracyStudy& study) {
 std::string error_title(const AccuracyStudy& study) {
   const std::string of = study.repeats > 1 ? "Mean of " + std::to_string(study.repeats) + " runs ± spread" : "Error";
   return of + (study.known_answer ? ": largest relative difference from the known answer"
-                                  : ": relative difference from the finest run");
+                                  : " " + measure_text(study.measure) + ": relative difference from the finest run");
 }
 
 }  // namespace

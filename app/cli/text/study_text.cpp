@@ -117,9 +117,9 @@ std::string study_text(const AccuracyStudy& study) {
     table.add(cells);
   }
   std::string text = table.text() + "* no run that costs no more has less error.\n";
-  text += study.known_answer
-              ? "Errors are from the project's expect lines.\n"
-              : "Errors are from run " + std::to_string(study.reference) + ", ± its own estimated error.\n";
+  text += study.known_answer ? "Errors are from the project's expect lines.\n"
+                             : "Errors " + measure_text(study.measure) + " are from run " +
+                                   std::to_string(study.reference) + ", ± its own estimated error.\n";
   if (repeated) text += paragraph(repeats_text(study), 0);
   for (const AxisOrder& order : study.orders) text += order_text(order) + '\n';
   for (const LeftOut& one : study.left_out) text += paragraph("Left out: " + one.what + ": " + one.reason, 0);

@@ -161,6 +161,14 @@ std::string note_of(const std::vector<StudyRun>& ended, int repeats) {
   return std::to_string(ended.size()) + " of " + std::to_string(repeats) + " repeats have ended";
 }
 
+/// Why a run that completed has no answer.
+std::string no_answer_text(const AccuracyStudy& study) {
+  if (study.known_answer) return "it ended before the time of an expectation";
+  if (study.measure == StudyMeasure::start) return "no block sets off";
+  if (study.measure == StudyMeasure::end) return "no block moves, or some still do at the end";
+  return "it has nothing that is measured";
+}
+
 /// A row a setting, and what each answers once all of its repeats have ended.
 Answers read_rows(const StudyFolder& folder, const ErrorMeasure& measure, AccuracyStudy& study) {
   const std::vector<Setting>& settings = folder.plan().ladder.settings;
@@ -174,7 +182,7 @@ Answers read_rows(const StudyFolder& folder, const ErrorMeasure& measure, Accura
     if (all) row.run = mean_run(repeats);
     answers.push_back(all ? measure.mean_answer(repeats) : std::nullopt);
     row.note = all ? row.run->reason : note_of(repeats, study.repeats);
-    if (completed(row) && !answers.back()) row.note = "it ended before the time of an expectation";
+    if (completed(row) && !answers.back()) row.note = no_answer_text(study);
   }
   return answers;
 }
@@ -200,11 +208,12 @@ std::string ending_text(const AccuracyRow& row) {
 
 AccuracyStudy evaluate(const StudyFolder& folder, std::optional<double> target) {
   const Project project = project_of(folder.plan());
-  const ErrorMeasure measure(project);
+  const ErrorMeasure measure(project, folder.plan().measure);
   AccuracyStudy study;
   study.project_file = folder.plan().project_file.string();
   study.project_name = project.name.empty() ? folder.plan().project_file.stem().string() : project.name;
   study.known_answer = measure.known();
+  study.measure = folder.plan().measure.value_or(StudyMeasure::displacement);
   study.target = target;
   study.left_out = folder.plan().ladder.left_out;
   study.repeats = folder.plan().repeats;

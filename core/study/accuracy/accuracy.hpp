@@ -39,8 +39,9 @@ struct AccuracyStudy {
   std::string project_name;
   std::string project_file;
   bool known_answer = false;
-  int reference = -1;          ///< the finest run that completed; −1: none did
-  double reference_error = 0;  ///< its estimated error: the sum over the axes
+  StudyMeasure measure = StudyMeasure::displacement;  ///< without a known answer
+  int reference = -1;                                 ///< the finest run that completed; −1: none did
+  double reference_error = 0;                         ///< its estimated error: the sum over the axes
   std::vector<AccuracyRow> rows;
   std::vector<AxisOrder> orders;
   std::vector<LeftOut> left_out;

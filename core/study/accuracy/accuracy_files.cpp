@@ -8,6 +8,7 @@
 #include "model/number_text.hpp"
 #include "model/solid_shape.hpp"
 #include "model/tolerance_text.hpp"
+#include "study/accuracy/number_or_null.hpp"
 #include "study/accuracy/setting_json.hpp"
 #include "study/accuracy/study_run_json.hpp"
 
@@ -64,8 +65,6 @@ std::string line_of(std::size_t number, const AccuracyRow& row) {
   for (const std::string& one : cells) (line += line.empty() ? "" : ",") += one;
   return line + '\n';
 }
-
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json json_of(int number, const AccuracyRow& row) {
   const StudyRun run = row.run.value_or(StudyRun{});
@@ -127,6 +126,7 @@ std::string accuracy_json(const AccuracyStudy& study) {
                      {"project_file", study.project_file},
                      {"complete", study.complete()},
                      {"measured_against", study.known_answer ? "expect" : "finest"},
+                     {"measure", study.known_answer ? Json() : Json(to_string(study.measure))},
                      {"reference", run_or_null(study.reference)},
                      {"reference_error", study.reference_error},
                      {"repeats", study.repeats},

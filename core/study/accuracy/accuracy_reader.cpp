@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "io/whole_file.hpp"
+#include "study/accuracy/number_or_null.hpp"
 #include "study/accuracy/setting_json.hpp"
 #include "study/accuracy/study_run_json.hpp"
 
@@ -10,10 +11,6 @@ namespace talus {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::optional<double> number_or_none(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
-}
 
 int run_or_none(const Json& json) { return json.is_null() ? -1 : json.get<int>(); }
 
@@ -57,6 +54,8 @@ AccuracyStudy study_of(const Json& json) {
   study.known_answer = json.at("measured_against") == "expect";
   study.reference = run_or_none(json.at("reference"));
   study.reference_error = json.at("reference_error");
+  if (const Json measure = json.value("measure", Json()); !measure.is_null())  // studies made before there was a choice
+    study.measure = study_measure_from(measure);
   study.repeats = json.value("repeats", 1);
   study.scatter = number_or_none(json.value("scatter", Json()));
   if (const Json told = json.value("told_apart", Json()); !told.is_null()) study.told_apart = told.get<bool>();

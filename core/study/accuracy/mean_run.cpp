@@ -56,6 +56,7 @@ StudyRun mean_run(const std::vector<StudyRun>& repeats) {
   for (std::size_t i = 0; i < mean.effects.size(); ++i) average_effect(mean.effects[i], i, repeats);
   mean.expect.clear();
   mean.moments.clear();
+  mean.travel = {};
   return mean;
 }
 

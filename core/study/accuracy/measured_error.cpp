@@ -32,6 +32,35 @@ double norm_of_difference(std::vector<double> a, const std::vector<double>& b) {
   return norm(a);
 }
 
+std::vector<double> or_none(const std::optional<double>& value) {
+  return value ? std::vector{*value} : std::vector<double>{};
+}
+
+/// Empty: there is nothing of it.
+std::vector<double> measured(StudyMeasure measure, const StudyRun& run) {
+  const StudyTravel& travel = run.travel;
+  std::vector<double> answer;
+  switch (measure) {
+    case StudyMeasure::run_out:
+      return {travel.run_out};
+    case StudyMeasure::deposit:
+      return {travel.mean.x(), travel.mean.y(), travel.mean.z(), travel.extent_growth};
+    case StudyMeasure::start:
+      return or_none(travel.start);
+    case StudyMeasure::end:
+      return or_none(travel.end);
+    case StudyMeasure::stress:
+      for (const StudyMoment& moment : run.moments)
+        for (const Voigt& stress : moment.stresses) answer.insert(answer.end(), stress.begin(), stress.end());
+      break;
+    case StudyMeasure::displacement:
+      for (const StudyMoment& moment : run.moments)
+        for (const Vec3& u : moment.displacements) answer.insert(answer.end(), u.begin(), u.end());
+      break;
+  }
+  return answer;
+}
+
 /// What differences are taken over; where nothing moves they are what they are.
 double scale_of(const StudyAnswer& reference) {
   const double scale = norm(reference.mean);
@@ -40,7 +69,9 @@ double scale_of(const StudyAnswer& reference) {
 
 }  // namespace
 
-ErrorMeasure::ErrorMeasure(const Project& project) {
+ErrorMeasure::ErrorMeasure(const Project& project, std::optional<StudyMeasure> measure)
+    : measure_(measure.value_or(StudyMeasure::displacement)) {
+  if (measure) return;
   std::map<Quantity::Field, double> largest;
   for (const Expectation& e : project.expect) {
     double& of_its_kind = largest[field_of(e)];
@@ -63,9 +94,7 @@ std::vector<double> ErrorMeasure::numbers_of(const StudyRun& run) const {
     }
     return answer;
   }
-  for (const StudyMoment& moment : run.moments)
-    for (const Vec3& u : moment.displacements) answer.insert(answer.end(), u.begin(), u.end());
-  return answer;
+  return measured(measure_, run);
 }
 
 std::optional<StudyAnswer> ErrorMeasure::mean_answer(const std::vector<StudyRun>& repeats) const {

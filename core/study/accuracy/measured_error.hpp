@@ -15,14 +15,16 @@ struct StudyAnswer {
 };
 
 /// How far a setting's answer is from the known one, and from another setting's. The answer is
-/// - with `expect` lines: their computed numbers, each over what is expected, and the error is the largest difference.
-///   Where zero is expected a number is over the largest that is expected of its kind (displacement, velocity, stress):
-///   what a block goes astray is held to how far it goes. Where that is zero too, it is over the tolerance.
-/// - else: displacements of blocks and monitors at the quarters of every stage, and the error is the norm of the
-///   difference over the norm of the reference's.
+/// - with `expect` lines, and no other wish: their computed numbers, each over what is expected, and the error is the
+///   largest difference. Where zero is expected a number is over the largest that is expected of its kind
+///   (displacement, velocity, stress): what a block goes astray is held to how far it goes. Where that is zero too, it
+///   is over the tolerance.
+/// - else: what is to be measured, displacements where nothing is said, and the error is the norm of the difference
+/// over
+///   the norm of the reference's.
 class ErrorMeasure {
  public:
-  explicit ErrorMeasure(const Project& project);
+  explicit ErrorMeasure(const Project& project, std::optional<StudyMeasure> measure = {});
 
   bool known() const { return !scales_.empty(); }
   /// The mean of the runs; nothing where one of them has no answer, or there is none.
@@ -37,6 +39,7 @@ class ErrorMeasure {
  private:
   std::vector<double> numbers_of(const StudyRun& run) const;  ///< empty: it has none
 
+  StudyMeasure measure_;
   std::vector<double> scales_, expected_;  ///< an expectation
 };
 

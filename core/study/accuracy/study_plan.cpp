@@ -1,5 +1,6 @@
 #include "study/accuracy/study_plan.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -47,6 +48,7 @@ Json json_of(const StudyPlan& plan) {
           {"settings", settings},
           {"finest", plan.ladder.finest},
           {"repeats", plan.repeats},
+          {"measure", plan.measure ? Json(to_string(*plan.measure)) : Json()},
           {"left_out", left_out},
           {"project_text", plan.project_text}};
 }
@@ -61,6 +63,8 @@ StudyPlan plan_of(const Json& json) {
   for (const Json& setting : json.at("settings")) plan.ladder.settings.push_back(setting_of(setting));
   plan.ladder.finest = json.at("finest");
   plan.repeats = json.value("repeats", 1);  // studies made before there were more
+  if (const Json measure = json.value("measure", Json()); !measure.is_null())
+    plan.measure = study_measure_from(measure);
   for (const Json& one : json.at("left_out")) plan.ladder.left_out.push_back({one.at("what"), one.at("reason")});
   return plan;
 }
@@ -93,6 +97,15 @@ void check_free(const std::filesystem::path& folder) {
     throw InputError(folder.string(), "is there already and holds no study", "choose another folder with --out");
 }
 
+/// Throws InputError where no run would have what is to be measured.
+void check_measure(std::optional<StudyMeasure> measure, const Project& project) {
+  const bool has_stress = std::any_of(project.monitors.begin(), project.monitors.end(),
+                                      [](const Monitor& monitor) { return monitor.stress; });
+  if (measure == StudyMeasure::stress && !has_stress)
+    throw InputError("measure 'stress'", "no monitor of the project records stress",
+                     "give a monitor \"stress\": true, or measure something else");
+}
+
 }  // namespace
 
 StudyPlan make_plan(const StudyRequest& request) {
@@ -105,6 +118,8 @@ StudyPlan make_plan(const StudyRequest& request) {
   plan.fingerprint = fingerprint_of(plan.project_text, project, plan.project_file.parent_path());
   plan.ladder = make_ladder(project, request.wish);
   plan.repeats = request.repeats;
+  check_measure(request.measure, project);
+  plan.measure = request.measure;
   return plan;
 }
 
@@ -115,10 +130,11 @@ StudyFolder::StudyFolder(std::filesystem::path folder, const StudyPlan& plan, bo
   check_free(path_);
   if (restart) std::filesystem::remove_all(path_ / "runs");
   if (!restart && std::filesystem::exists(path_ / plan_name)) {
-    const std::string other = difference(read_plan(path_), plan);
-    if (other.empty()) return;
-    throw InputError(path_.string(), "holds a study of " + other,
-                     "choose another folder with --out, or begin anew with --restart");
+    const StudyPlan old = read_plan(path_);
+    if (const std::string other = difference(old, plan); !other.empty())
+      throw InputError(path_.string(), "holds a study of " + other,
+                       "choose another folder with --out, or begin anew with --restart");
+    if (old.measure == plan.measure) return;
   }
   std::error_code failure;
   std::filesystem::create_directories(path_ / "runs", failure);

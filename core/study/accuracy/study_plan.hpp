@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "study/accuracy/ladder.hpp"
+#include "study/accuracy/study_measure.hpp"
 
 namespace talus {
 
@@ -16,6 +18,7 @@ struct StudyPlan {
   std::string fingerprint;             ///< of the text and of the files that it names
   Ladder ladder;
   int repeats = 1;  ///< how often each setting is run: the first time as it is, then hardly changed (perturbation.hpp)
+  std::optional<StudyMeasure> measure{};  ///< empty: `expect` lines where there are some, else displacements
 
   /// Runs are numbered from 0: all settings once, then all of them again.
   int runs() const { return static_cast<int>(ladder.settings.size()) * repeats; }
@@ -32,6 +35,7 @@ struct StudyRequest {
   LadderWish wish;
   std::string program;
   int repeats = 1;
+  std::optional<StudyMeasure> measure{};
 };
 
 /// Reads the project and makes its ladder. Throws InputError for a faulty project or wish.
@@ -44,7 +48,8 @@ Project project_of(const StudyPlan& plan);
 class StudyFolder {
  public:
   /// Begins the study in an empty or new folder, or goes on with it where the plan is the same. Throws InputError where
-  /// the folder holds another study or something else; with `restart` another study's files go.
+  /// the folder holds another study or something else; with `restart` another study's files go. What is measured may
+  /// be another thing than before: the runs know all of it.
   StudyFolder(std::filesystem::path folder, const StudyPlan& plan, bool restart);
   /// A study that was begun. Throws InputError where there is none.
   explicit StudyFolder(std::filesystem::path folder);

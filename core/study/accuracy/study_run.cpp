@@ -17,6 +17,7 @@
 #include "run/run.hpp"
 #include "study/accuracy/perturbation.hpp"
 #include "study/accuracy/study_run_json.hpp"
+#include "study/accuracy/travel_watch.hpp"
 
 namespace talus {
 
@@ -38,23 +39,41 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Where everything is after a step.
+struct Sight {
+  std::vector<Vec3> displacements;
+  std::vector<Voigt> stresses;
+};
+
+template <typename Vector>
+std::vector<Vector> between(const std::vector<Vector>& a, const std::vector<Vector>& b, double share) {
+  std::vector<Vector> values;
+  for (std::size_t i = 0; i < b.size(); ++i) values.push_back(a[i] + share * (b[i] - a[i]));
+  return values;
+}
+
 /// Notes where everything is at the quarters of every stage, between two steps by linear interpolation.
 class Observer final : public RunObserver {
  public:
   Observer(const Project& project, const BlockSystem& system, Progress& progress)
-      : project_(project), system_(system), progress_(progress) {
-    before_.assign(movable_count() + project.monitors.size(), Vec3::Zero());
+      : project_(project), system_(system), progress_(progress), travel_(project, system) {
+    before_.displacements.assign(movable_count() + project.monitors.size(), Vec3::Zero());
   }
 
-  void on_bodies(const StepReport&, const BodySet& bodies) override {
-    now_.clear();
+  void on_bodies(const StepReport& step, const BodySet& bodies) override {
+    travel_.look(step, bodies);
+    now_ = {};
     for (std::size_t b = 0; b < system_.blocks.size(); ++b)
       if (system_.blocks[b].body != BodyKind::fixed)
-        now_.push_back(block_motion(bodies, static_cast<int>(b)).displacement);
+        now_.displacements.push_back(block_motion(bodies, static_cast<int>(b)).displacement);
   }
 
   void on_step(const StepReport& step, const HistoryRow& row, double fraction) override {
-    for (const MonitorSample& sample : row.monitors) now_.push_back(sample.displacement);
+    for (const MonitorSample& sample : row.monitors) {
+      now_.displacements.push_back(sample.displacement);
+      if (sample.stress) now_.stresses.push_back(*sample.stress);
+    }
+    if (before_.stresses.empty()) before_.stresses = now_.stresses;  // what there was before the first step is not told
     if (step.stage != stage_) begin(step.stage);
     const Stage& stage = project_.stages[static_cast<std::size_t>(stage_)];
     const double since = step.time - stage_begin_, duration = length_of(stage);
@@ -69,9 +88,10 @@ class Observer final : public RunObserver {
   void on_frame(std::shared_ptr<const Frame>) override {}
   bool go_on() override { return !progress_.cancelled(); }
 
-  std::vector<StudyMoment> take() {
+  void tell(StudyRun& run) {
     close_stage();
-    return std::move(moments_);
+    run.moments = std::move(moments_);
+    run.travel = travel_.travel();
   }
 
  private:
@@ -91,17 +111,16 @@ class Observer final : public RunObserver {
   void close_stage() {
     if (stage_ < 0) return;
     const Stage& stage = project_.stages[static_cast<std::size_t>(stage_)];
-    if (stage.until_equilibrium) moments_.push_back({stage.name, last_time_ - stage_begin_, before_});
+    if (stage.until_equilibrium)
+      moments_.push_back({stage.name, last_time_ - stage_begin_, before_.displacements, before_.stresses});
   }
 
   /// `begin`, `end` [s] of the last step, since the stage began.
   void note(double moment, double begin, double end) {
-    StudyMoment& noted = moments_.emplace_back();
-    noted.stage = project_.stages[static_cast<std::size_t>(stage_)].name;
-    noted.since = moment;
     const double share = std::clamp((moment - begin) / (end - begin), 0.0, 1.0);
-    for (std::size_t i = 0; i < now_.size(); ++i)
-      noted.displacements.push_back(before_[i] + share * (now_[i] - before_[i]));
+    moments_.push_back({project_.stages[static_cast<std::size_t>(stage_)].name, moment,
+                        between(before_.displacements, now_.displacements, share),
+                        between(before_.stresses, now_.stresses, share)});
   }
 
   const Project& project_;
@@ -109,8 +128,9 @@ class Observer final : public RunObserver {
   Progress& progress_;
   int stage_ = -1, quarter_ = 1;
   double stage_begin_ = 0, last_time_ = 0;  ///< s
-  std::vector<Vec3> before_, now_;          ///< m
+  Sight before_, now_;
   std::vector<StudyMoment> moments_;
+  TravelWatch travel_;
 };
 
 void count(const BlockSystem& system, StudyRun& run) {
@@ -147,7 +167,7 @@ void solve(const Project& project, const BlockSystem& system, const std::filesys
   std::filesystem::remove_all(results);
   if (progress.cancelled()) throw Cancelled{};
   take_report(report, outcome);
-  outcome.moments = observer.take();
+  observer.tell(outcome);
 }
 
 }  // namespace

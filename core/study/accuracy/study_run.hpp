@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,21 @@
 
 namespace talus {
 
+/// How far blocks that may move have gone by the end of a run, and when. Horizontal is across gravity; without gravity
+/// ways count whole. Times are since the first dynamic stage began, or the run where none is.
+struct StudyTravel {
+  double run_out = 0;                ///< m, horizontal: of the centroid that went farthest
+  Vec3 mean = Vec3::Zero();          ///< m, that the centre of all their mass has gone
+  double extent_growth = 0;          ///< m, of the root mean square distance of the mass, a block a point, from it
+  std::optional<double> start, end;  ///< s; empty: no block sets off, or some still move at the end
+};
+
 /// Where everything was at one moment of a run.
 struct StudyMoment {
   std::string stage;
   double since = 0;                 ///< s, since the stage began
   std::vector<Vec3> displacements;  ///< m: of the centroids of blocks that may move, then of monitors
+  std::vector<Voigt> stresses{};    ///< Pa: of the monitors that record it
 };
 
 enum class StudyStatus { completed, not_converged, failed };
@@ -32,6 +43,7 @@ struct StudyRun {
   long steps = 0, iterations = 0, cuts = 0;
   std::vector<ExpectationOutcome> expect;
   std::vector<StudyMoment> moments;  ///< quarters of every stage; the end alone where it ends at equilibrium
+  StudyTravel travel;
   Phases phases;
   std::vector<EffectOutcome> effects;
 };

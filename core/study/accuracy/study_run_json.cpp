@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "io/whole_file.hpp"
+#include "study/accuracy/number_or_null.hpp"
 
 namespace talus {
 
@@ -22,15 +23,37 @@ ExpectationOutcome expectation_of(const Json& json) {
 }
 
 Json json_of(const StudyMoment& moment) {
-  Json displacements = Json::array();
-  for (const Vec3& u : moment.displacements) displacements.push_back({u.x(), u.y(), u.z()});
-  return {{"stage", moment.stage}, {"since", moment.since}, {"displacements", displacements}};
+  Json displacements = Json::array(), stresses = Json::array();
+  for (const Vec3& u : moment.displacements) displacements.push_back(std::vector<double>(u.begin(), u.end()));
+  for (const Voigt& s : moment.stresses) stresses.push_back(std::vector<double>(s.begin(), s.end()));
+  return {{"stage", moment.stage}, {"since", moment.since}, {"displacements", displacements}, {"stresses", stresses}};
 }
 
 StudyMoment moment_of(const Json& json) {
-  StudyMoment moment{json.at("stage"), json.at("since"), {}};
+  StudyMoment moment{json.at("stage"), json.at("since"), {}, {}};
   for (const Json& u : json.at("displacements")) moment.displacements.emplace_back(u.at(0), u.at(1), u.at(2));
+  for (const Json& s : json.value("stresses", Json::array()))  // runs made before there were
+    moment.stresses.push_back(Voigt::Map(s.get<std::vector<double>>().data()));
   return moment;
+}
+
+Json json_of(const StudyTravel& travel) {
+  return {{"run_out", travel.run_out},
+          {"mean", {travel.mean.x(), travel.mean.y(), travel.mean.z()}},
+          {"extent_growth", travel.extent_growth},
+          {"start", or_null(travel.start)},
+          {"end", or_null(travel.end)}};
+}
+
+StudyTravel travel_of(const Json& json) {
+  StudyTravel travel;
+  travel.run_out = json.at("run_out");
+  const Json& mean = json.at("mean");
+  travel.mean = Vec3(mean.at(0), mean.at(1), mean.at(2));
+  travel.extent_growth = json.at("extent_growth");
+  travel.start = number_or_none(json.at("start"));
+  travel.end = number_or_none(json.at("end"));
+  return travel;
 }
 
 Phases phases_of(const Json& json) {
@@ -54,6 +77,7 @@ StudyRun run_of(const Json& json) {
   run.reason = json.at("reason");
   for (const Json& one : json.at("expect")) run.expect.push_back(expectation_of(one));
   for (const Json& one : json.at("moments")) run.moments.push_back(moment_of(one));
+  if (json.contains("travel")) run.travel = travel_of(json.at("travel"));  // runs made before it was looked at
   return run;
 }
 
@@ -111,6 +135,7 @@ std::string study_run_text(const StudyRun& run) {
                      {"cuts", run.cuts},
                      {"expect", expect},
                      {"moments", moments},
+                     {"travel", json_of(run.travel)},
                      {"phases", phases_json(run.phases)},
                      {"effects", effects_json(run.effects)}};
   return json.dump(1) + "\n";

@@ -46,6 +46,12 @@ QString heldTo(const AccuracyStudy& study) {
   return study.known_answer ? QObject::tr("the known answer") : QObject::tr("run %1, the finest").arg(study.reference);
 }
 
+/// Nothing of a study of what studies usually are of.
+QString measuredOf(const AccuracyStudy& study) {
+  if (study.known_answer || study.measure == StudyMeasure::displacement) return {};
+  return QObject::tr("; measured: %1").arg(text(to_string(study.measure)));
+}
+
 /// Nothing of a study that made each run once.
 QString repeatsOf(const AccuracyStudy& study) {
   if (study.repeats == 1) return {};
@@ -203,7 +209,7 @@ void AccuracyPanel::show(std::optional<StudyRecord> record) {
   }
   title_->setText(tr("%1: what accuracy costs").arg(text(record_->study.project_name)));
   note_->setText(tr("%1, errors from %2").arg(text(record_->place.string()), heldTo(record_->study)) +
-                 repeatsOf(record_->study));
+                 measuredOf(record_->study) + repeatsOf(record_->study));
   chart_->show(record_->study);
   showRuns();
   showOrders();

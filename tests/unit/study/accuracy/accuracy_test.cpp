@@ -262,5 +262,38 @@ TEST_F(AccuracyStudyTest, ASettingIsJudgedOnceAllOfItsRepeatsHaveEnded) {
   EXPECT_TRUE(study.rows[0].error);
 }
 
+/// What is measured is a question to the runs, which know all of it: no other runs are made for it.
+TEST_F(AccuracyStudyTest, IsMeasuredAnewByAnotherMeasure) {
+  nlohmann::json project = spinning_cube("affine");
+  project["gravity"] = {0, 0, -10};
+  project["monitors"][0]["stress"] = true;
+  studied(project, {}, parse_ladder_wish({}, {"time_step=1,2"}));
+  const auto by = [&](std::optional<StudyMeasure> measure) {
+    StudyPlan other = plan_;
+    other.measure = measure;
+    const StudyFolder folder(folder_.path() / "study", other, false);
+    EXPECT_TRUE(folder.missing_runs().empty());
+    return evaluate(StudyFolder(folder_.path() / "study"), {});
+  };
+  EXPECT_TRUE(by({}).known_answer);
+  const AccuracyStudy start = by(StudyMeasure::start), stress = by(StudyMeasure::stress), end = by(StudyMeasure::end);
+  EXPECT_FALSE(start.known_answer);
+  EXPECT_EQ(start.measure, StudyMeasure::start);
+  ASSERT_TRUE(start.rows[1].error);
+  EXPECT_LT(*start.rows[1].error, 0.01);
+  ASSERT_TRUE(stress.rows[1].error);
+  EXPECT_GT(*stress.rows[1].error, 0);
+  EXPECT_EQ(end.reference, -1);
+  EXPECT_EQ(end.rows[0].note, "no block moves, or some still do at the end");
+  EXPECT_EQ(nlohmann::json::parse(accuracy_json(start))["measure"], "start");
+  EXPECT_TRUE(nlohmann::json::parse(accuracy_json(by({})))["measure"].is_null());
+}
+
+TEST_F(AccuracyStudyTest, OfStressNeedsAMonitorOfIt) {
+  const auto file = folder_.path() / "bar.talus";
+  std::ofstream(file) << bar("newmark").dump();
+  EXPECT_THROW(make_plan({file, false, {}, "test", 1, StudyMeasure::stress}), InputError);
+}
+
 }  // namespace
 }  // namespace talus

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/error.hpp"
+
 namespace talus {
 namespace {
 
@@ -63,6 +65,33 @@ TEST(ErrorMeasure, HasNoAnswerWhereOneRepeatHasNone) {
   failed.status = StudyStatus::not_converged;
   EXPECT_FALSE(measure.mean_answer({gone({Vec3(1, 0, 0)}), failed}));
   EXPECT_FALSE(measure.mean_answer(std::vector<StudyRun>{}));
+}
+
+TEST(ErrorMeasure, IsOfWhatIsAskedForAlsoWhereSomethingIsExpected) {
+  Project project;
+  project.expect = {{"P1.displacement.x", 1, 2, 0.01, {}, ""}};
+  StudyRun near = come_to(2), far = come_to(2);
+  near.travel = {10, Vec3(3, 0, 4), 0, 0.5, 8.0};
+  far.travel = {12, Vec3(6, 0, 4), 4, 0.4, {}};
+  near.moments = {{"fall", 1, {}, {Voigt::Unit(0)}}};
+  far.moments = {{"fall", 1, {}, {3 * Voigt::Unit(0)}}};
+  const auto distance = [&](StudyMeasure measure) -> std::optional<double> {
+    const ErrorMeasure errors(project, measure);
+    EXPECT_FALSE(errors.known());
+    const auto a = errors.mean_answer({far}), b = errors.mean_answer({near});
+    if (!a || !b) return std::nullopt;
+    return errors.between(*a, *b, *b);
+  };
+  EXPECT_DOUBLE_EQ(*distance(StudyMeasure::run_out), 0.2);
+  EXPECT_DOUBLE_EQ(*distance(StudyMeasure::deposit), 1) << "5 m of 5 m";
+  EXPECT_DOUBLE_EQ(*distance(StudyMeasure::start), 0.2);
+  EXPECT_FALSE(distance(StudyMeasure::end)) << "one has not come to rest";
+  EXPECT_DOUBLE_EQ(*distance(StudyMeasure::stress), 2);
+}
+
+TEST(StudyMeasure, IsReadByItsWord) {
+  EXPECT_EQ(study_measure_from("run-out"), StudyMeasure::run_out);
+  EXPECT_THROW(study_measure_from("beauty"), InputError);
 }
 
 }  // namespace
