@@ -126,8 +126,9 @@ ExitCode run_one(const std::filesystem::path& folder, int number) {
 void add_ladder_options(CLI::App& command, AccuracyOptions& options) {
   command
       .add_option("--axes", options.axes,
-                  "What to vary: body, strain, integrator, time_step, static_step, mesh_size, penetration_tolerance, "
-                  "tolerance, scheme, with commas between (default: those of --values, else all)")
+                  "What to vary: body, strain, integrator, time_step, static_step, mesh_size, contact, "
+                  "contact_stiffness, penetration_tolerance, tolerance, scheme, with commas between (default: those of "
+                  "--values, else all)")
       ->allow_extra_args(false)
       ->type_name("A,B,…");
   command

@@ -39,6 +39,7 @@ std::string runs_text(const std::vector<int>& runs) {
 
 std::string name_of(StudyAxis axis) {
   if (axis == StudyAxis::mesh_size) return "mesh size";
+  if (axis == StudyAxis::contact_stiffness) return "softness of contacts";
   return axis == StudyAxis::time_step ? "time step" : "step of static stages";
 }
 

@@ -60,7 +60,9 @@ std::string line_of(std::size_t number, const AccuracyRow& row) {
                                row.pareto ? "yes" : "no",
                                cell(row.note),
                                cell(row.spread),
-                               row.spread ? number_text(row.standard_error) : ""};
+                               row.spread ? number_text(row.standard_error) : "",
+                               std::string(to_string(s.contact)),
+                               number_text(s.contact_stiffness)};
   std::string line;
   for (const std::string& one : cells) (line += line.empty() ? "" : ",") += one;
   return line + '\n';
@@ -111,7 +113,7 @@ std::string accuracy_csv(const AccuracyStudy& study) {
   std::string text =
       "number,label,body,strain,integrator,time_step,static_step,mesh_size,penetration_tolerance,tolerance,scheme,dofs,"
       "blocks,tetrahedra,steps,iterations,cuts,cpu_seconds,wall_seconds,mesh_seconds,error,error_estimate,from_finest,"
-      "status,pareto,note,spread,standard_error\n";
+      "status,pareto,note,spread,standard_error,contact,contact_stiffness\n";
   for (std::size_t i = 0; i < study.rows.size(); ++i) text += line_of(i, study.rows[i]);
   return text;
 }

@@ -22,6 +22,8 @@ constexpr StudyAxis all_axes[] = {StudyAxis::body,
                                   StudyAxis::time_step,
                                   StudyAxis::static_step,
                                   StudyAxis::mesh_size,
+                                  StudyAxis::contact,
+                                  StudyAxis::contact_stiffness,
                                   StudyAxis::penetration_tolerance,
                                   StudyAxis::tolerance,
                                   StudyAxis::scheme};
@@ -40,6 +42,10 @@ Values usual_values(StudyAxis axis) {
       return {"1", "0.5"};
     case StudyAxis::mesh_size:
       return {"2", "1", "0.5"};
+    case StudyAxis::contact:
+      return {"area", "facet-wise"};
+    case StudyAxis::contact_stiffness:
+      return {"0.5", "1", "2"};
     case StudyAxis::penetration_tolerance:
       return {"off", "1e-3", "1e-4"};
     case StudyAxis::tolerance:
@@ -119,6 +125,12 @@ void set(Setting& setting, StudyAxis axis, const std::string& word) {
     case StudyAxis::mesh_size:
       setting.mesh_size = positive_number(axis, word);
       break;
+    case StudyAxis::contact:
+      setting.contact = kind_named(axis, word, {ContactModel::area, ContactModel::facet_wise});
+      break;
+    case StudyAxis::contact_stiffness:
+      setting.contact_stiffness = positive_number(axis, word);
+      break;
     case StudyAxis::penetration_tolerance:
       setting.penetration_tolerance = word == "off" ? std::nullopt : std::optional<double>(positive_number(axis, word));
       break;
@@ -155,6 +167,13 @@ std::string reason_against(StudyAxis axis, const Project& project) {
     case StudyAxis::mesh_size:
       if (!deforms_by_its_mesh(own)) return body_text(own) + " blocks do not deform by their mesh";
       break;
+    case StudyAxis::contact_stiffness:
+      if (!project.joints.empty() && std::all_of(project.joints.begin(), project.joints.end(), [](const Joint& joint) {
+            return joint.normal_stiffness && joint.shear_stiffness;
+          }))
+        return "every joint has stiffnesses of its own";
+      [[fallthrough]];
+    case StudyAxis::contact:
     case StudyAxis::penetration_tolerance:
       if (project.solids.size() == 1 && project.cuts.empty()) return "there is one block, and nothing it could touch";
       break;
@@ -198,6 +217,7 @@ class LadderBuilder {
 
   Ladder build() {
     add_cheap_ones();
+    add_unlike_ones();
     ladder_.finest = add(finest());
     if (ladder_.finest < 0) ladder_.finest = 0;
     return std::move(ladder_);
@@ -250,13 +270,33 @@ class LadderBuilder {
     }
   }
 
-  /// Finest on every axis that has fineness; strain, integrator and scheme stay the project's own.
+  /// Coarse on one axis and fine on another: whether errors add up, and which of them a single body has.
+  void add_unlike_ones() {
+    const double long_step = factor(StudyAxis::time_step, false), short_step = factor(StudyAxis::time_step, true);
+    const double coarse = factor(StudyAxis::mesh_size, false), fine = factor(StudyAxis::mesh_size, true);
+    if (short_step < 1)
+      for (Setting setting : taken_[StudyAxis::body]) {
+        setting.time_step = short_step;
+        if (!deforms_by_its_mesh(setting)) add(setting);
+      }
+    const auto add_own_body = [&](double step, double mesh) {
+      Setting setting = own_;
+      setting.time_step = step;
+      setting.mesh_size = mesh;
+      if (step != 1 && mesh != 1) add(setting);
+    };
+    add_own_body(long_step, fine);
+    add_own_body(short_step, coarse);
+  }
+
+  /// Finest on every axis that has fineness; strain, integrator, contact and scheme stay the project's own.
   Setting finest() const {
     Setting setting = own_;
     if (const auto bodies = taken_.find(StudyAxis::body); bodies != taken_.end())
       for (const Setting& one : bodies->second)
         if (one.body == BodyKind::tetrahedra) setting.body = one.body;
     setting.time_step = factor(StudyAxis::time_step, true);
+    setting.contact_stiffness = 1 / factor(StudyAxis::contact_stiffness, true);
     if (deforms_by_its_mesh(setting)) setting.mesh_size = factor(StudyAxis::mesh_size, true);
     if (const auto tolerances = taken_.find(StudyAxis::penetration_tolerance); tolerances != taken_.end())
       for (const Setting& one : tolerances->second)
@@ -278,6 +318,7 @@ class LadderBuilder {
 
 double size_on(StudyAxis axis, const Setting& setting) {
   if (axis == StudyAxis::mesh_size) return setting.mesh_size;
+  if (axis == StudyAxis::contact_stiffness) return 1 / setting.contact_stiffness;
   return axis == StudyAxis::time_step ? setting.time_step : setting.static_step;
 }
 
@@ -285,6 +326,7 @@ void set_own_size(StudyAxis axis, Setting& setting) {
   if (axis == StudyAxis::mesh_size) setting.mesh_size = 1;
   if (axis == StudyAxis::time_step) setting.time_step = 1;
   if (axis == StudyAxis::static_step) setting.static_step = 1;
+  if (axis == StudyAxis::contact_stiffness) setting.contact_stiffness = 1;
 }
 
 LadderWish parse_ladder_wish(const std::vector<std::string>& axes, const std::vector<std::string>& values) {

@@ -16,22 +16,34 @@ enum class StudyAxis {
   time_step,
   static_step,
   mesh_size,
+  contact,
+  contact_stiffness,
   penetration_tolerance,
   tolerance,
   scheme
 };
 
 constexpr std::string_view to_string(StudyAxis axis) {
-  constexpr std::string_view words[] = {
-      "body",      "strain", "integrator", "time_step", "static_step", "mesh_size", "penetration_tolerance",
-      "tolerance", "scheme"};
+  constexpr std::string_view words[] = {"body",
+                                        "strain",
+                                        "integrator",
+                                        "time_step",
+                                        "static_step",
+                                        "mesh_size",
+                                        "contact",
+                                        "contact_stiffness",
+                                        "penetration_tolerance",
+                                        "tolerance",
+                                        "scheme"};
   return words[static_cast<int>(axis)];
 }
 
-/// Axes whose values have a size. Errors have an order along time step and mesh size. A static step has a size and no
+/// Axes whose values have a size. Errors have an order along time step, mesh size and the softness of contacts, one
+/// over their stiffness: springs give way by force over stiffness. A static step has a size and no
 /// order: it is a path to rest, and a shorter one is another path, neither nearer to rest nor further from it.
-inline constexpr StudyAxis sized_axes[] = {StudyAxis::time_step, StudyAxis::static_step, StudyAxis::mesh_size};
-/// Of such an axis: a factor of the project's own.
+inline constexpr StudyAxis sized_axes[] = {StudyAxis::time_step, StudyAxis::static_step, StudyAxis::mesh_size,
+                                           StudyAxis::contact_stiffness};
+/// Of such an axis: a factor of the project's own; of contacts that of their softness.
 double size_on(StudyAxis axis, const Setting& setting);
 /// The project's own size on it.
 void set_own_size(StudyAxis axis, Setting& setting);
@@ -59,8 +71,8 @@ struct Ladder {
 };
 
 /// The star about the project's own setting, each axis alone, and a few that differ on several: coarse and cheap ones,
-/// and the finest. What the project's rules refuse, or what cannot change its answer, is left out. Throws InputError
-/// for a value that an axis does not have.
+/// coarse on one axis and fine on another, and the finest. What the project's rules refuse, or what cannot change its
+/// answer, is left out. Throws InputError for a value that an axis does not have.
 Ladder make_ladder(const Project& project, const LadderWish& wish);
 
 /// About how much a setting costs beside others: for the order of runs and the time that is left, no more.

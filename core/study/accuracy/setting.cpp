@@ -86,6 +86,7 @@ Setting by_scheme(Preset scheme, Setting setting) {
   setting.scheme = scheme;
   setting.strain = preset.strain;
   setting.integrator = preset.integrator;
+  setting.contact = preset.contact;
   return setting;
 }
 
@@ -97,6 +98,7 @@ Setting own_setting(const Project& project) {
   own.penetration_tolerance = project.solver.penetration_tolerance;
   own.tolerance = project.solver.tolerance;
   own.scheme = project.solver.preset;
+  own.contact = project.solver.contact;
   return own;
 }
 
@@ -110,6 +112,8 @@ Project under(const Setting& setting, const Project& given) {
   project.solver.integrator = setting.integrator;
   project.solver.penetration_tolerance = setting.penetration_tolerance;
   project.solver.tolerance = setting.tolerance;
+  project.solver.contact = setting.contact;
+  project.solver.contact_stiffness *= setting.contact_stiffness;
   for (Stage& stage : project.stages)
     scale_step(stage, stage.kind == StageKind::static_ ? setting.static_step : setting.time_step);
   scale_mesh(project, setting.mesh_size);
@@ -136,6 +140,8 @@ std::string label_of(const Setting& setting, const Setting& own) {
   add(setting.time_step != own.time_step, multiple("Δ", setting.time_step));
   add(setting.static_step != own.static_step, "static " + multiple("Δ", setting.static_step));
   add(setting.mesh_size != own.mesh_size, multiple("h", setting.mesh_size));
+  add(setting.contact != usual.contact, "contact " + std::string(to_string(setting.contact)));
+  add(setting.contact_stiffness != own.contact_stiffness, "stiffness ×" + number_text(setting.contact_stiffness));
   add(setting.penetration_tolerance != own.penetration_tolerance, "penetration " + penetration_text(setting));
   add(setting.tolerance != own.tolerance, "tolerance " + tolerance_text(setting.tolerance));
   add(setting == own, "the project's own");

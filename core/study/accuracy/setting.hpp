@@ -19,6 +19,8 @@ struct Setting {
   std::optional<double> penetration_tolerance;    ///< of the mesh size; empty: springs as they are
   double tolerance = SolverSettings{}.tolerance;  ///< that steps are solved to
   Preset scheme = Preset::talus;                  ///< where it is not the project's, all that a preset sets is its
+  ContactModel contact = ContactModel::area;
+  double contact_stiffness = 1;  ///< of contacts whose joint says none, in units of the project's own
   bool operator==(const Setting&) const = default;
 };
 

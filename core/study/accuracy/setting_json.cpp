@@ -24,7 +24,9 @@ Json setting_json(const Setting& setting) {
           {"mesh_size", setting.mesh_size},
           {"penetration_tolerance", setting.penetration_tolerance ? Json(*setting.penetration_tolerance) : Json()},
           {"tolerance", setting.tolerance},
-          {"scheme", to_string(setting.scheme)}};
+          {"scheme", to_string(setting.scheme)},
+          {"contact", to_string(setting.contact)},
+          {"contact_stiffness", setting.contact_stiffness}};
 }
 
 Setting setting_of(const Json& json) {
@@ -42,6 +44,10 @@ Setting setting_of(const Json& json) {
     setting.penetration_tolerance = tolerance.get<double>();
   setting.tolerance = json.value("tolerance", reference_tolerance.value);  // studies made before there were others
   if (json.contains("scheme")) setting.scheme = kind_of(json.at("scheme"), {Preset::talus, Preset::paper});
+  setting.contact = settings_of(setting.scheme).contact;  // of studies made before it was an axis
+  if (json.contains("contact"))
+    setting.contact = kind_of(json.at("contact"), {ContactModel::area, ContactModel::facet_wise});
+  setting.contact_stiffness = json.value("contact_stiffness", 1.0);
   return setting;
 }
 

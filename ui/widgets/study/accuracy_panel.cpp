@@ -39,6 +39,7 @@ QString secondsOf(const AccuracyRow& row) {
 
 QString nameOf(StudyAxis axis) {
   if (axis == StudyAxis::mesh_size) return QObject::tr("mesh size");
+  if (axis == StudyAxis::contact_stiffness) return QObject::tr("softness of contacts");
   return axis == StudyAxis::time_step ? QObject::tr("time step") : QObject::tr("static step");
 }
 

@@ -25,8 +25,9 @@ TEST(Ladder, IsAStarWithCheapOnesAndTheFinest) {
       labels(ladder),
       testing::ElementsAre("tetrahedra · the project's own", "rigid", "affine", "tetrahedra · 4Δ", "tetrahedra · 2Δ",
                            "tetrahedra · Δ/2", "tetrahedra · Δ/4", "tetrahedra · 2h", "tetrahedra · h/2", "rigid · 4Δ",
-                           "affine · 4Δ", "tetrahedra · 4Δ · 2h", "tetrahedra · Δ/4 · h/2"));
-  EXPECT_EQ(ladder.finest, 12);
+                           "affine · 4Δ", "tetrahedra · 4Δ · 2h", "rigid · Δ/4", "affine · Δ/4",
+                           "tetrahedra · 4Δ · h/2", "tetrahedra · Δ/4 · 2h", "tetrahedra · Δ/4 · h/2"));
+  EXPECT_EQ(ladder.finest, 16);
   EXPECT_THAT(ladder.left_out, SizeIs(0));
 }
 
@@ -49,6 +50,28 @@ TEST(Ladder, GoesAlongTheToleranceOfTheSolver) {
   EXPECT_EQ(under(finer.settings[1], draft).solver.tolerance, 1e-5);
   EXPECT_THROW(make_ladder(draft, parse_ladder_wish({}, {"tolerance=fine"})), InputError);
   EXPECT_THROW(make_ladder(draft, parse_ladder_wish({}, {"tolerance=0.1"})), InputError);
+}
+
+TEST(Ladder, GoesAlongContacts) {
+  const Project project = sample("incline_slide");
+  const Ladder ladder = make_ladder(project, parse_ladder_wish({"contact,contact_stiffness"}, {}));
+  EXPECT_THAT(labels(ladder), testing::ElementsAre("tetrahedra · the project's own", "tetrahedra · contact facet-wise",
+                                                   "tetrahedra · stiffness ×0.5", "tetrahedra · stiffness ×2"));
+  EXPECT_EQ(ladder.finest, 3) << "stiff springs give way least";
+  EXPECT_EQ(under(ladder.settings[1], project).solver.contact, ContactModel::facet_wise);
+  EXPECT_EQ(under(ladder.settings[3], project).solver.contact_stiffness, 2 * project.solver.contact_stiffness);
+  EXPECT_EQ(size_on(StudyAxis::contact_stiffness, ladder.settings[3]), 0.5) << "half as soft";
+  EXPECT_THROW(make_ladder(project, parse_ladder_wish({}, {"contact=point"})), InputError);
+}
+
+TEST(Ladder, LeavesOutTheStiffnessOfContactsWhereJointsHaveTheirOwn) {
+  Project project = sample("incline_slide");
+  for (Joint& joint : project.joints) joint.normal_stiffness = joint.shear_stiffness = 1e9;
+  const Ladder ladder = make_ladder(project, parse_ladder_wish({"contact_stiffness"}, {}));
+  EXPECT_THAT(ladder.settings, SizeIs(1));
+  EXPECT_THAT(ladder.left_out, Contains(Field(&LeftOut::reason, "every joint has stiffnesses of its own")));
+  const Ladder alone = make_ladder(sample("free_fall"), parse_ladder_wish({"contact,contact_stiffness"}, {}));
+  EXPECT_THAT(alone.left_out, SizeIs(2));
 }
 
 TEST(Ladder, HasThePapersSchemeAsARun) {

@@ -105,6 +105,8 @@ TEST(Setting, SurvivesItsJson) {
   setting.body.reset();
   setting.penetration_tolerance.reset();
   setting.scheme = Preset::paper;
+  setting.contact = ContactModel::facet_wise;
+  setting.contact_stiffness = 2;
   EXPECT_EQ(setting_of(setting_json(setting)), setting);
   nlohmann::ordered_json old = setting_json(Setting{});
   old.erase("scheme");
