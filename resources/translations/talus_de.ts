@@ -1095,6 +1095,34 @@
         <source>broken off</source>
         <translation>abgebrochen</translation>
     </message>
+    <message>
+        <source>%1, spread %2</source>
+        <translation>%1, Streuung %2</translation>
+    </message>
+    <message>
+        <source>softness of contacts</source>
+        <translation>Nachgiebigkeit der Kontakte</translation>
+    </message>
+    <message>
+        <source>the known answer</source>
+        <translation>der bekannten Antwort</translation>
+    </message>
+    <message>
+        <source>run %1, the finest</source>
+        <translation>Lauf %1, dem feinsten</translation>
+    </message>
+    <message>
+        <source>; measured: %1</source>
+        <translation>; gemessen: %1</translation>
+    </message>
+    <message>
+        <source>; mean of %1 runs ± spread</source>
+        <translation>; Mittel von %1 Läufen ± Streuung</translation>
+    </message>
+    <message>
+        <source>; no better setting can be told apart</source>
+        <translation>; keine bessere Einstellung ist zu erkennen</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -3240,14 +3268,6 @@
     <message>
         <source>%1, errors from %2</source>
         <translation>%1, Fehler von %2 an</translation>
-    </message>
-    <message>
-        <source>the known answer</source>
-        <translation>der bekannten Antwort</translation>
-    </message>
-    <message>
-        <source>run %1, the finest</source>
-        <translation>Lauf %1, dem feinsten</translation>
     </message>
     <message>
         <source>best</source>
