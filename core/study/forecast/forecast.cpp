@@ -18,19 +18,27 @@ namespace {
 constexpr double of_beginning = 0.4, of_outline = 0.2, of_finer = 0.4;
 /// Of a run that was made itself, for the same in half steps: what is left.
 constexpr double of_doubling = of_outline + of_finer;
-/// What was not seen comes within this factor of what was foreseen, where the stage had begun …
-constexpr double spread = 1.3;
-/// … and within this one where none of its steps were seen, or the outline did not come to its end.
+/// What was not seen comes within this factor of what was foreseen, where the stage had begun, …
+constexpr double spread = 1.5;
+/// … within this one where none of its steps were seen, or the outline did not come to its end, …
 constexpr double spread_unseen = 2;
-/// Seconds of the processor that were measured come out again within this factor.
-constexpr double spread_measured = 1.1;
+/// … and within this one where only first steps were.
+constexpr double spread_first = 3;
+/// Seconds of the processor that were measured come out again within this factor: who shares its caches decides.
+constexpr double spread_measured = 1.2;
+/// Fewer steps than these have more iterations than those that follow: a run finds out in its first ones which contacts
+/// bear and which slip.
+constexpr std::size_t first_steps = 20;
 
 /// Steps that speak for those that were not seen, and what they cost, each as long as its stage's time_step.
 struct Sample {
   int stage = -1;
   double from = 0, to = 0;  ///< s since the stage began
-  double searching = 0;     ///< s of the processor a step, for contacts …
+  double searching = 0;     ///< s of the processor a step, for contacts, …
+  double iterating = 0;     ///< … for what each iteration does again …
   double other = 0;         ///< … and for everything else
+  double iterations = 0;    ///< a step
+  bool of_first = false;    ///< the stage's first steps only
 };
 
 /// The second half: in the first what has just begun is not yet typical.
@@ -44,11 +52,16 @@ Sample sample_of(int number, const Stage& stage, const StageBeginning& seen) {
       sample.from = sample.to;
     } else {
       sample.searching += step.detecting * step.seconds;
-      sample.other += (1 - step.detecting) * step.seconds;
+      sample.iterating += step.iterating * step.seconds;
+      sample.iterations += step.iterations;
+      sample.other += (1 - step.detecting - step.iterating) * step.seconds;
     }
   }
   const double steps = (sample.to - sample.from) / stage.time_step;
   sample.searching /= steps;
+  sample.iterating /= steps;
+  sample.iterations /= steps;
+  sample.of_first = seen.steps.size() < first_steps;
   sample.other /= steps;
   return sample;
 }
@@ -74,11 +87,17 @@ class Sum {
   double measured_ = 0, foreseen_ = 0, fewest_ = 0, most_ = 0;
 };
 
-/// How many times as much there is to do from `from` to `to` [s] of a stage as in the sample: contacts, unknowns.
+/// How many times as much there is to do from `from` to `to` [s] of a stage as in the sample: contacts, unknowns, and
+/// iterations where only first steps were seen and blocks touch. Later ones have about as many as those of the outline;
+/// a step without any looks at its equations once, too.
 RunOutline::Load growth(const RunOutline& outline, const Sample& sample, int stage, double from, double to) {
-  const auto there = outline.load(stage, from, to), here = outline.load(sample.stage, sample.from, sample.to);
-  if (!outline.came_through() || !there || !here) return {1, 1};
-  return {here->contacts > 0 ? there->contacts / here->contacts : 1, here->awake > 0 ? there->awake / here->awake : 1};
+  const auto here = outline.load(sample.stage, sample.from, sample.to);
+  auto there = outline.load(stage, from, to);
+  if (!there) there = outline.last();  // as far as it came
+  if (!there || !here) return {1, 1, 1};
+  const bool fewer = sample.of_first && there->contacts > 0;
+  return {here->contacts > 0 ? there->contacts / here->contacts : 1, here->awake > 0 ? there->awake / here->awake : 1,
+          fewer ? std::min(1.0, (1 + there->iterations) / (1 + sample.iterations)) : 1};
 }
 
 void add_up(const Project& project, const RunBeginning& beginning, const RunOutline& outline, Forecast& forecast) {
@@ -97,9 +116,14 @@ void add_up(const Project& project, const RunBeginning& beginning, const RunOutl
     const double steps = (length_of(stage) - length) / stage.time_step;
     if (beginning.whole || seen.ended || sample.stage < 0 || steps < 0.5) continue;
     const auto more = growth(outline, sample, k, length, length_of(stage));
-    sum.add_foreseen(steps * (sample.searching * more.contacts + sample.other * more.awake),
-                     steps * (sample.searching + sample.other),
-                     seen.steps.empty() || !outline.came_through() ? spread_unseen : spread, stage.until_equilibrium);
+    const double iterating = sample.iterating * more.iterations;
+    const bool unseen = seen.steps.empty() || !outline.came_through();
+    sum.add_foreseen(steps * (sample.searching * more.contacts + (iterating + sample.other) * more.awake),
+                     steps * (sample.searching + iterating + sample.other),
+                     sample.of_first ? spread_first
+                     : unseen        ? spread_unseen
+                                     : spread,
+                     stage.until_equilibrium);
   }
   sum.tell(forecast);
 }

@@ -14,7 +14,10 @@ namespace talus {
 namespace {
 
 constexpr double of_first_look = 0.05;  ///< share of the budget, to see what a step costs
-constexpr double of_static = 0.5;       ///< share of the budget that all static stages may take, in …
+constexpr int least_steps = 2;     ///< the first step is unlike all others: so many are seen, whatever they cost …
+constexpr int few_steps = 4;       ///< … and so many, unless …
+constexpr double for_few = 2;      ///< … so many times the budget is spent
+constexpr double of_static = 0.5;  ///< share of the budget that all static stages may take, in …
 constexpr int fewest_static_steps = 10, most_static_steps = 100;  ///< … so many steps each
 constexpr int static_leaps = 2;                                   ///< through what is left of a static stage
 constexpr double worthwhile = 1.5;  ///< times as many steps: a stage of fewer is gone through as it is
@@ -66,24 +69,26 @@ Project with_stages(Project project, const std::vector<Part>& parts) {
   return project;
 }
 
-/// Times the steps until the budget is spent.
+/// Times the steps until the budget is spent, or `most` where it lasts for a few steps only.
 class StepTimer final : public RunObserver {
  public:
-  StepTimer(const std::vector<Part>& parts, double budget, Progress& progress)
-      : parts_(parts), budget_(budget), progress_(progress) {}
+  StepTimer(const std::vector<Part>& parts, double budget, double most, Progress& progress)
+      : parts_(parts), budget_(budget), most_(most), progress_(progress) {}
 
   void on_step(const StepReport& step, const HistoryRow&, double fraction) override {
     const double now = processor_seconds_of_thread(), seconds = now - since_;
     const Part& part = parts_[step.stage];
     if (part.counts) note(part, step, seconds);
     in_steps_ += seconds;
+    ++steps_;
     progress_.report(std::max(in_steps_ / budget_, fraction), "");
     since_ = processor_seconds_of_thread();
   }
   void on_frame(std::shared_ptr<const Frame>) override {}
   bool go_on() override {
     if (in_steps_ == 0) since_ = processor_seconds_of_thread();
-    return in_steps_ < budget_ && !progress_.cancelled();
+    const bool goes_on = steps_ < least_steps || in_steps_ < (steps_ < few_steps ? most_ : budget_);
+    return goes_on && !progress_.cancelled();
   }
 
   double in_steps() const { return in_steps_; }
@@ -99,23 +104,26 @@ class StepTimer final : public RunObserver {
     stages_.resize(part.of + 1);
     const Phases& p = step.phases;
     const double all = p.detect + p.assemble + p.factor + p.solve + p.update + p.write;
-    stages_[part.of].steps.push_back({step.time_step, seconds, all > 0 ? p.detect / all : 0});
+    const double share = all > 0 ? 1 / all : 0;
+    stages_[part.of].steps.push_back(
+        {step.time_step, seconds, share * p.detect, share * (p.assemble + p.factor + p.solve), step.iterations});
   }
 
   const std::vector<Part>& parts_;
-  double budget_;
+  double budget_, most_;
   Progress& progress_;
+  int steps_ = 0;
   double since_ = 0, in_steps_ = 0;
   std::vector<StageBeginning> stages_;
 };
 
-RunBeginning run_parts(const Project& project, const BlockSystem& system, int static_steps, double budget,
+RunBeginning run_parts(const Project& project, const BlockSystem& system, int static_steps, double budget, double most,
                        Progress& progress) {
   const std::vector<Part> parts = parts_of(project, static_steps);
   const Project beginning = with_stages(project, parts);
   const double begin = processor_seconds_of_thread();
   const TemporaryFolder folder;
-  StepTimer timer(parts, budget, progress);
+  StepTimer timer(parts, budget, most, progress);
   const RunReport report = run(beginning, system, {folder.path() / "results", write_project(project), 1}, timer);
   if (progress.cancelled()) throw Cancelled{};
   const bool all_counts = std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.counts; });
@@ -127,15 +135,20 @@ RunBeginning run_parts(const Project& project, const BlockSystem& system, int st
   return result;
 }
 
-int affordable_static_steps(const Project& project, const RunBeginning& first, double budget) {
-  double seconds = 0, steps = 0;
-  for (const StageBeginning& stage : first.stages) {
+double seconds_in_steps(const RunBeginning& beginning) {
+  double seconds = 0;
+  for (const StageBeginning& stage : beginning.stages)
     for (const TimedStep& step : stage.steps) seconds += step.seconds;
-    steps += static_cast<double>(stage.steps.size());
-  }
+  return seconds;
+}
+
+int affordable_static_steps(const Project& project, const RunBeginning& first, double budget) {
+  double steps = 0;
+  for (const StageBeginning& stage : first.stages) steps += static_cast<double>(stage.steps.size());
   const auto stages = std::count_if(project.stages.begin(), project.stages.end(),
                                     [](const Stage& stage) { return stage.kind == StageKind::static_; });
-  const double affordable = of_static * budget * steps / seconds / static_cast<double>(std::max<long>(1, stages));
+  const double affordable =
+      of_static * budget * steps / seconds_in_steps(first) / static_cast<double>(std::max<long>(1, stages));
   return static_cast<int>(std::clamp<double>(affordable, fewest_static_steps, most_static_steps));
 }
 
@@ -148,9 +161,10 @@ Project beginning_of(const Project& project, int static_steps) {
 RunBeginning run_beginning(const Project& project, const BlockSystem& system, double budget, Progress& progress) {
   const bool counts = count_resident_memory_anew();
   const double memory_before = resident_memory().now;  // what the first look leaves behind is held by the run, too
-  RunBeginning result = run_parts(project, system, most_static_steps, of_first_look * budget, progress);
-  if (!result.whole)
-    result = run_parts(project, system, affordable_static_steps(project, result, budget), budget, progress);
+  const double most = for_few * budget;
+  RunBeginning result = run_parts(project, system, most_static_steps, of_first_look * budget, most, progress);
+  if (!result.whole && seconds_in_steps(result) < budget)
+    result = run_parts(project, system, affordable_static_steps(project, result, budget), budget, most, progress);
   const ResidentMemory memory = resident_memory();
   result.memory = std::max(0.0, (counts ? memory.most : memory.now) - memory_before);
   return result;

@@ -14,7 +14,9 @@ struct BlockSystem;
 struct TimedStep {
   double length = 0;     ///< s of model time
   double seconds = 0;    ///< of the processor, with what was written
-  double detecting = 0;  ///< share of that, 0 to 1, for the search for contacts
+  double detecting = 0;  ///< share of that, 0 to 1, for the search for contacts …
+  double iterating = 0;  ///< … and for what each iteration does again
+  int iterations = 0;    ///< of the step
 };
 
 struct StageBeginning {
@@ -36,7 +38,8 @@ struct RunBeginning {
 Project beginning_of(const Project& project, int static_steps);
 
 /// On one thread, into a folder that goes away again. `budget`: s of the processor; static stages get half of it at
-/// most. Throws InputError as Simulation does, Cancelled.
+/// most. Where it lasts for fewer than four steps twice as much is spent; two are taken whatever they cost. Throws
+/// InputError as Simulation does, Cancelled.
 RunBeginning run_beginning(const Project& project, const BlockSystem& system, double budget, Progress& progress);
 
 }  // namespace talus

@@ -76,7 +76,8 @@ RunOutline::RunOutline(const Project& project, const BlockSystem& system, double
     }
     stages_[step.stage].push_back({step.time - stage_began,
                                    step.time_step,
-                                   {static_cast<double>(step.contacts), awake_share(system, simulation.bodies())}});
+                                   {static_cast<double>(step.contacts), awake_share(system, simulation.bodies()),
+                                    static_cast<double>(step.iterations)}});
   }
   came_through_ = simulation.finished() && simulation.converged();
   for (std::size_t b = 0; b < system.blocks.size(); ++b)
@@ -93,9 +94,18 @@ std::optional<RunOutline::Load> RunOutline::load(int stage, double from, double 
     covered += both;
     sum.contacts += both * step.load.contacts;
     sum.awake += both * step.load.awake;
+    sum.iterations += both * step.load.iterations;
   }
   if (covered == 0) return std::nullopt;
-  return Load{sum.contacts / covered, sum.awake / covered};
+  return Load{sum.contacts / covered, sum.awake / covered, sum.iterations / covered};
+}
+
+std::optional<RunOutline::Load> RunOutline::last() const {
+  constexpr std::size_t some = 10;
+  if (stages_.empty()) return std::nullopt;
+  const std::vector<Step>& steps = stages_.back();
+  const Step& first = steps[steps.size() - std::min(some, steps.size())];
+  return load(static_cast<int>(stages_.size()) - 1, first.end - first.length, steps.back().end);
 }
 
 double longest_leap(const Project& project) {

@@ -22,11 +22,14 @@ class RunOutline {
   bool came_through() const { return came_through_; }
 
   struct Load {
-    double contacts = 0;  ///< contact points that the effects look at, on the mean
-    double awake = 0;     ///< share of the unknowns that may move, 0 to 1, on the mean
+    double contacts = 0;    ///< contact points that the effects look at, on the mean
+    double awake = 0;       ///< share of the unknowns that may move, 0 to 1, on the mean
+    double iterations = 0;  ///< of a step of the outline, on the mean
   };
-  /// Between two moments of a stage [s since it began]; nothing where the outline did not get there.
+  /// Between two moments of a stage [s since it began], as far as the outline got; nothing where it did not get there.
   std::optional<Load> load(int stage, double from, double to) const;
+  /// Of the last steps that it took, some ten at most; nothing where it took none.
+  std::optional<Load> last() const;
 
   /// m, of the centroids of all blocks at the end.
   const std::vector<Vec3>& displacements() const { return displacements_; }

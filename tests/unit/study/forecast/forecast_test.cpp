@@ -59,6 +59,7 @@ TEST(RunBeginning, HasEveryStepOfARunThatItsBudgetLasts) {
     EXPECT_NEAR(step.length, 0.001, 1e-12);
     EXPECT_GT(step.seconds, 0);
     EXPECT_THAT(step.detecting, testing::AllOf(testing::Ge(0), testing::Le(1)));
+    EXPECT_THAT(step.iterating, testing::AllOf(testing::Ge(0), testing::Le(1 - step.detecting)));
   }
 }
 
@@ -67,7 +68,7 @@ TEST(RunBeginning, EndsWithItsBudget) {
   const RunBeginning seen = run_beginning(sliding(100), test::cube_on_slab(), 1e-9, progress);
   EXPECT_FALSE(seen.whole);
   ASSERT_EQ(seen.stages.size(), 1u);
-  EXPECT_EQ(seen.stages[0].steps.size(), 1u);
+  EXPECT_EQ(seen.stages[0].steps.size(), 2u) << "the first step is unlike all others";
   EXPECT_FALSE(seen.stages[0].ended);
 }
 
@@ -86,6 +87,16 @@ TEST(RunOutline, TellsWhenThereAreContacts) {
   EXPECT_EQ(outline.load(0, 0, 0.5)->awake, 1);
   EXPECT_FALSE(outline.load(1, 0, 1));
   EXPECT_NEAR(outline.displacements()[1].z(), -1.3, 0.05);
+}
+
+/// It slides without an iteration once its contacts are known.
+TEST(RunOutline, TellsHowManyIterationsStepsTake) {
+  NoProgress progress;
+  const RunOutline outline(sliding(1000), test::cube_on_slab(), 1, 1e3, progress);
+  ASSERT_TRUE(outline.came_through());
+  EXPECT_GE(outline.load(0, 0, 0.01)->iterations, 1) << "the first step finds out what bears";
+  EXPECT_LT(outline.load(1, 0.5, 1)->iterations, 1);
+  EXPECT_EQ(outline.last()->iterations, outline.load(1, 0.9, 1)->iterations);
 }
 
 TEST(RunOutline, TellsWhenBlocksSleep) {
@@ -114,6 +125,18 @@ TEST(Forecast, ForeseesWhatItsBudgetDoesNotLastForAndSaysARange) {
   EXPECT_LT(found.fewest, found.seconds / 1.2);
   EXPECT_GT(found.most, found.seconds * 1.2);
   EXPECT_LT(found.forecast_seconds, found.seconds);
+}
+
+/// A block of many tetrahedra settles in the first steps and slides on without iterations: of these alone many times
+/// what it takes would be foreseen.
+TEST(Forecast, TakesFirstStepsForWhatTheyAre) {
+  NoProgress progress;
+  Project project = test::rock_project(20, {{"slide", StageKind::dynamic, 0.001, 400, {}}});
+  project.gravity = test::tilted_gravity(30);
+  const Forecast few = forecast(project, test::cube_on_slab(), 1e-6, progress);
+  const Forecast whole = forecast(project, test::cube_on_slab(), 1e3, progress);
+  EXPECT_LT(few.fewest, whole.seconds);
+  EXPECT_GT(few.most, whole.seconds);
 }
 
 TEST(Forecast, SaysThatARunWillNotConverge) {
