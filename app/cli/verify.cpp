@@ -26,6 +26,7 @@ struct Request {
   bool all = false, list = false, tables = false;
   bool hard_cases = false;
   int perturbations = 0;
+  bool elsewhere = false;
   std::string group;
   std::string body;
   RandomRequest random;
@@ -88,6 +89,7 @@ RandomRequest of_random(const Request& request) {
   random.list = request.list;
   random.markdown = request.markdown;
   random.options = trial_options(request);
+  random.options.elsewhere = request.elsewhere;
   return random;
 }
 
@@ -180,6 +182,15 @@ void add_random_options(CLI::App& command, Request& request, CLI::Option* hard_c
       ->type_name("NAME")
       ->excludes(hard_cases);
   command
+      .add_flag("--other-settings", request.random.other_settings,
+                "Solve the random scenes by solver settings of chance too, which must not change what holds")
+      ->needs(random);
+  command
+      .add_flag("--elsewhere", request.elsewhere,
+                "Run random scenes that have no blows again at another place, 5e6 m off and turned about the vertical, "
+                "where displacements must be the same within 1e-9 of the size")
+      ->excludes(hard_cases);
+  command
       .add_option("--out", request.random.folder,
                   "Write random scenes that do not hold into this folder, as projects with what failed in comments")
       ->type_name("FOLDER");
@@ -211,6 +222,8 @@ void add_verify(CLI::App& program, Invocation& invocation) {
       ->type_name("FILE");
   command->callback([&invocation, request] {
     request->options.run.thorough = request->all;
+    if (request->elsewhere && !asks_for_random(*request))
+      throw CLI::ValidationError("--elsewhere", "works with --random or --random-scene");
     invocation.run = [&invocation, request] {
       if (asks_for_random(*request)) return run_random(of_random(*request), invocation.json);
       return request->hard_cases ? run_hard_cases(of_hard_cases(*request), invocation.json)

@@ -31,7 +31,7 @@ std::vector<RandomSceneName> asked_scenes(const RandomRequest& request) {
   std::vector<RandomSceneName> names;
   for (const std::string& scene : request.scenes) names.push_back(random_scene_name_from(scene));
   if (request.count == 0) return names;
-  RandomChoice choice{request.count, seed_from(request.seed), request.families, {}};
+  RandomChoice choice{request.count, seed_from(request.seed), request.families, {}, request.other_settings};
   if (!request.bodies.empty()) choice.bodies = random_bodies_from(request.bodies);
   const std::vector<RandomSceneName> drawn = random_scene_names(choice);
   names.insert(names.end(), drawn.begin(), drawn.end());

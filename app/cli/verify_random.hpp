@@ -15,7 +15,8 @@ struct RandomRequest {
   std::string seed = "1";           ///< a number, or "now"
   std::vector<std::string> scenes;  ///< names, instead of drawing
   std::vector<std::string> families;
-  std::string bodies;  ///< empty: drawn
+  std::string bodies;           ///< empty: drawn
+  bool other_settings = false;  ///< the same scenes, solved by others that must not matter
   bool list = false;
   std::filesystem::path folder;    ///< for scenes that fail; empty: they are not written
   std::filesystem::path markdown;  ///< page to write into; empty: none

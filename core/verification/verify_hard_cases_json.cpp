@@ -24,6 +24,10 @@ Json json_of(const Trial& trial) {
   for (const TrialRepetition& again : trial.repetitions)
     repetitions.push_back(
         {{"threads", again.threads}, {"same_bits", again.difference.empty()}, {"reason", again.difference}});
+  const Json elsewhere = trial.elsewhere ? Json{{"same", trial.elsewhere->difference.empty()},
+                                                {"apart", trial.elsewhere->apart},
+                                                {"reason", trial.elsewhere->difference}}
+                                         : Json(nullptr);
   return {{"scene", trial.name},
           {"group", trial.group},
           {"title", trial.title},
@@ -46,7 +50,8 @@ Json json_of(const Trial& trial) {
           {"fingerprint", hexadecimal(fingerprint(trial))},
           {"faults", faults(trial)},
           {"known_shortfall", trial.known_shortfall},
-          {"repetitions", repetitions}};
+          {"repetitions", repetitions},
+          {"elsewhere", elsewhere}};
 }
 
 }  // namespace

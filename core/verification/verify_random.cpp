@@ -25,7 +25,8 @@ std::vector<RandomSceneName> random_scene_names(const RandomChoice& choice) {
   std::vector<RandomSceneName> names;
   for (int i = 0; i < choice.count; ++i) {
     const auto turn = static_cast<std::size_t>(i);
-    names.push_back({families[turn % families.size()], choice.seed, turn / families.size() + 1, choice.bodies});
+    names.push_back({families[turn % families.size()], choice.seed, turn / families.size() + 1, choice.bodies,
+                     choice.other_settings});
   }
   return names;
 }

@@ -19,6 +19,7 @@ struct RandomChoice {
   std::uint64_t seed = 1;
   std::vector<std::string> families{};  ///< empty: all
   std::optional<RandomBodies> bodies{};
+  bool other_settings = false;
 };
 
 /// The names of `count` scenes: the families in turn, each counting from 1, so that more scenes of a seed begin with

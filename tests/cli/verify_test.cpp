@@ -174,6 +174,17 @@ TEST_F(Verify, DrawsRandomScenesAndReplaysThemByTheirNames) {
   EXPECT_EQ(Json::parse(again.out)["scenes"][0]["fingerprint"], second["fingerprint"]);
 }
 
+TEST_F(Verify, RunsRandomScenesElsewhereAndByOtherSettings) {
+  const Ending ending = talus_cli(
+      {"verify", "--random", "1", "--seed", "3", "--family", "towers", "--elsewhere", "--other-settings", "--json"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  const Json scene = Json::parse(ending.out)["scenes"][0];
+  EXPECT_EQ(scene["scene"], "towers:3:1:settings");
+  EXPECT_EQ(scene["elsewhere"]["same"], true);
+  EXPECT_LT(scene["elsewhere"]["apart"], 1e-9);
+  EXPECT_EQ(talus_cli({"verify", "--random-scene", "towers:3:1:settings"}).exit_code, 0);
+}
+
 TEST_F(Verify, PrintsASeedOfNowAndATableOfFamilies) {
   const Ending ending = talus_cli({"verify", "--random", "1", "--seed", "now", "--family", "inclines"});
   EXPECT_THAT(ending.err, testing::ContainsRegex("talus-cli: seed [0-9]+\n"));
@@ -206,6 +217,9 @@ TEST_F(Verify, RefusesRandomScenesThereAreNot) {
                                              {"verify", "--random", "0"},
                                              {"verify", "--random-scene", "impacts:1"},
                                              {"verify", "--random", "1", "--hard-cases"},
+                                             {"verify", "--hard-cases", "--elsewhere"},
+                                             {"verify", "--elsewhere"},
+                                             {"verify", "--other-settings"},
                                              {"verify", "--seed", "1"},
                                              {"verify", "block_slides", "--body", "mixed"}})
     EXPECT_EQ(talus_cli(arguments).exit_code, 2) << arguments[1] << ' ' << arguments[2];

@@ -44,9 +44,11 @@ std::string_view to_string(FaultKind kind) {
     case FaultKind::expectation:
       return "expectation";
     case FaultKind::other_bits:
+      return "other bits";
+    case FaultKind::other_place:
       break;
   }
-  return "other bits";
+  return "other place";
 }
 
 std::vector<HardCase> with_perturbations(const HardCase& scene, int times) {

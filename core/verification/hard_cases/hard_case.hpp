@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "verification/hard_cases/elsewhere.hpp"
 #include "verification/known_answers/support/recorded_run.hpp"
 
 /// Scenes chosen to break contact codes, each with what must hold.
@@ -42,6 +44,7 @@ enum class FaultKind {
   momentum,     ///< linear or angular, of bodies that nothing else touches
   expectation,  ///< whatever else a scene must come to
   other_bits,   ///< on another number of threads
+  other_place,  ///< not the same at another place
 };
 
 /// The word for tables and JSON.
@@ -68,6 +71,9 @@ struct HardCase {
   std::string shortfall{};
   std::vector<HardCaseExpectation> expected;  ///< at least one
   std::function<CaseScene()> build;
+  bool has_blows = false;  ///< which make much of rounding
+  /// Where else it must come to the same; nowhere where there are blows.
+  std::optional<Elsewhere> elsewhere{};
   bool keeps_nodes = false;  ///< its expectations look at Trajectory::nodes, which take memory
 };
 

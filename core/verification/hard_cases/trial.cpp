@@ -194,6 +194,24 @@ std::string difference(const Trial& a, const Trial& b) {
   return "positions or iterations differ at t = " + significant(time) + " s";
 }
 
+/// Runs the scene at the other place and, of the same shapes, at home.
+TrialElsewhere run_elsewhere(const HardCase& scene, const TrialOptions& options, Progress& progress) {
+  const Elsewhere& place = *scene.elsewhere;
+  HardCase there = scene, home = scene;
+  there.expected.clear(), home.expected.clear();
+  there.build = [&] { return moved_elsewhere(scene.build(), place); };
+  home.build = [&] { return brought_home(there.build(), place); };
+  PartOfProgress first(progress, 0, 0.5, "elsewhere"), second(progress, 0.5, 0.5, "at home");
+  const Trial far = single_run(there, options.threads, options, first);
+  const Trial near = single_run(home, options.threads, options, second);
+  if (far.ending != near.ending || far.displacements.size() != near.displacements.size())
+    return {0, "it ended otherwise: " + std::string(to_string(far.ending)) + ", at home " +
+                   std::string(to_string(near.ending))};
+  const double apart = most_apart(near.displacements, far.displacements, place) / extent_of_what_moves(scene.build());
+  if (apart <= most_apart_elsewhere) return {apart, {}};
+  return {apart, "displacements differ by " + significant(apart) + " of the size"};
+}
+
 }  // namespace
 
 std::uint64_t fingerprint(const Trial& trial) {
@@ -228,6 +246,8 @@ std::vector<Fault> faults_by_kind(const Trial& trial) {
   for (const TrialRepetition& again : trial.repetitions)
     hold(again.difference.empty(), FaultKind::other_bits,
          "not the same bits on " + std::to_string(again.threads) + " threads: " + again.difference);
+  hold(!trial.elsewhere || trial.elsewhere->difference.empty(), FaultKind::other_place,
+       "not the same at another place: " + (trial.elsewhere ? trial.elsewhere->difference : std::string()));
   return list;
 }
 
@@ -238,12 +258,17 @@ std::vector<std::string> faults(const Trial& trial) {
 }
 
 Trial run_trial(const HardCase& scene, const TrialOptions& options, Progress& progress) {
-  const double share = 1 / (1 + static_cast<double>(options.repeat_on.size()));
+  const bool goes_elsewhere = options.elsewhere && scene.elsewhere;
+  const double share = 1 / (1 + static_cast<double>(options.repeat_on.size()) + (goes_elsewhere ? 2 : 0));
   PartOfProgress first(progress, 0, share, "");
   Trial trial = single_run(scene, options.threads, options, first);
   for (const int threads : options.repeat_on) {
     PartOfProgress next(progress, share * static_cast<double>(1 + trial.repetitions.size()), share, "again");
     trial.repetitions.push_back({threads, difference(trial, single_run(scene, threads, options, next))});
+  }
+  if (goes_elsewhere) {
+    PartOfProgress last(progress, 1 - 2 * share, 2 * share, "elsewhere");
+    trial.elsewhere = run_elsewhere(scene, options, last);
   }
   return trial;
 }

@@ -130,15 +130,4 @@ Stage settling_stage(double time_step) {
   return stage;
 }
 
-void place_scene(CaseScene& scene, const Mat3& turn, const Vec3& shift) {
-  for (Block& block : scene.system.blocks) block.mesh = placed(std::move(block.mesh), turn, shift);
-  scene.project.gravity = turn * scene.project.gravity;
-  for (InitialVelocity& velocity : scene.project.velocities) {
-    velocity.linear = turn * velocity.linear;
-    velocity.angular = turn * velocity.angular;
-  }
-  for (Constraint& constraint : scene.project.constraints)
-    for (TableRow& row : constraint.table) row.value = turn * row.value;
-}
-
 }  // namespace talus

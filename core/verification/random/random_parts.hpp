@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "verification/hard_cases/elsewhere.hpp"
 #include "verification/hard_cases/hard_case.hpp"
 #include "verification/random/random_scene.hpp"
 
@@ -43,8 +44,5 @@ struct Site {
 
 /// Static steps until nothing moves any more, 200 at most.
 Stage settling_stage(double time_step);
-
-/// The whole scene turned about the origin, gravity and velocities too, then moved.
-void place_scene(CaseScene& scene, const Mat3& turn, const Vec3& shift);
 
 }  // namespace talus

@@ -38,6 +38,8 @@ struct RandomFamily {
   const char* name;   ///< "impacts", for the command line
   const char* title;  ///< what its scenes are and must come to, a line for tables
   HardCase (*draw)(Draw&);
+  /// Blows make much of rounding, so that its scenes need not come to the same at another place.
+  bool has_blows = false;
 };
 
 /// All there are.
@@ -50,10 +52,12 @@ struct RandomSceneName {
   std::string family;
   std::uint64_t seed = 1, number = 1;
   std::optional<RandomBodies> bodies{};  ///< empty: drawn too
+  bool other_settings = false;           ///< the same scene, solved by others that must not matter
   bool operator==(const RandomSceneName&) const = default;
 };
 
-/// "impacts:17:42", "impacts:17:42:rigid": family, seed, number and, where it was chosen, what bodies are.
+/// "impacts:17:42", "impacts:17:42:rigid:settings": family, seed, number and, where it was chosen, what bodies are, and
+/// that settings are others.
 std::string to_string(const RandomSceneName& name);
 /// Throws InputError for what is no such name, or of no family there is.
 RandomSceneName random_scene_name_from(const std::string& text);

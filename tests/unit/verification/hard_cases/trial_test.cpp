@@ -51,6 +51,28 @@ Trial trial_of(const HardCase& scene, const TrialOptions& options = {}) {
   return run_trial(scene, options, progress);
 }
 
+TEST(Trial, ComesToTheSameAtAnotherPlace) {
+  HardCase scene = named(cube_at_rest);
+  scene.elsewhere = Elsewhere{33, {4e6, -3e6, 0}};
+  EXPECT_FALSE(trial_of(scene).elsewhere.has_value()) << "it was not asked for";
+  EXPECT_FALSE(trial_of(named(cube_at_rest), {.elsewhere = true}).elsewhere.has_value()) << "it names no place";
+  const Trial trial = trial_of(scene, {.elsewhere = true});
+  ASSERT_TRUE(trial.elsewhere.has_value());
+  EXPECT_THAT(faults(trial), IsEmpty());
+  EXPECT_LT(trial.elsewhere->apart, 1e-12);
+}
+
+/// A base that moves to the east whichever way the scene is turned.
+TEST(Trial, WhatKnowsNorthIsNotTheSameAtAnotherPlace) {
+  HardCase scene = changed([](CaseScene& built) {
+    built.project.constraints = {{.block = "slab", .at = {}, .displacement = {1e-4, 0, 0}}};
+  });
+  scene.elsewhere = Elsewhere{33, {4e6, -3e6, 0}};
+  const Trial trial = trial_of(scene, {.elsewhere = true});
+  EXPECT_THAT(faults(trial), Contains(HasSubstr("not the same at another place: displacements differ by")));
+  EXPECT_GT(trial.elsewhere.value().apart, 100 * most_apart_elsewhere);
+}
+
 TEST(Trial, OfABlockAtRestHasNoFaultsAndItsFigures) {
   const Trial trial = trial_of(named(cube_at_rest), {.repeat_on = {1, 2}});
   EXPECT_THAT(faults(trial), IsEmpty());

@@ -54,6 +54,21 @@ TEST_P(EveryFamily, ChosenBodiesChangeNothingElse) {
             scene(7, 3, RandomBodies::tetrahedra).build().project.stages);
 }
 
+TEST_P(EveryFamily, OtherSettingsChangeNothingButSettings) {
+  const HardCase plain = scene(7, 3), other = random_scene({GetParam(), 7, 3, {}, true});
+  EXPECT_EQ(other.name, GetParam() + ":7:3:settings");
+  CaseScene before = plain.build(), after = other.build();
+  EXPECT_NE(before.project.solver, after.project.solver);
+  after.project.solver = before.project.solver;
+  EXPECT_TRUE(same(before, after));
+}
+
+TEST_P(EveryFamily, ComesToTheSameElsewhereUnlessThereAreBlows) {
+  const HardCase drawn = scene(7, 3);
+  EXPECT_EQ(drawn.elsewhere.has_value(), !random_family(GetParam()).has_blows && !drawn.has_blows);
+  EXPECT_NEAR(drawn.elsewhere.value_or(Elsewhere{0, {5e6, 0, 0}}).shift.norm(), 5e6, 1e-3);
+}
+
 std::vector<std::string> family_names() {
   std::vector<std::string> names;
   for (const RandomFamily& family : random_families()) names.emplace_back(family.name);
@@ -64,7 +79,8 @@ INSTANTIATE_TEST_SUITE_P(RandomScenes, EveryFamily, testing::ValuesIn(family_nam
                          [](const auto& family) { return family.param; });
 
 TEST(RandomSceneName, IsReadAsItIsWritten) {
-  for (const std::string text : {"impacts:17:42", "drops:18446744073709551615:1:mixed"})
+  for (const std::string text :
+       {"impacts:17:42", "drops:18446744073709551615:1:mixed", "drops:1:2:settings", "drops:1:2:affine:settings"})
     EXPECT_EQ(to_string(random_scene_name_from(text)), text);
   EXPECT_EQ(random_scene_name_from("impacts:17:42:rigid"), (RandomSceneName{"impacts", 17, 42, RandomBodies::rigid}));
 }
