@@ -122,6 +122,28 @@ TetMesh prism(int sides, double radius, double height) {
   return hull_mesh(corners);
 }
 
+TetMesh ring(double inner, double thickness, int sides) {
+  const double outer = inner + thickness;
+  const auto at = [&](int k, double radius, double y) {
+    const double angle = 2 * std::numbers::pi * ((k % sides) + 0.5) / sides;
+    return Vec3(radius * std::cos(angle), y, radius * std::sin(angle));
+  };
+  std::vector<TetMesh> pieces;
+  for (int k = 0; k < sides; ++k) {
+    const double y = thickness / 2;
+    pieces.push_back(
+        hexahedron_mesh({at(k, inner, -y), at(k, outer, -y), at(k, inner, y), at(k, outer, y), at(k + 1, inner, -y),
+                         at(k + 1, outer, -y), at(k + 1, inner, y), at(k + 1, outer, y)},
+                        1, 1, 1));
+  }
+  return welded(pieces);
+}
+
+TetMesh hook(double width, double stem, double lip) {
+  return grid_mesh({-1, 0, width, width + 1}, {-0.5, 0.5}, {-1, 0, lip, stem},
+                   [](int i, int, int k) { return k == 0 || i == 2 || (i == 0 && k == 1); });
+}
+
 TetMesh slotted_box(double slot_width, double depth, double half_width, double half_length, double floor) {
   return grid_mesh({-half_width, -slot_width / 2, slot_width / 2, half_width}, {-half_length, half_length},
                    {-depth - floor, -depth, 0}, [](int i, int, int k) { return i != 1 || k == 0; });

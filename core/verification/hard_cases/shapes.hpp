@@ -29,6 +29,12 @@ TetMesh wedge(double width, double length, double height);
 TetMesh cube(double side);  ///< about the origin
 /// A regular prism with a vertical axis, its base centred on the origin.
 TetMesh prism(int sides, double radius, double height);
+/// A ring about y whose profile is a square of that thickness, of `sides` straight pieces; `inner`: the radius of its
+/// inner corners.
+TetMesh ring(double inner, double thickness, int sides);
+/// A letter J of square bars of side 1, standing on y = ±0.5: its inside, `width` wide and open above, lies between a
+/// stem that rises by `stem` above it and a lip that rises by `lip`, less.
+TetMesh hook(double width, double stem, double lip);
 /// A box from z = −depth − floor to 0 with a slot along y in its top, about x = 0.
 TetMesh slotted_box(double slot_width, double depth, double half_width, double half_length, double floor);
 /// The same with a square hole.

@@ -22,13 +22,14 @@ Faces box_faces(const Vec3& a, const Vec3& b) {
   return faces;
 }
 
-/// What of a polygon lies below the plane; the points where it is cut are added to `rim`.
+/// What of a polygon lies below the plane; the points where it is cut, or only touched, are added to `rim`.
 Polygon below(const Polygon& polygon, const Vec3& point, const Vec3& normal, Polygon& rim) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     const double over_a = normal.dot(a - point), over_b = normal.dot(b - point);
     if (over_a <= 0) kept.push_back(a);
+    if (over_a == 0) rim.push_back(a);
     if (over_a * over_b < 0) {
       // From the same end for both faces that share the edge, so that both find the same point.
       const bool rising = over_a < 0;
@@ -52,7 +53,7 @@ Faces cut(const Faces& faces, const Vec3& point, const Vec3& normal) {
   const Vec3 first = (rim.front() - middle).normalized(), second = normal.cross(first);
   const auto angle = [&](const Vec3& x) { return std::atan2((x - middle).dot(second), (x - middle).dot(first)); };
   std::sort(rim.begin(), rim.end(), [&](const Vec3& a, const Vec3& b) { return angle(a) < angle(b); });
-  rim.erase(std::unique(rim.begin(), rim.end()), rim.end());  // each corner comes from two faces
+  rim.erase(std::unique(rim.begin(), rim.end()), rim.end());  // each corner comes from two faces or more
   if (rim.size() > 2) kept.push_back(std::move(rim));
   return kept;
 }
@@ -71,9 +72,8 @@ TetMesh meshed(const Faces& faces) {
   return convex_mesh(corners, numbered);
 }
 
-}  // namespace
-
-std::vector<TetMesh> voronoi_pieces(const Vec3& min, const Vec3& max, int count, unsigned seed) {
+/// Cells by their faces, a point each.
+std::vector<Faces> voronoi_cells(const Vec3& min, const Vec3& max, int count, unsigned seed) {
   std::mt19937 random(seed);  // its numbers are laid down by the standard, those of distributions are not
   const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
   std::vector<Vec3> seeds;
@@ -81,13 +81,31 @@ std::vector<TetMesh> voronoi_pieces(const Vec3& min, const Vec3& max, int count,
     const double x = share(), y = share(), z = share();
     seeds.push_back(min + Vec3(x, y, z).cwiseProduct(max - min));
   }
-  std::vector<TetMesh> pieces;
+  std::vector<Faces> cells;
   for (int i = 0; i < count; ++i) {
     Faces cell = box_faces(min, max);
     for (int j = 0; j < count; ++j)
       if (j != i) cell = cut(cell, (seeds[i] + seeds[j]) / 2, (seeds[j] - seeds[i]).normalized());
-    pieces.push_back(meshed(cell));
+    cells.push_back(std::move(cell));
   }
+  return cells;
+}
+
+}  // namespace
+
+std::vector<TetMesh> voronoi_pieces(const Vec3& min, const Vec3& max, int count, unsigned seed) {
+  std::vector<TetMesh> pieces;
+  for (const Faces& cell : voronoi_cells(min, max, count, seed)) pieces.push_back(meshed(cell));
+  return pieces;
+}
+
+std::vector<TetMesh> voronoi_pieces(const Vec3& min, const Vec3& max, int count, unsigned seed,
+                                    const CuttingPlane& plane) {
+  constexpr std::size_t fewest_faces = 4;
+  std::vector<TetMesh> pieces;
+  for (const Faces& cell : voronoi_cells(min, max, count, seed))
+    if (const Faces rest = cut(cell, plane.point, plane.normal); rest.size() >= fewest_faces)
+      pieces.push_back(meshed(rest));
   return pieces;
 }
 

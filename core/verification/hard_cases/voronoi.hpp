@@ -10,4 +10,12 @@ namespace talus {
 /// a point than to all others. The same for the same `seed` on every machine.
 std::vector<TetMesh> voronoi_pieces(const Vec3& min, const Vec3& max, int count, unsigned seed);
 
+/// A plane that takes away what lies where its normal (unit) points.
+struct CuttingPlane {
+  Vec3 point, normal;
+};
+/// The same cells without what the plane takes away; a cell that it takes wholly is none any more.
+std::vector<TetMesh> voronoi_pieces(const Vec3& min, const Vec3& max, int count, unsigned seed,
+                                    const CuttingPlane& plane);
+
 }  // namespace talus

@@ -34,24 +34,6 @@ void add_closed_box(CaseScene& scene, const Vec3& min, const Vec3& max, double w
   }
 }
 
-/// A ring about y whose profile is a square of that thickness, of `sides` straight pieces.
-TetMesh ring(double inner, double thickness, int sides) {
-  const double outer = inner + thickness;
-  const auto at = [&](int k, double radius, double y) {
-    const double angle = 2 * std::numbers::pi * ((k % sides) + 0.5) / sides;
-    return Vec3(radius * std::cos(angle), y, radius * std::sin(angle));
-  };
-  std::vector<TetMesh> pieces;
-  for (int k = 0; k < sides; ++k) {
-    const double y = thickness / 2;
-    pieces.push_back(
-        hexahedron_mesh({at(k, inner, -y), at(k, outer, -y), at(k, inner, y), at(k, outer, y), at(k + 1, inner, -y),
-                         at(k + 1, outer, -y), at(k + 1, inner, y), at(k + 1, outer, y)},
-                        1, 1, 1));
-  }
-  return welded(pieces);
-}
-
 /// How high above its middle the hole of such a ring is at a distance from the vertical through it [m].
 double hole_height(double inner, int sides, double aside) {
   const double flat = inner * std::cos(std::numbers::pi / sides);

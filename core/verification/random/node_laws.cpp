@@ -151,6 +151,15 @@ HardCaseExpectation nodes_stay_in_box(const Vec3& min, const Vec3& max, double a
   return {"nothing leaves the box", fault, FaultKind::lost};
 }
 
+HardCaseExpectation nodes_stay_above(const std::string& surface, const std::function<double(const Vec3&)>& depth,
+                                     double allowance) {
+  const auto fault = [=](const Trajectory& trajectory) -> std::string {
+    const Farthest found = first_out(trajectory, allowance, depth);
+    return found.block < 0 ? "" : found.words(trajectory, "below " + surface);
+  };
+  return {"nothing goes below " + surface, fault, FaultKind::lost};
+}
+
 HardCaseExpectation is_turned_away(const std::string& block, const Vec3& gravity, double share) {
   const auto fault = [=](const Trajectory& trajectory) -> std::string {
     const int index = trajectory.block(block);

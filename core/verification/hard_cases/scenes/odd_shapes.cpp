@@ -126,9 +126,10 @@ HardCase cone_on_tip(double drop) {
 constexpr double bar = 0.2;  // m, of hooks and rails
 
 /// A letter J in the plane y = 0, 4 bars wide and 6 high; its inside, 2 bars wide, begins at the origin.
-TetMesh hook() {
-  const std::vector<double> x{-bar, 0, 2 * bar, 3 * bar}, z{-bar, 0, bar, 5 * bar};
-  return grid_mesh(x, {-bar / 2, bar / 2}, z, [](int i, int, int k) { return k == 0 || i == 2 || (i == 0 && k == 1); });
+TetMesh bent_bar() {
+  TetMesh mesh = hook(2, 5, 1);
+  for (Vec3& node : mesh.nodes) node *= bar;
+  return mesh;
 }
 
 /// A free hook upside down in a fixed one, across it. Its centroid lies 0.6 bars beside the middle of its inside, more
@@ -141,9 +142,9 @@ HardCase hooks() {
           .expected = {topples("free hook", 5), stays_before({0, 0, -2 * bar}, Vec3::UnitZ())},
           .build = [] {
             CaseScene scene = rock_scene(30);
-            scene.add_block("hook", hook(), BodyKind::fixed);
+            scene.add_block("hook", bent_bar(), BodyKind::fixed);
             const Mat3 turn = turn_about(Vec3::UnitZ(), 90) * upside_down();
-            scene.add_block("free hook", placed(hook(), turn, {bar, -bar, 0}), BodyKind::rigid);
+            scene.add_block("free hook", placed(bent_bar(), turn, {bar, -bar, 0}), BodyKind::rigid);
             scene.project.stages = {dynamic_stage(1e-3, 3)};
             return scene;
           }};

@@ -110,4 +110,15 @@ std::optional<double> least_thickness(int voussoirs, std::optional<double> frict
   return stays;
 }
 
+std::optional<double> least_friction(const Arch& arch) {
+  constexpr double roughest = 10;
+  double falls = 0, stays = roughest;
+  if (!stands(arch, stays)) return std::nullopt;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (falls + stays) / 2;
+    (stands(arch, middle) ? stays : falls) = middle;
+  }
+  return stays;
+}
+
 }  // namespace talus

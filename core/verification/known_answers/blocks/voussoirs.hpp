@@ -27,4 +27,7 @@ bool stands(const Arch& arch, std::optional<double> friction);
 /// Milankovitch 1907: 0.1075 for very many voussoirs.
 std::optional<double> least_thickness(int voussoirs, std::optional<double> friction);
 
+/// Least friction coefficient at which it stands; none when it does not, however rough its joints are.
+std::optional<double> least_friction(const Arch& arch);
+
 }  // namespace talus

@@ -49,6 +49,16 @@ TEST(NodeLaws, ABodyOutsideTheBoxIsLost) {
   EXPECT_THAT(fault_of(scene, nodes_stay_in_box({-1, -1, 1.9}, {1.6, 1, 3}, 0)), HasSubstr("outside it"));
 }
 
+TEST(NodeLaws, ABodyBelowTheBedIsLost) {
+  const CaseScene scene = flight(BodyKind::rigid, {0, 0, -1}, Vec3::Zero());
+  const auto above = [](double level) {
+    return nodes_stay_above(
+        "the bed", [level](const Vec3& point) { return level - point.z(); }, 0.1);
+  };
+  EXPECT_THAT(fault_of(scene, above(0.85)), IsEmpty());
+  EXPECT_THAT(fault_of(scene, above(0.95)), HasSubstr("below the bed"));
+}
+
 TEST(NodeLaws, WhatFliesOnIsNotTurnedAway) {
   CaseScene scene = flight(BodyKind::rigid, {0, 0, -3}, Vec3::Zero());
   const HardCaseExpectation away = is_turned_away("body", Vec3::Zero(), 0.01);

@@ -26,6 +26,11 @@ TEST(Voussoirs, FallAtAnyThicknessBelowAFrictionOf0309) {
   EXPECT_FALSE(least_thickness(2001, 0.3085).has_value());
 }
 
+TEST(Voussoirs, NeedTheFrictionAtWhichTheirThicknessIsTheLeast) {
+  EXPECT_NEAR(*least_friction({27, *least_thickness(27, 0.35)}), 0.35, 1e-6);
+  EXPECT_FALSE(least_friction({27, 0.1}).has_value()) << "too thin for any";
+}
+
 TEST(Voussoirs, ShareTheCornersOfTheirJoints) {
   const Arch arch{5, 0.2};
   for (int i = 0; i + 1 < arch.voussoirs; ++i) {
