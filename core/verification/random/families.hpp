@@ -18,5 +18,11 @@ HardCase random_chain(Draw& draw);
 HardCase random_shaking(Draw& draw);
 HardCase random_coincidence(Draw& draw);
 HardCase random_ratios(Draw& draw);
+HardCase random_voronoi_slope(Draw& draw);
+HardCase random_arch(Draw& draw);
+HardCase random_dominoes(Draw& draw);
+HardCase random_cavern(Draw& draw);
+HardCase random_terrain(Draw& draw);
+HardCase random_tangle(Draw& draw);
 
 }  // namespace talus

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mesh/moments.hpp"
 #include "model/number_text.hpp"
@@ -72,11 +73,8 @@ Rough random_hollowed(SceneNumbers& numbers) {
   }
 }
 
-}  // namespace
-
-RandomShape random_shape(SceneNumbers& numbers, double thickness, bool hollowed) {
-  const int kind = numbers.whole(0, hollowed ? 2 : 1);
-  Rough rough = kind == 0 ? random_box(numbers) : kind == 1 ? random_convex(numbers) : random_hollowed(numbers);
+/// As thick as asked for, about its centroid.
+RandomShape shape_of(Rough rough, double thickness) {
   const Vec3 centroid = volume_moments(rough.mesh).centroid;
   RandomShape shape{rough.word, std::move(rough.mesh), thickness, 0};
   for (Vec3& node : shape.mesh.nodes) {
@@ -85,6 +83,40 @@ RandomShape random_shape(SceneNumbers& numbers, double thickness, bool hollowed)
   }
   return shape;
 }
+
+/// Between its flat sides it is as thick as along its axis, or more.
+Rough random_ring(SceneNumbers& numbers) {
+  const int sides = 4 * numbers.whole(2, 4);
+  return {"ring", ring(numbers.logarithmic(0.7, most_lengths / 2), 1 / std::cos(std::numbers::pi / sides), sides)};
+}
+
+Rough random_gripping(SceneNumbers& numbers) {
+  const double a = numbers.logarithmic(2, most_lengths), b = numbers.logarithmic(1, most_lengths);
+  switch (numbers.whole(0, 4)) {
+    case 0:
+      return {"hook", hook(numbers.between(0.7, 3), std::max(1.5, b / 2), 0.8)};
+    case 1:
+      return random_ring(numbers);
+    case 2:  // its edge is as sharp as 1 to a
+      return {"wedge", hull_mesh({{0, 0, 0}, {a, 0, 0}, {0, 0, 1}, {0, b, 0}, {a, b, 0}, {0, b, 1}})};
+    case 3:
+      return {"sliver", hull_mesh({{0, 0, 0}, {most_lengths, 0, 0}, {0, a, 0}, {0, 0, 1}})};
+    default:
+      return {"plate", box_mesh({0, 0, 0}, {a, std::max(2.0, b), 1}, 1, 1, 1)};
+  }
+}
+
+}  // namespace
+
+RandomShape random_shape(SceneNumbers& numbers, double thickness, bool hollowed) {
+  const int kind = numbers.whole(0, hollowed ? 2 : 1);
+  return shape_of(kind == 0   ? random_box(numbers)
+                  : kind == 1 ? random_convex(numbers)
+                              : random_hollowed(numbers),
+                  thickness);
+}
+
+RandomShape random_gripping_shape(SceneNumbers& numbers) { return shape_of(random_gripping(numbers), 1); }
 
 void add_random_block(CaseScene& scene, const std::string& name, const RandomShape& shape, BodyKind body,
                       const Mat3& turn, const Vec3& centroid, SceneNumbers& numbers, int material) {

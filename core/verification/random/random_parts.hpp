@@ -21,6 +21,9 @@ struct RandomShape {
 /// an L, a T, a U or a jack. Lengths are 1 to 10 times the thickness.
 RandomShape random_shape(SceneNumbers& numbers, double thickness, bool hollowed);
 
+/// What grips or gets caught, of thickness 1: a hook, a ring, a wedge with a sharp edge, a sliver, a plate.
+RandomShape random_gripping_shape(SceneNumbers& numbers);
+
 /// The shape as a block of the scene: turned, moved, and, where it deforms, more finely meshed by chance.
 void add_random_block(CaseScene& scene, const std::string& name, const RandomShape& shape, BodyKind body,
                       const Mat3& turn, const Vec3& centroid, SceneNumbers& numbers, int material = 0);

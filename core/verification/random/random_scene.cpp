@@ -114,6 +114,14 @@ const std::vector<RandomFamily>& random_families() {
       {"coincident", "Boxes whose faces, edges and corners coincide, or miss by 1e-12 to 1e-3, rest",
        random_coincidence},
       {"ratios", "Boxes of densities to 1 : 1e4 and sizes to 1 : 1e3 rest on each other", random_ratios},
+      {"voronoi", "Voronoi cells on a bedding plane slide as far as friction lets them at least", random_voronoi_slope,
+       true},
+      {"arches", "Arches of voussoirs stand, or fall where too thin or too slippery, as their thrust line says",
+       random_arch},
+      {"dominoes", "A row of dominoes falls, or none, by the spin that the first is given", random_dominoes, true},
+      {"caverns", "A cavern's roof cut by three joint sets: what falls stays in it", random_cavern, true},
+      {"terrain", "Bodies that fall and roll on a rough bed stay above it", random_terrain, true},
+      {"tangles", "Hooks, rings, wedges, slivers and plates that fall in a closed box stay in it", random_tangle, true},
   };
   return families;
 }
