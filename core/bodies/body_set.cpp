@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "bodies/finite_rotation.hpp"
+#include "bodies/rigid_motion.hpp"
+#include "bodies/time_integration.hpp"
 #include "mesh/moments.hpp"
 
 namespace talus {
@@ -35,7 +37,9 @@ Corners equivalent_tetrahedron(const VolumeMoments& moments) {
 
 }  // namespace
 
-BodySet::BodySet(const Project& project, const BlockSystem& system) {
+BodySet::BodySet(const Project& project, const BlockSystem& system)
+    : turns_finitely_(project.solver.strain != Strain::incremental &&
+                      TimeIntegration::of(project.solver).smooth_fraction() == 1) {
   int tetrahedra = 0;
   for (const Block& block : system.blocks) {
     Body body = make_body(block, project.materials.at(block.material));
@@ -283,6 +287,9 @@ void BodySet::advance(const Increment& from, const Eigen::VectorXd& change, Incr
     const double radius = rigid[r].radius;
     to.segment<3>(first) = radius * composed(change.segment<3>(first) / radius, from.segment<3>(first) / radius);
   }
+  if (!turns_finitely_) return;
+  for (const int b : moving)
+    if (bodies[b].kind != BodyKind::rigid) turn_on(*this, bodies[b], from, change, to);
 }
 
 void BodySet::carry_positions(Body& body) {

@@ -100,7 +100,8 @@ struct BodySet {
   void dof_blocks_of(int node, std::vector<int>& dof_blocks) const;
 
   /// `to` = the increment that `from` becomes by a further `change`. Unknowns add up, but for rotations, which follow
-  /// one another: a change of a rotation turns the body on from where it stands.
+  /// one another: a change of a rotation turns the body on from where it stands. So do changes that turn a body which
+  /// deforms (turn_on), where a step's strains are those of its end and do not feel a rotation.
   void advance(const Increment& from, const Eigen::VectorXd& change, Increment& to) const;
   /// The step is taken: positions and rotations move on by `d`, and the nodes of affine and rigid bodies follow. Each
   /// body notes its largest displacement.
@@ -135,6 +136,7 @@ struct BodySet {
   void number_dof_blocks();
   void carry_positions(Body& body);
   ElementShape shape_of(const Element& element) const;
+  bool turns_finitely_;            ///< strains are those of the end of a step, and do not feel a rotation
   std::vector<HeldElement> held_;  ///< of bodies that are held, in their order
 };
 

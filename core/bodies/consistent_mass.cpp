@@ -2,11 +2,10 @@
 
 namespace talus {
 
-double mass_square(double mass, const Corners& u) {
-  const Vec3 sum = u[0] + u[1] + u[2] + u[3];
-  double squares = sum.squaredNorm();
-  for (const Vec3& corner : u) squares += corner.squaredNorm();
-  return mass / 20 * squares;
+double mass_product(double mass, const Corners& u, const Corners& w) {
+  double sum = (u[0] + u[1] + u[2] + u[3]).dot(w[0] + w[1] + w[2] + w[3]);
+  for (int corner = 0; corner < 4; ++corner) sum += u[corner].dot(w[corner]);
+  return mass / 20 * sum;
 }
 
 void add_mass_times(const Element& element, double scale, const Corners& u, Eigen::VectorXd& sum) {

@@ -7,8 +7,9 @@
 /// have in common.
 namespace talus {
 
-/// uᵀ M u of an element of this mass [kg].
-double mass_square(double mass, const Corners& u);
+/// uᵀ M w of an element of this mass [kg].
+double mass_product(double mass, const Corners& u, const Corners& w);
+inline double mass_square(double mass, const Corners& u) { return mass_product(mass, u, u); }
 
 /// sum += scale · (1 + δ_ab) u at the element's corners.
 void add_mass_times(const Element& element, double scale, const Corners& u, Eigen::VectorXd& sum);

@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "bodies/body_set.hpp"
 #include "linear/symmetric_blocks.hpp"
+#include "linear/unsymmetric_blocks.hpp"
 
 namespace talus {
 
@@ -14,6 +15,12 @@ class ElementSums {
  public:
   using Forces = std::array<Vec3, 4>;      ///< N, a corner
   using Stiffness = std::array<Mat3, 10>;  ///< N/m, lower triangle of the corners' blocks, row by row
+  using WholeStiffness = std::array<std::array<Mat3, 4>, 4>;  ///< N/m, of the force on a corner by the way of another
+
+  /// The block of a symmetric stiffness, of the force on corner a by the way of corner b.
+  static Mat3 block(const Stiffness& stiffness, int a, int b) {
+    return a >= b ? stiffness[a * (a + 1) / 2 + b] : Mat3(stiffness[b * (b + 1) / 2 + a].transpose());
+  }
 
   static constexpr int grain = 64;  ///< elements, some 20 µs of work
 
@@ -48,6 +55,18 @@ class ElementSums {
     }
   }
 
+  /// Adds stiffness_of(element), unsymmetric [N/m].
+  template <class StiffnessOf>
+  void add_unsymmetric(const std::vector<int>& elements, const StiffnessOf& stiffness_of,
+                       UnsymmetricBlocks& sum) const {
+    compute(elements, stiffness_of, whole_);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const std::array<int, 4>& dof_blocks = set_.elements[elements[i]].dof_blocks;
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b) sum.add(dof_blocks[a], dof_blocks[b], whole_[i][a][b]);
+    }
+  }
+
  private:
   template <class Of, class Value>
   void compute(const std::vector<int>& elements, const Of& of, std::vector<Value>& values) const {
@@ -61,6 +80,7 @@ class ElementSums {
   mutable std::vector<double> energies_;
   mutable std::vector<Forces> forces_;
   mutable std::vector<Stiffness> stiffness_;
+  mutable std::vector<WholeStiffness> whole_;
 };
 
 }  // namespace talus

@@ -9,4 +9,9 @@ namespace talus {
 /// numbers a movable node [m].
 void continue_motion(const BodySet& set, double length, Increment& d);
 
+/// Bends `to`, which is `from` and a further `change` along straight lines, 3 numbers a node of a body that deforms
+/// [m]: the rotation that is nearest to the change is taken as a finite one, for it would stretch the body by half its
+/// square.
+void turn_on(const BodySet& set, const Body& body, const Increment& from, const Eigen::VectorXd& change, Increment& to);
+
 }  // namespace talus

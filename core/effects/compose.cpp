@@ -83,7 +83,7 @@ class StageEffects {
     switch (kind) {
       case EffectKind::elasticity:
         if (corotational)
-          keep(std::make_unique<CorotationalElasticity>(set_));
+          keep(std::make_unique<CorotationalElasticity>(set_, tolerances_));
         else
           keep(std::make_unique<Elasticity>(set_));
         break;

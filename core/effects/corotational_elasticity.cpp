@@ -104,6 +104,43 @@ void CorotationalElasticity::add_hessian(const Increment& d, SymmetricBlocks& su
       set_.linear, [&](int e) { return stiffness(e, d); }, sum);
 }
 
+/// A way u of corner b turns the element by RᵀdR = ω̂, ω = (tr S I − S)⁻¹ g_b × Rᵀu, and strains it by
+/// dS = Rᵀu g_bᵀ − ω̂ S; Piola's stress ½(R₀ + R) T changes by ½ R ω̂ T + ½(R₀ + R) dT.
+ElementSums::WholeStiffness CorotationalElasticity::rest_of_tangent(int e, const Increment& d) const {
+  const Element& element = set_.elements[e];
+  const ElementShape& shape = set_.shapes[e];
+  const Elastic& elastic = set_.bodies[element.body].elastic;
+  const Mat3 f = deformation_gradient(set_, element, shape, d), r = rotation_of(f), mean = 0.5 * (start_[e] + r);
+  const Mat3 stretch = r.transpose() * f, stress = r.transpose() * piola_stress(elastic, f, r);
+  const Mat3 spin = (stretch.trace() * Mat3::Identity() - stretch).inverse(), turn = mean * r.transpose();
+  std::array<Mat3, 4> by_spin, spin_of_corner;
+  for (int a = 0; a < 4; ++a) {
+    const Vec3& g = shape.gradient[a];
+    by_spin[a] = 2 * elastic.mu * times_cross(mean, stretch * g) - 0.5 * times_cross(r, stress * g);
+    spin_of_corner[a] = times_cross(spin, g) * r.transpose();
+  }
+  const ElementSums::Stiffness symmetric = stiffness(e, d);
+  ElementSums::WholeStiffness blocks;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      const Vec3 &ga = shape.gradient[a], &gb = shape.gradient[b];
+      blocks[a][b] = shape.volume * (by_spin[a] * spin_of_corner[b] + 2 * elastic.mu * ga.dot(gb) * turn +
+                                     elastic.lambda * (mean * ga) * (r * gb).transpose()) -
+                     ElementSums::block(symmetric, a, b);
+    }
+  return blocks;
+}
+
+void CorotationalElasticity::add_unsymmetric(const Increment& d, Arms, UnsymmetricBlocks& sum) const {
+  if (start_.empty()) return;
+  const double negligible = 2 * tolerances_.negligible_turn * tolerances_.negligible_turn;
+  turning_.clear();
+  for (const int e : set_.linear)
+    if (change_of_gradient(set_, set_.elements[e], set_.shapes[e], d).squaredNorm() > negligible) turning_.push_back(e);
+  sums_.add_unsymmetric(
+      turning_, [&](int e) { return rest_of_tangent(e, d); }, sum);
+}
+
 void CorotationalElasticity::add_stress(std::vector<Voigt>& stress) const {
   for (const int e : set_.linear) {
     const Mat3 f = deformation_gradient(set_, set_.elements[e], set_.shapes[e]);

@@ -2,6 +2,7 @@
 
 #include "bodies/element_sums.hpp"
 #include "effects/effect.hpp"
+#include "model/solver_tolerances.hpp"
 
 namespace talus {
 
@@ -12,10 +13,12 @@ namespace talus {
 /// along the mean rotation of the step, ½(R₀ + R₁) Rᵀ₁ P₁: along the end's alone it would do work on the chord of a
 /// stressed block that turns, and brake its spin; strains stay those of the end, which takes energy from vibrations.
 /// The Hessian is the exact one (dR from (tr S I − S)⁻¹; e.g. McAdams et al. 2011) but for the part of compressed
-/// elements that would be negative.
+/// elements that would be negative. The rest of the tangent of the mean rotation is the unsymmetric part, of elements
+/// that turn in the step: without it Newton's method leads nowhere where a stiff block spins.
 class CorotationalElasticity final : public Effect {
  public:
-  explicit CorotationalElasticity(const BodySet& set) : set_(set), sums_(set) {}
+  explicit CorotationalElasticity(const BodySet& set, const EffectTolerances& tolerances = {})
+      : set_(set), tolerances_(tolerances), sums_(set) {}
   EffectKind kind() const override { return EffectKind::elasticity; }
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool quadratic() const override { return false; }
@@ -25,15 +28,19 @@ class CorotationalElasticity final : public Effect {
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
+  void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   double stored_energy() const override;
   void add_stress(std::vector<Voigt>& stress) const override;
 
  private:
   ElementSums::Forces forces(int element, const Increment& d) const;
   ElementSums::Stiffness stiffness(int element, const Increment& d) const;
+  ElementSums::WholeStiffness rest_of_tangent(int element, const Increment& d) const;
   double energy_of(int element, const Mat3& gradient) const;
   const BodySet& set_;
+  EffectTolerances tolerances_;
   ElementSums sums_;
+  mutable std::vector<int> turning_;  ///< elements, in this iterate
   std::vector<Mat3> start_;  ///< R₀ of each element of linear rock, where the mean rotation is asked for; else none
 };
 

@@ -131,21 +131,24 @@ void NeoHookeanElasticity::add_hessian(const Increment& d, SymmetricBlocks& sum)
       set_.neo_hookean, [&](int e) { return stiffness(e, d); }, sum);
 }
 
+ElementSums::WholeStiffness NeoHookeanElasticity::rest_of_tangent(int e, const Increment& d) const {
+  const State state = state_of(e, d);
+  const std::array<Vec3, 4>& gradient = set_.shapes[e].gradient;
+  const Mat3 turn = bearer(e, state.f) * state.f.inverse();
+  ElementSums::WholeStiffness blocks;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      blocks[a][b] = turn * stiffness_block(state.now, state.elastic, a, b) -
+                     stiffness_block(state.now, not_negative(state.elastic), a, b);
+      blocks[a][b].diagonal().array() += gradient[a].dot(state.push * gradient[b]);
+    }
+  return blocks;
+}
+
 void NeoHookeanElasticity::add_unsymmetric(const Increment& d, Arms, UnsymmetricBlocks& sum) const {
   if (!mean_) return;
-  for (const int e : set_.neo_hookean) {
-    const State state = state_of(e, d);
-    const std::array<Vec3, 4>& gradient = set_.shapes[e].gradient;
-    const std::array<int, 4>& dof_blocks = set_.elements[e].dof_blocks;
-    const Mat3 turn = bearer(e, state.f) * state.f.inverse();
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < 4; ++b) {
-        Mat3 block = turn * stiffness_block(state.now, state.elastic, a, b) -
-                     stiffness_block(state.now, not_negative(state.elastic), a, b);
-        block.diagonal().array() += gradient[a].dot(state.push * gradient[b]);
-        sum.add(dof_blocks[a], dof_blocks[b], block);
-      }
-  }
+  sums_.add_unsymmetric(
+      set_.neo_hookean, [&](int e) { return rest_of_tangent(e, d); }, sum);
 }
 
 double NeoHookeanElasticity::longest_step_fraction(const Increment& d, const Increment& change) const {

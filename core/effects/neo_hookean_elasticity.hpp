@@ -47,6 +47,7 @@ class NeoHookeanElasticity final : public Effect {
   State state_of(int element, const Increment& d) const;
   ElementSums::Forces forces(int element, const Increment& d) const;
   ElementSums::Stiffness stiffness(int element, const Increment& d) const;
+  ElementSums::WholeStiffness rest_of_tangent(int element, const Increment& d) const;
   double energy_of(int element, const Mat3& gradient) const;
   const BodySet& set_;
   EffectTolerances tolerances_;

@@ -1,5 +1,6 @@
 #include "effects/rigid_inertia.hpp"
 
+#include "bodies/finite_rotation.hpp"
 #include "bodies/nodal_motion.hpp"
 
 namespace talus {
@@ -12,12 +13,29 @@ double turning_scale(const BodySet& set, const RigidBody& body, const StepContex
   return (1 - step.integration.alpha_m) / (beta * step.length * step.length * body.radius * body.radius);
 }
 
+/// The inverse of β − γ/4 φ × …, by which Ȧ₁ enters the equation of motion.
+Mat3 moment_weight(double beta, double gamma, const Vec3& phi) {
+  const Vec3 w = gamma / 4 * phi;
+  return (beta * Mat3::Identity() + cross_matrix(w) + w * w.transpose() / beta) / (beta * beta + w.squaredNorm());
+}
+
+/// The derivative of Ȧ₁ as the body turns on [N m].
+Mat3 moment_slope(const BodySet& set, const RigidBody& body, const StepContext& step, const Increment& d) {
+  const double beta = beta_of(set, step, body.centre), gamma = step.integration.gamma, length = step.length;
+  const Vec3 theta = body.theta(d), phi = cayley_vector(theta);
+  const Vec3 mean = gamma * end_moment(set, body, step, d) + (1 - gamma) * step.dynamic_factor * body.moment;
+  return moment_weight(beta, gamma, phi) *
+         (body.momentum_slope(theta) / (length * length) - 0.25 * cross_matrix(mean) * cayley_tangent(phi));
+}
+
 }  // namespace
 
 Vec3 end_moment(const BodySet& set, const RigidBody& body, const StepContext& step, const Increment& d) {
-  const double beta = beta_of(set, step, body.centre), length = step.length;
-  const Vec3 free = length * step.dynamic_factor * (body.angular_momentum + (0.5 - beta) * length * body.moment);
-  return (body.momentum_of(body.theta(d)) - free) / (beta * length * length);
+  const double beta = beta_of(set, step, body.centre), gamma = step.integration.gamma, length = step.length;
+  const Vec3 theta = body.theta(d), phi = cayley_vector(theta), at_start = step.dynamic_factor * body.moment;
+  const Vec3 free = length * step.dynamic_factor * body.angular_momentum + (0.5 - beta) * length * length * at_start -
+                    (1 - gamma) * length * length / 4 * phi.cross(at_start);
+  return moment_weight(beta, gamma, phi) * (body.momentum_of(theta) - free) / (length * length);
 }
 
 void add_rigid_inertia(const BodySet& set, const StepContext& step, const Increment& d, Eigen::VectorXd& sum) {
@@ -45,10 +63,10 @@ void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks
 void add_rigid_turning(const BodySet& set, const StepContext& step, const Increment& d, UnsymmetricBlocks& sum) {
   for (const int r : set.turning) {
     const RigidBody& body = set.rigid[r];
-    const Vec3 theta = body.theta(d);
-    if (theta.isZero(0)) continue;
+    if (body.theta(d).isZero(0)) continue;
+    const double scale = (1 - step.integration.alpha_m) / (body.radius * body.radius);
     sum.add(body.rotation_dof_block, body.rotation_dof_block,
-            turning_scale(set, body, step) * (body.momentum_slope(theta) - body.inertia_now()));
+            scale * moment_slope(set, body, step, d) - turning_scale(set, body, step) * body.inertia_now());
   }
 }
 

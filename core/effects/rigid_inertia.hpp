@@ -4,10 +4,12 @@
 
 /// Inertia of rigid bodies (not in the paper), for any integrator of TimeIntegration's family. The centroid moves as a
 /// point of the body's mass. Turning, the integrator is applied to the angular momentum L as a whole,
-///   L₁ = L₀ + Δ[(1 − γ) Ȧ₀ + γ Ȧ₁],   Jθ + ½ φ × Jθ = Δ L₀ + Δ²[(½ − β) Ȧ₀ + β Ȧ₁],
+///   L₁ = L₀ + Δ[(1 − γ) Ȧ₀ + γ Ȧ₁],   Jθ + ½ φ × Jθ = Δ L₀ + Δ²[(½ − β) Ȧ₀ + β Ȧ₁] − ¼ Δ φ × (L₁ − L₀),
 /// with Ȧ its rate, the moment of all forces, θ the rotation of the step and φ its Cayley vector
 /// (RigidBody::momentum_of): without a moment L stays the same to round-off, and a spin about a principal axis is
-/// exact.
+/// exact. With one, and β = ½, γ = 1, what turns the body is the mean of L in its own axes, ½ (Λ₀ᵀL₀ + Λ₁ᵀL₁), so that
+/// ½ ω·L changes by the work of the moment, Ȧ₁·θ, to round-off (Simo & Wong 1991); the last term is what that mean is
+/// less than that of L in fixed ones.
 namespace talus {
 
 /// The forces and moments that the increment `d` asks for, on the left of the equation of motion [N].

@@ -311,6 +311,9 @@ struct EffectTolerances {
   /// Of the size of a block, or of all blocks together. Loads, constraints and monitors may lie outside of their block
   /// by it. Chosen: coordinates in files have six digits. Projects are refused or accepted by it.
   double point_outside_block = 1e-6;
+  /// rad. Linear rock that turns by less in a step has the symmetric tangent, whose stress does not act along the mean
+  /// rotation. Chosen. Larger: more iterations where blocks spin. Smaller: unsymmetric equations where few turn.
+  double negligible_turn = 1e-3;
   /// – (fraction). An element of neo-Hookean rock keeps this of its volume in an iteration. Chosen. Larger: more
   /// iterations of shorter increments. Smaller: elements nearly turned inside out on the way.
   double kept_volume = 0.1;

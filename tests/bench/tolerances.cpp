@@ -244,6 +244,7 @@ std::vector<Entry> entries() {
            {{"search_gap", &G::search_gap},
             {"constraint_stiffness", &G::constraint_stiffness},
             {"point_outside_block", &G::point_outside_block},
+            {"negligible_turn", &G::negligible_turn},
             {"kept_volume", &G::kept_volume},
             {"slides_on", &G::slides_on},
             {"least_excess", &G::least_excess},

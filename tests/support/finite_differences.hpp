@@ -39,4 +39,28 @@ inline void expect_derivatives(const Effect& effect, const Increment& d, double 
   EXPECT_LT((differences - columns).cwiseAbs().maxCoeff(), tolerance * largest) << to_string(effect.kind());
 }
 
+/// Holds the derivative of an effect's gradient along `x`, by its Hessian and its unsymmetric part, to the central
+/// difference at `d`. `step` is the half width, of `x`; `tolerance` is relative.
+inline void expect_tangent_along(const Effect& effect, const Increment& d, const Eigen::VectorXd& x, double step,
+                                 double tolerance) {
+  const auto gradient = [&](const Increment& at) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(d.size());
+    effect.add_gradient(at, Arms::end, sum);
+    return sum;
+  };
+  const Eigen::VectorXd slope = (gradient(d + step * x) - gradient(d - step * x)) / (2 * step);
+  std::vector<std::pair<int, int>> couplings;
+  effect.add_couplings(couplings);
+  SymmetricBlocks symmetric;
+  symmetric.set_pattern(static_cast<int>(d.size() / 3), couplings);
+  effect.add_hessian(d, symmetric);
+  UnsymmetricBlocks unsymmetric;
+  unsymmetric.set_pattern(symmetric.pattern());
+  effect.add_unsymmetric(d, Arms::end, unsymmetric);
+  Eigen::VectorXd tangent;
+  symmetric.multiply(x, tangent);
+  UnsymmetricBlocks::add_product(unsymmetric.pairs(), x, tangent);
+  EXPECT_LT((tangent - slope).norm(), tolerance * slope.norm()) << to_string(effect.kind());
+}
+
 }  // namespace talus::test

@@ -108,6 +108,8 @@ bool StepGeometry::came_past_sharp_edge(int face, std::span<const Vec3> points, 
       if (features.facets[across].smooth_face == f.smooth_face) continue;
       const Vec3& n = normal(across);
       if (!(depth_below(n, node, centre) > edge_tolerance(f.body, other)) || !counts(n)) continue;
+      const auto lies_below = [&](int m) { return depth_below(n, node, x[m]) > -edge_tolerance(f.body, other); };
+      if (!std::ranges::all_of(features.outline(face), lies_below)) continue;
       const double cosine = n.dot(face_normal(face)), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
       double width = 0, deepest = 0, below = 0;
       for (const Vec3& p : points) {

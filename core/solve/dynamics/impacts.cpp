@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <tuple>
 
 #include "base/stopwatch.hpp"
 #include "contact/contact_law.hpp"
@@ -37,14 +38,17 @@ double mobility_across(const Mat3& mobility, const Vec3& normal) {
   return 0.5 * (a + c) + std::hypot(0.5 * (a - c), b);
 }
 
+double spring_energy_at_start(const ContactPoint& point) {
+  return normal_spring_energy(point, normal_force(point, point.gap)) + shear_spring_energy(point, point.shear_start);
+}
+
 double mass_of(const Body& body) { return body.fixed ? 1e300 : body.mass(); }
 
 }  // namespace
 
 void Impacts::note_speeds(const ContactSet& contacts, const StepContext& step) {
   const Stopwatch watch(seconds_);
-  const auto may_throw_back = [&](int i) { return contacts.points[i].restitution.value_or(0) > 0; };
-  if (std::ranges::any_of(contacts.loose, may_throw_back)) energy_.note_start();
+  if (!contacts.loose.empty()) energy_.note_start();
   closing_.clear();
   for (const int i : contacts.loose) closing_.push_back(-speed_of(set_, contacts, contacts.points[i], step.length));
 }
@@ -123,6 +127,14 @@ void Impacts::gather(const ContactSet& contacts, double step, const std::vector<
   std::stable_sort(struck_.begin(), struck_.end(), [](const Struck& p, const Struck& q) { return p.group < q.group; });
 }
 
+double Impacts::Hit::strike(BodySet& set, double push_more, const Vec3& shear_more) {
+  const Vec3 change = push_more * normal + shear_more;
+  pushed += push_more;
+  sheared += shear_more;
+  where.strike(set, change);
+  return change.norm();
+}
+
 double Impacts::update(Hit& hit) {
   const Vec3 v = hit.where.velocity(set_);
   const double speed = hit.normal.dot(v);
@@ -136,11 +148,7 @@ double Impacts::update(Hit& hit) {
   const double strength = hit.friction * (hit.push + pushed), length = shear.norm();
   if (length > strength) shear *= strength / length;
 
-  const Vec3 change = (pushed - hit.pushed) * hit.normal + (shear - hit.shear - hit.sheared);
-  hit.pushed = pushed;
-  hit.sheared = shear - hit.shear;
-  hit.where.strike(set_, change);
-  return change.norm();
+  return hit.strike(set_, pushed - hit.pushed, shear - hit.shear - hit.sheared);
 }
 
 void Impacts::find_impulses(std::span<Hit> hits) {
@@ -158,11 +166,7 @@ void Impacts::find_impulses(std::span<Hit> hits) {
 }
 
 void Impacts::take_away(std::span<Hit> hits) {
-  for (Hit& hit : hits) {
-    hit.where.strike(set_, -(hit.push + hit.pushed) * hit.normal - (hit.shear + hit.sheared));
-    hit.pushed = -hit.push;
-    hit.sheared = -hit.shear;
-  }
+  for (Hit& hit : hits) hit.strike(set_, -(hit.push + hit.pushed), -(hit.shear + hit.sheared));
 }
 
 std::vector<int> Impacts::bodies_of(std::span<const Hit> hits) const {
@@ -173,34 +177,50 @@ std::vector<int> Impacts::bodies_of(std::span<const Hit> hits) const {
   return bodies;
 }
 
-void Impacts::limit_restitution(std::span<Hit> hits, std::span<const int> bodies, double step) {
-  const auto throws_back = [](const Hit& hit) { return hit.elastic.highest > hit.inelastic.highest; };
-  if (std::none_of(hits.begin(), hits.end(), throws_back)) return;
-  const auto keeps_energy = [&](int body) {
-    const bool is_still = set_.bodies[body].fixed && !std::ranges::count(set_.driven, body);
-    return is_still || (!set_.bodies[body].fixed && set_.bodies[body].kind == BodyKind::rigid);
-  };
-  if (!std::ranges::all_of(bodies, keeps_energy)) return;  // what it gives is not known
+double Impacts::by_driven(std::span<const Hit> hits) {
+  double sum = 0;
+  for (const Hit& hit : hits)
+    sum -= hit.where.driven().dot((hit.push + hit.pushed) * hit.normal + hit.shear + hit.sheared);
+  return sum;
+}
 
-  double in_springs = 0;
-  for (const Hit& hit : hits) in_springs += hit.spring_energy;
-  // The bodies part at this fraction of their restitution.
-  const auto makes_energy = [&](double fraction) {
+void Impacts::limit_energy(std::span<Hit> hits, std::span<const int> bodies, double step) {
+  double to_springs = 0;
+  for (const Hit& hit : hits) to_springs += hit.spring_gain;
+  const auto make_energy = [&] {
+    return energy_.gain() - by_driven(hits) + to_springs > tolerances_.negligible_energy * energy_.kinetic();
+  };
+  // The bodies part at this fraction of their restitution; or by this share of the impulses.
+  const auto makes_some_at = [&](double fraction) {
+    take_away(hits);
     for (Hit& hit : hits) hit.range = hit.inelastic.towards(hit.elastic, fraction);
     find_impulses(hits);
-    return energy_.gain() + in_springs > tolerances_.negligible_energy * energy_.kinetic();
+    return make_energy();
   };
+  const auto makes_some_by = [&](double share) {
+    for (Hit& hit : hits) hit.strike(set_, share * hit.found_push - hit.pushed, share * hit.found_shear - hit.sheared);
+    return make_energy();
+  };
+  const auto note_found = [&] {
+    for (Hit& hit : hits) std::tie(hit.found_push, hit.found_shear) = std::tie(hit.pushed, hit.sheared);
+  };
+  const auto limit = [&](const auto& makes_some) {
+    double least = 0, most = 1;
+    while (most - least > tolerances_.negligible_energy) {
+      const double middle = (least + most) / 2;
+      (makes_some(middle) ? most : least) = middle;
+    }
+    makes_some(least);
+  };
+
+  note_found();
   take_away(hits);
   energy_.note_without_contact(bodies, step);
-  if (!makes_energy(1)) return;
-  double makes_none = 0, makes_some = 1;
-  while (makes_some - makes_none > tolerances_.negligible_energy) {
-    const double middle = (makes_none + makes_some) / 2;
-    take_away(hits);
-    (makes_energy(middle) ? makes_some : makes_none) = middle;
-  }
-  take_away(hits);
-  makes_energy(makes_none);
+  if (!makes_some_by(1)) return;
+  if (!makes_some_at(0)) return limit(makes_some_at);
+  note_found();
+  if (!makes_some_by(0)) return limit(makes_some_by);
+  makes_some_by(1);  // that springs make it is not theirs to mend
 }
 
 void Impacts::add_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {
@@ -215,7 +235,7 @@ void Impacts::add_hits(const ContactSet& contacts, double step, const std::vecto
                      .elastic = struck.range,
                      .inelastic = struck.inelastic,
                      .bodies = {point.bodies[0], point.bodies[1]},
-                     .spring_energy = spring_energy(point, outcomes[i]),
+                     .spring_gain = spring_energy(point, outcomes[i]) - spring_energy_at_start(point),
                      .friction = point.friction,
                      .along = 0,
                      .sideways = 0,
@@ -240,14 +260,13 @@ ImpactEnergy Impacts::apply(const ContactSet& contacts, const StepContext& step,
     const auto hits = std::span(hits_).subspan(begin, end - begin);
     const std::vector<int> bodies = bodies_of(hits);
     const double before = Inertia::kinetic_energy(set_, bodies);
+    const double by_springs = by_driven(hits);
     find_impulses(hits);
-    limit_restitution(hits, bodies, step.length);
-    double by_driven = 0;
-    for (const Hit& hit : hits) by_driven -= hit.where.driven().dot(hit.pushed * hit.normal + hit.sheared);
-    const double taken = before - Inertia::kinetic_energy(set_, bodies) + by_driven;
-    reserve.release(bodies, -taken);
-    energy.taken += taken;
-    energy.by_driven += by_driven;
+    const auto given = [&] { return Inertia::kinetic_energy(set_, bodies) - before - (by_driven(hits) - by_springs); };
+    if (given() > 0 || std::ranges::any_of(hits, &Hit::throws_back)) limit_energy(hits, bodies, step.length);
+    reserve.release(bodies, given());
+    energy.taken -= given();
+    energy.by_driven += by_driven(hits) - by_springs;
   }
   set_.carry_velocities();
   return energy;

@@ -8,8 +8,8 @@
 #include "contact/contact_point.hpp"
 #include "effects/effect.hpp"
 #include "model/solver_tolerances.hpp"
+#include "solve/dynamics/energy_gain.hpp"
 #include "solve/dynamics/integration_reserve.hpp"
-#include "solve/dynamics/rigid_energy.hpp"
 
 namespace talus {
 
@@ -72,7 +72,7 @@ class Impacts {
     Range range;               // that is held now …
     Range elastic, inelastic;  // … of Struck's
     std::array<int, 2> bodies;
-    double spring_energy;  // J, at the end of the step
+    double spring_gain;  // J, over the step
     double friction;
     double along;       // 1/kg, the mobility along the normal …
     double sideways;    // 1/kg, … and no less than that in any direction across it
@@ -80,6 +80,12 @@ class Impacts {
     Vec3 shear;         // N s
     double pushed = 0;  // N s, by the impact
     Vec3 sheared = Vec3::Zero();
+    double found_push = 0;  // N s, by the impact, before energy was asked for
+    Vec3 found_shear = Vec3::Zero();
+
+    bool throws_back() const { return elastic.highest > inelastic.highest; }
+    /// Changes what the impact has pushed and sheared; returns by how much [N s].
+    double strike(BodySet& set, double push_more, const Vec3& shear_more);
   };
   /// Sums up what pushes each body, [N/m].
   void add_up_springs(const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes);
@@ -95,8 +101,10 @@ class Impacts {
   void find_impulses(std::span<Hit> hits);
   /// The bodies that hits strike, each once.
   std::vector<int> bodies_of(std::span<const Hit> hits) const;
-  /// Takes from the restitution of a group of rigid bodies what would make energy.
-  void limit_restitution(std::span<Hit> hits, std::span<const int> bodies, double step);
+  /// Work of bodies that are moved by prescription, by springs and impacts [J].
+  static double by_driven(std::span<const Hit> hits);
+  /// Takes from the restitution of a group what would make energy; where there is none left to take, from the impulses.
+  void limit_energy(std::span<Hit> hits, std::span<const int> bodies, double step);
   /// Takes all that hits have pushed over the step from the velocities.
   void take_away(std::span<Hit> hits);
   /// The impulse of one contact while the others stay; returns by how much it changed [N s].
@@ -105,7 +113,7 @@ class Impacts {
   BodySet& set_;
   ImpactTolerances tolerances_;
   InverseMasses masses_;
-  RigidEnergy energy_;
+  EnergyGain energy_;
   std::vector<double> closing_;  // m/s, of ContactSet::loose at the start of the step
   std::vector<double> springs_;  // N/m, of all contacts that push a body
   std::vector<Struck> struck_;   // group by group

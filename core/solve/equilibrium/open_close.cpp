@@ -59,7 +59,8 @@ void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> coupling
 }
 
 void OpenClose::begin_step(const StepContext& step) {
-  tolerance_ = step.dynamic_factor > 0 ? tolerances_.dynamic_residual : tolerances_.static_residual;
+  is_dynamic_ = step.dynamic_factor > 0;
+  tolerance_ = is_dynamic_ ? tolerances_.dynamic_residual : tolerances_.static_residual;
   if (residual_.begin_step(step)) linear_.outdate();
 }
 
@@ -130,7 +131,17 @@ OpenCloseResult OpenClose::converge(Increment& d, double enough) {
   if (method_ == OpenCloseMethod::states) return converge_by_states(d);
   first_guess_ = d;
   residual_.evaluate(d, Friction::coupled);
-  return converge_within(iteration_limit_, interior_point_applies(), d);
+  try {
+    return converge_within(iteration_limit_, interior_point_applies(), d);
+  } catch (const NotPositiveDefinite& error) {
+    // Inertia leaves no motion without stiffness, unless an iterate has gone so far astray that it is lost in rounding.
+    if (!is_dynamic_) throw;
+    if (elimination_.is_active()) elimination_.end(*composition_, residual_);
+    OpenCloseResult lost;
+    lost.residual = std::numeric_limits<double>::infinity();
+    lost.worst_dof_block = error.node;
+    return lost;
+  }
 }
 
 OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, Increment& d) {

@@ -146,6 +146,7 @@ class OpenClose {
   DisjointSets together_;
   Eigen::VectorXd part_, direction_, zero_;
   Increment scaled_, start_, second_start_, first_guess_, before_alone_;
+  bool is_dynamic_ = false;
   double tolerance_ = 0;      ///< relative residual of all bodies together at which this step has converged …
   double body_residual_ = 0;  ///< … and of each alone
   double enough_ = 0;         ///< of the forces on each body, that may be out of balance this time

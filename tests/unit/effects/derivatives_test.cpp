@@ -99,12 +99,26 @@ TEST_F(Derivatives, CorotationalElasticityOfSqueezedBlocksLeavesOutWhatIsNegativ
   EXPECT_TRUE(test::has_no_negative_eigenvalue(test::dense_matrix(hessian, d_.size())));
 }
 
-/// The work of its forces along a step in which the blocks only turn.
-double work_of_turning(const Effect& effect, const BodySet& set) {
+/// A step in which the blocks only turn, by 0.05 rad.
+Increment turning(const BodySet& set) {
   const Mat3 rotation = Eigen::AngleAxisd(0.05, Vec3(2, -1, 1).normalized()).toRotationMatrix();
   Increment d(set.unknowns());
   for (const int n : set.nodes.free)
     d.segment<3>(3 * set.nodes.dof_block[n]) = (rotation - Mat3::Identity()) * set.nodes.position[n];
+  return d;
+}
+
+TEST_F(Derivatives, CorotationalElasticityOfBlocksThatTurnInTheStep) {
+  turn_and_stretch(0.8);
+  CorotationalElasticity elasticity(set_);
+  elasticity.begin_step({0, 0.01, 1});
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(d_.size(), -1, 1.5);
+  test::expect_tangent_along(elasticity, turning(set_) + d_, x, 1e-6, 1e-7);
+}
+
+/// The work of its forces along a step in which the blocks only turn.
+double work_of_turning(const Effect& effect, const BodySet& set) {
+  const Increment d = turning(set);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(d.size());
   effect.add_gradient(d, Arms::end, gradient);
   return gradient.dot(d);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/rotation.hpp"
@@ -47,6 +48,38 @@ TEST(VertexFaceSearch, CornerOnAFaceTouchesOnceWhereverTheMeshRuns) {
       expect_one(scene.detect(reach), {0, 0, -1}, gap, tip);
     }
   }
+}
+
+/// A mountainside as a scan has it: a face that shares only a corner with another may rise to either side of its plane.
+Shape rough_bed() {
+  return mapped(box({0, 0, -1}, {4, 4, 0}, {4, 4, 1}), [](const Vec3& p) {
+    const double rise = 0.25 * std::sin(2.3 * p.x() + 1.1 * p.y()) + 0.2 * std::sin(3.7 * p.y() - 1.9 * p.x());
+    return Vec3(p.x(), p.y(), p.z() < -0.5 ? -2 : rise);
+  });
+}
+
+TEST(VertexFaceSearch, CornerIsFoundInARoughBedWhereverItSinks) {
+  const Shape bed = rough_bed();
+  constexpr double deep = 2e-3;
+  int places = 0;
+  for (const SurfaceTriangle& triangle : bed.triangles) {
+    const auto corner = [&](int k) { return bed.nodes[triangle.nodes[k]]; };
+    const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+    if (normal.z() < 0.5) continue;
+    for (const Vec3& at : {Vec3(0.4, 0.35, 0.25), Vec3(0.8, 0.1, 0.1), Vec3(0.1, 0.8, 0.1), Vec3(0.1, 0.1, 0.8)}) {
+      const Vec3 tip = at.x() * corner(0) + at.y() * corner(1) + at.z() * corner(2) - deep * normal;
+      Scene scene;
+      scene.add(bed, true);
+      scene.add(on_a_corner(tip));
+      const ContactSet& contacts = scene.detect(reach);
+      const auto holds = [&](const ContactPoint& p) {
+        return (p.normal + normal).norm() < 1e-9 && std::abs(p.gap + deep) < 1e-9;
+      };
+      EXPECT_TRUE(std::ranges::any_of(contacts.points, holds)) << tip.transpose();
+      ++places;
+    }
+  }
+  EXPECT_EQ(places, 4 * 2 * 4 * 4);
 }
 
 TEST(VertexFaceSearch, StiffnessOfAPointIsThatOfOneMeshCell) {
