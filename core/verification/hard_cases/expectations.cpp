@@ -85,6 +85,21 @@ HardCaseExpectation travels_at_least(const std::string& block, const Vec3& direc
           }};
 }
 
+HardCaseExpectation accelerates(const std::string& block, const Vec3& direction, double acceleration,
+                                double tolerance) {
+  return {
+      block + " is accelerated by " + significant(acceleration, 6) + " m/s² within " + with_unit(100 * tolerance, "%"),
+      [=](const Trajectory& trajectory) {
+        const std::vector<Snapshot>& snapshots = trajectory.snapshots;
+        const Snapshot &middle = snapshots[snapshots.size() / 2], &end = snapshots.back();
+        const int b = trajectory.block(block);
+        const double gained = direction.dot(end.blocks[b].velocity - middle.blocks[b].velocity);
+        const double found = gained / (end.time - middle.time);
+        const bool so = std::abs(found - acceleration) <= tolerance * std::abs(acceleration);
+        return so ? std::string() : block + " is accelerated by " + significant(found, 6) + " m/s²";
+      }};
+}
+
 HardCaseExpectation topples(const std::string& block, double angle) {
   return {block + " turns by at least " + in_degrees(angle), [=](const Trajectory& trajectory) {
             double turn = 0;

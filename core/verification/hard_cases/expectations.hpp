@@ -14,6 +14,9 @@ HardCaseExpectation all_rest(int stage, double distance, double angle = 0.01);
 HardCaseExpectation travels(const std::string& block, const Vec3& direction, double distance, double tolerance);
 /// … is at least `least` [m].
 HardCaseExpectation travels_at_least(const std::string& block, const Vec3& direction, double least);
+/// Over the second half of the run the block's velocity along `direction` (unit) grows by `acceleration` [m/s²], within
+/// `tolerance` of it.
+HardCaseExpectation accelerates(const std::string& block, const Vec3& direction, double acceleration, double tolerance);
 /// The block has turned by at least `angle` [degrees].
 HardCaseExpectation topples(const std::string& block, double angle);
 /// The block's speed at the end is below `speed` [m/s].

@@ -16,8 +16,8 @@ namespace talus {
 
 namespace {
 
-constexpr double weight = 9.81;                         // N/kg
-constexpr double way_share = 1e-3, most_unrest = 1e-6;  // of the way; of the size
+constexpr double weight = 9.81;                     // N/kg
+constexpr double share = 1e-3, most_unrest = 1e-6;  // of the way and the acceleration; of the size
 
 /// How a block on planes of friction φ goes in the direction in which it can: it is driven by g·drive, and pressed
 /// onto its planes by forces that sum up to m·g·pressure.
@@ -34,10 +34,13 @@ double random_friction(SceneNumbers& numbers, const Drive& drive) {
   return rests ? std::min(threshold + apart, (threshold + 90) / 2) : std::max(0.0, threshold - apart);
 }
 
-/// How what slides starts. Gravity that comes at once lets an incline's block settle along its normal, and friction is
-/// tan φ of what presses meanwhile too, so that it slides by the closed answer; a wedge settles along its flanks as
-/// well, where friction holds it, and not along the line.
+/// How what slides starts. Gravity that comes at once sets an incline's block on its springs, and it has to slide a
+/// little before they bear all that friction can: it is faster from then on by what that way gave it, and is held to
+/// the acceleration of the closed answer. A wedge would settle along its flanks as well, where friction holds it, and
+/// not along the line; it is let go, and so are half of the blocks: friction is lowered at rest until all of it is
+/// hardly enough, for else some contacts would slide before the others are strained.
 enum class Start { at_once, let_go };
+constexpr double least_hold = 1e-2;  // of what friction is below the threshold in the end
 
 /// What a scene of either kind has in common: `scene` in the frame of the plane or of the planes' line, whose +x dips
 /// by `dip` degrees.
@@ -55,11 +58,18 @@ HardCase sliding_case(Draw& draw, CaseScene scene, const Drive& drive, double fr
   if (held_first) scene.project.stages.push_back(static_stage(step, 20));
   if (held_first && !rests_there) {
     Joint& joint = scene.project.joints[0];
-    stage.joints = {{.name = joint.name,
-                     .friction_angle = friction,
-                     .residual_friction_angle = {},
-                     .cohesion = {},
-                     .tensile_strength = {}}};
+    const auto friction_of = [&](double degrees) {
+      return std::vector<JointChange>{{.name = joint.name,
+                                       .friction_angle = degrees,
+                                       .residual_friction_angle = {},
+                                       .cohesion = {},
+                                       .tensile_strength = {}}};
+    };
+    Stage hold = static_stage(step, 20);
+    hold.name = "hardly hold";
+    hold.joints = friction_of(drive.threshold() + least_hold * (drive.threshold() - friction));
+    scene.project.stages.push_back(hold);
+    stage.joints = friction_of(friction);
     joint.friction_angle = (drive.threshold() + 90) / 2;
   }
   scene.project.stages.push_back(stage);
@@ -67,11 +77,15 @@ HardCase sliding_case(Draw& draw, CaseScene scene, const Drive& drive, double fr
   drawn.title = what + ", friction " + significant(std::abs(friction - drive.threshold())) + "° " +
                 (rests_there ? "above" : "below") + " the threshold" + (held_first ? "" : " at once") + ", " +
                 site.words() + ", steps of " + significant(step) + " s";
+  const Vec3 down = turn * Vec3::UnitX();
+  const double acceleration = drive.acceleration(friction), way = acceleration * seconds * seconds / 2;
   if (rests_there)
     drawn.expected = {rests("block", 0, most_unrest * size)};
+  else if (start == Start::let_go)
+    drawn.expected = {travels("block", down, way, share)};
   else
-    drawn.expected = {
-        travels("block", turn * Vec3::UnitX(), drive.acceleration(friction) * seconds * seconds / 2, way_share)};
+    drawn.expected = {travels_at_least("block", down, (1 - share) * way),
+                      accelerates("block", down, acceleration, share)};
   drawn.build = [scene] { return scene; };
   return drawn;
 }

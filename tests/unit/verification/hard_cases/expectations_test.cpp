@@ -65,6 +65,15 @@ TEST_F(Expectations, DisplacementsAreMeasuredAlongTheDirectionAtTheEnd) {
   EXPECT_EQ(fault(travels_at_least("block", Vec3(0, 1, 0), 4.1)), "block goes 4 m");
 }
 
+TEST_F(Expectations, AccelerationIsThatOfTheSecondHalfOfTheRun) {
+  block(1).velocity = Vec3(9, 0, 0);
+  block(2).velocity = Vec3(1, 0, 0);
+  block(4).velocity = Vec3(5, 4, 0);  // 2 s later
+  EXPECT_EQ(fault(accelerates("block", Vec3(1, 0, 0), 2.01, 0.01)), "");
+  EXPECT_EQ(fault(accelerates("block", Vec3(0, 1, 0), 2, 1e-12)), "");
+  EXPECT_EQ(fault(accelerates("block", Vec3(1, 0, 0), 2.03, 0.01)), "block is accelerated by 2 m/s²");
+}
+
 TEST_F(Expectations, ABlockHasToppledWhenItEverTurnedThatFar) {
   block(3).rotation = quarter_turn;
   EXPECT_EQ(fault(topples("block", 89)), "");
