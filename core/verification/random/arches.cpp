@@ -58,15 +58,9 @@ std::string end_words(ArchEnd end) {
 }
 
 void add_voussoirs(CaseScene& scene, const Arch& arch, double radius, double depth, Draw& draw) {
-  for (int i = 0; i < arch.voussoirs; ++i) {
-    const auto section = corners(arch, i);
-    std::array<Vec3, 8> stone;
-    for (int k = 0; k < 8; ++k) {  // bits: outwards, to the back, on along the arch
-      const Eigen::Vector2d& point = section[(k & 1) + (k & 4 ? 2 : 0)];
-      stone[k] = Vec3(radius * point.x(), k & 2 ? depth / 2 : -depth / 2, radius * point.y());
-    }
-    scene.add_block("stone " + std::to_string(i + 1), hexahedron_mesh(stone, 1, 1, 1), draw.body());
-  }
+  for (int i = 0; i < arch.voussoirs; ++i)
+    scene.add_block("stone " + std::to_string(i + 1), hexahedron_mesh(voussoir(arch, i, radius, depth), 1, 1, 1),
+                    draw.body());
 }
 
 /// One block at least comes down by so much [m].

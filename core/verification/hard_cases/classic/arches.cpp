@@ -14,13 +14,8 @@ CaseScene masonry(int stones, double friction, double duration) {
   CaseScene scene = scene_of({.name = "stone", .density = 2300, .young = 2e10, .poisson = 0.2}, friction);
   scene.add_fixed_box("floor", {-40, -3, -1}, {40, 3, 0});
   for (int i = 0; i < stones; ++i) {
-    const auto section = corners({stones, thickness}, i);
-    std::array<Vec3, 8> block;
-    for (int k = 0; k < 8; ++k) {  // bits: outwards, to the back, on along the arch
-      const Eigen::Vector2d& point = section[(k & 1) + (k & 4 ? 2 : 0)];
-      block[k] = Vec3(arch_radius * point.x(), k & 2 ? arch_depth / 2 : -arch_depth / 2, arch_radius * point.y());
-    }
-    scene.add_block("stone " + std::to_string(i + 1), hexahedron_mesh(block, 1, 1, 1), BodyKind::rigid);
+    const auto stone = voussoir({stones, thickness}, i, arch_radius, arch_depth);
+    scene.add_block("stone " + std::to_string(i + 1), hexahedron_mesh(stone, 1, 1, 1), BodyKind::rigid);
   }
   scene.project.stages = {static_stage(0.01, 100), dynamic_stage(0.01, duration)};
   return scene;

@@ -23,15 +23,9 @@ CaseScene arch_scene(const Arch& arch, double friction) {
   for (const double side : {-1.0, 1.0})
     scene.add_fixed_box(side < 0 ? "left springing" : "right springing", Vec3(side * radius - 4, -depth, -2),
                         Vec3(side * radius + 4, depth, 0));
-  for (int i = 0; i < arch.voussoirs; ++i) {
-    const auto section = corners(arch, i);
-    std::array<Vec3, 8> block;
-    for (int k = 0; k < 8; ++k) {  // bits: outwards, to the back, on along the arch
-      const Eigen::Vector2d& point = section[(k & 1) + (k & 4 ? 2 : 0)];
-      block[k] = Vec3(radius * point.x(), k & 2 ? depth / 2 : -depth / 2, radius * point.y());
-    }
-    scene.add_block("voussoir " + std::to_string(i + 1), hexahedron_mesh(block, 1, 1, 1), BodyKind::tetrahedra);
-  }
+  for (int i = 0; i < arch.voussoirs; ++i)
+    scene.add_block("voussoir " + std::to_string(i + 1), hexahedron_mesh(voussoir(arch, i, radius, depth), 1, 1, 1),
+                    BodyKind::tetrahedra);
   scene.project.stages = {static_stage(0.02, 100), dynamic_stage(0.02, 5)};
   return scene;
 }

@@ -88,6 +88,16 @@ std::array<Eigen::Vector2d, 4> corners(const Arch& arch, int i) {
   return points;
 }
 
+std::array<Vec3, 8> voussoir(const Arch& arch, int i, double radius, double depth) {
+  const auto section = corners(arch, i);
+  std::array<Vec3, 8> stone;
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector2d& point = section[(k & 1) + (k & 4 ? 2 : 0)];
+    stone[k] = Vec3(radius * point.x(), k & 2 ? depth / 2 : -depth / 2, radius * point.y());
+  }
+  return stone;
+}
+
 bool stands(const Arch& arch, std::optional<double> friction) {
   const ThrustBounds bounds = thrust_bounds(arch, friction);
   double low = bounds.least_thrust, high = bounds.largest_thrust;

@@ -19,6 +19,10 @@ struct Arch {
 /// and outer of its upper one.
 std::array<Eigen::Vector2d, 4> corners(const Arch& arch, int i);
 
+/// The same voussoir of an arch of this mean radius and depth [m], about the plane y = 0: bits of a corner's number are
+/// outwards, to the back, on along the arch.
+std::array<Vec3, 8> voussoir(const Arch& arch, int i, double radius, double depth);
+
 /// Whether a thrust line fits into the arch that presses on each joint within its friction: the safe theorem of limit
 /// analysis, for a friction coefficient, or none for joints that never slip.
 bool stands(const Arch& arch, std::optional<double> friction);
