@@ -348,9 +348,9 @@ void EveryPlace::open(const std::filesystem::path& file) {
 }
 
 void EveryPlace::look(const std::string& place) {
-  rest(20);
-  QApplication::sendPostedEvents();  // widgets that were made anew have found their place
-  rest(20);
+  rest(40);
+  // Words that came just now, from a check in the background too, have found their place.
+  QApplication::sendPostedEvents();
   look_(place);
 }
 
