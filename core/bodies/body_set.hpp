@@ -54,7 +54,7 @@ struct Body {
   MaterialLaw law = MaterialLaw::linear;
   double reference_volume = 0;         ///< m³, of the mesh
   double largest_displacement = 0;     ///< m, of a node, when the body moved last
-  bool constant_acceleration = false;  ///< of a rigid one: it begins this step with the acceleration it ends with
+  bool constant_acceleration = false;  ///< it begins this step with the acceleration that it ends with
 
   double mass() const { return density * reference_volume; }  ///< kg
   bool built_fixed() const { return kind == BodyKind::fixed; }

@@ -11,10 +11,11 @@ namespace talus {
 
 namespace {
 
-/// R [2μE + λ tr(E) I], with E = S − I: Piola's stress [Pa].
-Mat3 piola_stress(const Elastic& elastic, const Mat3& f, const Mat3& r) {
-  const double trace = (r.transpose() * f).trace() - 3;
-  return 2 * elastic.mu * (f - r) + elastic.lambda * trace * r;
+/// 2μE + λ tr(E) I, with E = S − I: the stress in the rotated frame [Pa]. It is symmetric to the last bit: what
+/// rounding leaves of a moment would do work on the way of a block that turns.
+Mat3 stress_in_frame(const Elastic& elastic, const Mat3& f, const Mat3& r) {
+  const Mat3 stretch = r.transpose() * f, strain = 0.5 * (stretch + stretch.transpose()) - Mat3::Identity();
+  return 2 * elastic.mu * strain + elastic.lambda * strain.trace() * Mat3::Identity();
 }
 
 /// The exact Hessian less that of linear elasticity in the rotated frame, as a form in the axial vector
@@ -71,8 +72,8 @@ ElementSums::Forces CorotationalElasticity::forces(int e, const Increment& d) co
   const ElementShape& shape = set_.shapes[e];
   const Mat3 f = deformation_gradient(set_, set_.elements[e], shape, d);
   const Mat3 r = rotation_of(f);
-  Mat3 stress = shape.volume * piola_stress(set_.bodies[set_.elements[e].body].elastic, f, r);
-  if (!start_.empty()) stress = 0.5 * (stress + start_[e] * (r.transpose() * stress));
+  const Mat3 turn = start_.empty() ? r : Mat3(0.5 * (start_[e] + r));
+  const Mat3 stress = shape.volume * turn * stress_in_frame(set_.bodies[set_.elements[e].body].elastic, f, r);
   ElementSums::Forces forces;
   for (int a = 0; a < 4; ++a) forces[a] = stress * shape.gradient[a];
   return forces;
@@ -111,7 +112,7 @@ ElementSums::WholeStiffness CorotationalElasticity::rest_of_tangent(int e, const
   const ElementShape& shape = set_.shapes[e];
   const Elastic& elastic = set_.bodies[element.body].elastic;
   const Mat3 f = deformation_gradient(set_, element, shape, d), r = rotation_of(f), mean = 0.5 * (start_[e] + r);
-  const Mat3 stretch = r.transpose() * f, stress = r.transpose() * piola_stress(elastic, f, r);
+  const Mat3 stretch = r.transpose() * f, stress = stress_in_frame(elastic, f, r);
   const Mat3 spin = (stretch.trace() * Mat3::Identity() - stretch).inverse(), turn = mean * r.transpose();
   std::array<Mat3, 4> by_spin, spin_of_corner;
   for (int a = 0; a < 4; ++a) {
@@ -144,7 +145,7 @@ void CorotationalElasticity::add_unsymmetric(const Increment& d, Arms, Unsymmetr
 void CorotationalElasticity::add_stress(std::vector<Voigt>& stress) const {
   for (const int e : set_.linear) {
     const Mat3 f = deformation_gradient(set_, set_.elements[e], set_.shapes[e]);
-    const Mat3 p = piola_stress(set_.bodies[set_.elements[e].body].elastic, f, rotation_of(f));
+    const Mat3 r = rotation_of(f), p = r * stress_in_frame(set_.bodies[set_.elements[e].body].elastic, f, r);
     stress[e] += voigt(p * f.transpose() / f.determinant());
   }
 }

@@ -10,9 +10,10 @@
 namespace talus {
 
 double Inertia::energy(const Increment& d) const {
-  const auto [beta, gamma, alpha_m, alpha_f] = step_.integration;
+  const double alpha_m = step_.integration.alpha_m;
   double sum = 0;
   for (const Element& element : set_.elements) {
+    const double beta = beta_of(set_.bodies[element.body], step_);
     Corners a1, a0, u = set_.corner_increments(element, d), mixed;
     for (int i = 0; i < 4; ++i) {
       a1[i] = end_acceleration(set_, step_, element.nodes[i], d);
@@ -41,8 +42,9 @@ void Inertia::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const
 }
 
 void Inertia::add_hessian(const Increment&, SymmetricBlocks& sum) const {
-  const double scale = (1 - step_.integration.alpha_m) / (20 * step_.integration.beta * step_.length * step_.length);
-  for (const Element& element : set_.elements) add_mass(element, scale * element.mass, sum);
+  const double scale = (1 - step_.integration.alpha_m) / (20 * step_.length * step_.length);
+  for (const Element& element : set_.elements)
+    add_mass(element, scale / beta_of(set_.bodies[element.body], step_) * element.mass, sum);
   add_rigid_mass(set_, step_, sum);
 }
 
@@ -70,7 +72,10 @@ void Inertia::accept(const Increment& d) {
 
 double Inertia::time_error(const Increment& d) const {
   double largest = 0;
-  const auto is_constant = [&](int node) { return set_.bodies[set_.nodes.body[node]].constant_acceleration; };
+  const auto is_constant = [&](int node) {
+    const Body& body = set_.bodies[set_.nodes.body[node]];
+    return body.constant_acceleration && body.kind == BodyKind::rigid;
+  };
   for (const int n : set_.nodes.free) {
     if (is_constant(n)) continue;
     largest = std::max(largest, (end_acceleration(set_, step_, n, d) - start_acceleration(set_, step_, n)).norm());

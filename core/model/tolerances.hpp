@@ -33,8 +33,8 @@ struct ContactTolerances {
   /// Larger: one contact is found on two edges. Smaller: on none.
   double past_edge_end = 1e-9;
   /// rad. Edges that are less convex are no edges: what crosses such a one in its middle goes in by less than a quarter
-  /// of this times its length: a tenth of the penetration that dynamic stages allow (5e-4 h). Larger: bodies go deeper
-  /// over bent faces. Smaller: more edges of the mesh are looked at.
+  /// of this times its length: a fifth of the penetration that dynamic stages allow (2.5e-4 h). Larger: bodies go
+  /// deeper over bent faces. Smaller: more edges of the mesh are looked at.
   double convex_edge_angle = 2e-4;
   /// – (sin²). Edges at a smaller angle (1.8°) are parallel: the direction across both is hardly defined. Chosen.
   /// Larger: more contacts between edges have the normal between their cores. Smaller: normals of rounding.
@@ -43,7 +43,7 @@ struct ContactTolerances {
   // How near to an edge, or to each other, features are in one place.
 
   /// Of h. Features of two bodies that are nearer are in one place; faces that lie deeper in each other than half of it
-  /// do so for certain. Chosen, below the 5e-4 h that bodies may penetrate in dynamic stages. Larger: what lies on a
+  /// do so for certain. Chosen, below the 2.5e-4 h that bodies may penetrate in dynamic stages. Larger: what lies on a
   /// face beside its edge is not held. Smaller: blocks catch on flush joints.
   double least_edge_tolerance = 1e-4;
   /// Of h. … and none that are farther. Chosen. Larger and smaller: as above, where bodies lie deep in each other.

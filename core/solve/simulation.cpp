@@ -148,6 +148,8 @@ void set_times(SimulationState& s, double start, double length) {
 }
 
 void set_up(SimulationState& s) {
+  if (s.accelerations_wanted && s.may_fly())
+    s.acceleration_reset.let_fly(s.bodies, s.contacts, s.tolerances.convergence.first_closing);
   if (s.resets_accelerations()) s.acceleration_reset.begin_step(s.bodies);
   for (const auto& effect : s.composition.effects) effect->begin_step(s.context);
   s.open_close.begin_step(s.context);
@@ -244,6 +246,11 @@ void accept(SimulationState& s, StepReport& report) {
   const bool may_hit = s.impacts && s.dynamic() && s.anything_moves();
   if (may_hit) s.impacts->note_speeds(s.contacts, s.context);
   s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());
+  const bool may_fly = s.may_fly();
+  if (may_fly) {
+    const EffectTimer timer(s.work_of(EffectKind::acceleration_reset));
+    s.free_flight.note_start(s.contacts, s.outcomes.outcomes());
+  }
   const double let_go = may_hit ? s.impacts->let_go_landed(s.contacts, s.context, s.outcomes.outcomes()) : 0;
   if (s.anything_moves()) remember_step(s, report);
   move_bodies(s, report);
@@ -252,7 +259,8 @@ void accept(SimulationState& s, StepReport& report) {
   by_impacts.taken += let_go;
   if (s.anything_moves() && s.resets_accelerations()) {
     const EffectTimer timer(s.work_of(EffectKind::acceleration_reset));
-    s.acceleration_reset.end_step(s.bodies, s.context.length);
+    if (may_fly) s.free_flight.end_step(s.reserve);
+    s.acceleration_reset.end_step(s.bodies, s.context.length, s.free_flight);
   }
   if (s.project.solver.strain == Strain::incremental) s.bodies.update_shapes();
   if (s.dynamic() && s.is_on(EffectKind::sleep)) put_to_sleep(s);
@@ -272,7 +280,7 @@ void remember_step(SimulationState& s, StepReport& report) {
   s.acceleration_reset.note_start(s.bodies, s.contacts, s.outcomes.outcomes());
   s.reserve.note_start(s.context);
   for (const auto& effect : s.composition.effects) effect->accept(s.increment);
-  if (s.resets_accelerations()) s.acceleration_reset.drop(s.bodies);
+  if (s.resets_accelerations()) s.acceleration_reset.drop(s.bodies, s.free_flight);
   s.reserve.hold(s.context);
   s.detector.accept(s.contacts, s.outcomes.outcomes());
 }

@@ -15,6 +15,7 @@
 #include "solve/contact_outcomes.hpp"
 #include "solve/dynamics/acceleration_reset.hpp"
 #include "solve/dynamics/followed_springs.hpp"
+#include "solve/dynamics/free_flight.hpp"
 #include "solve/dynamics/impacts.hpp"
 #include "solve/dynamics/integration_reserve.hpp"
 #include "solve/dynamics/prescribed_motion.hpp"
@@ -53,6 +54,8 @@ struct SimulationState {
   bool resets_accelerations() const {
     return is_on(EffectKind::acceleration_reset) && dynamic() && context.integration.carries_acceleration();
   }
+  /// Whether bodies may be found to fly freely.
+  bool may_fly() const { return resets_accelerations() && anything_moves() && FreeFlight::is_possible(composition); }
   /// The composition may have come to call for the law of impact.
   void expect_impacts() {
     if (composition.rebounds && !impacts) impacts.emplace(bodies, tolerances.impact);
@@ -100,6 +103,7 @@ struct SimulationState {
   PseudoTransientContinuation pseudo_transient;  ///< of static stages
   AccelerationReset acceleration_reset;
   IntegrationReserve reserve;
+  FreeFlight free_flight{bodies};
   MissedContacts missed_contacts{bodies};
   std::optional<PassageCheck> passage;  ///< none where missed contacts are not looked for
   bool goes_through = false;  ///< the trial step took a body through another: it is cut until no body goes that far

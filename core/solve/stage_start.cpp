@@ -81,7 +81,6 @@ void forget_steps(SimulationState& s, double longest_step) {
   s.first_guess.forget(s.bodies.unknowns());
   s.stage_steps = 0;
   s.pseudo_transient.begin_stage();
-  s.acceleration_reset.begin_stage(s.bodies);
 }
 
 void set_time_integration(SimulationState& s, StageKind kind) {
@@ -113,6 +112,8 @@ void begin_stage(SimulationState& s) {
   s.motion.emplace(now, s.system);
   forget_steps(s, stage.time_step);
   set_time_integration(s, stage.kind);
+  s.free_flight.begin_stage();
+  s.acceleration_reset.begin_stage(s.bodies);
   s.accelerations_wanted = s.dynamic();
   if (s.dynamic() && !s.velocities_given) {
     give_velocities(s);

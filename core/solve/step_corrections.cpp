@@ -24,12 +24,21 @@ bool scale_penalty(SimulationState& s, double tolerance) {
   return s.penalty_scaling.scale(s.contacts, s.links, s.increment, tolerance, as_given);
 }
 
+bool take_off(SimulationState& s) {
+  if (!s.may_fly()) return false;
+  const EffectTimer timer(s.work_of(EffectKind::acceleration_reset));
+  if (!s.acceleration_reset.take_off(s.bodies, s.links, s.increment, s.dynamic_penetration())) return false;
+  s.open_close.begin_step(s.context);
+  return true;
+}
+
 }  // namespace
 
 bool correct(SimulationState& s) {
   const std::optional<double>& asked = s.project.solver.penetration_tolerance;
   // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
   if (s.dynamic()) {
+    if (take_off(s)) return true;
     if (s.contacts.points.empty()) return false;
     const double tolerance = s.dynamic_penetration();
     return update_normals(s, tolerance) || scale_penalty(s, tolerance);

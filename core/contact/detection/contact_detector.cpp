@@ -1,6 +1,7 @@
 #include "contact/detection/contact_detector.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -8,6 +9,7 @@
 #include "contact/body_width.hpp"
 #include "contact/broad/broad_phase.hpp"
 #include "contact/contact_features.hpp"
+#include "contact/contact_law.hpp"
 #include "contact/history/contact_memory.hpp"
 #include "contact/history/coupling.hpp"
 #include "contact/narrow/point_search.hpp"
@@ -17,6 +19,7 @@ namespace talus {
 namespace {
 
 constexpr int renewed_worth_a_thread = 256;
+constexpr double rounding_of_energy = 1e-9;  // – of it: forces that go on stay what they are to the bit
 
 }  // namespace
 
@@ -173,9 +176,14 @@ ContactPoint ContactDetector::State::complete(int number) const {
     p.penalty_scaling = past->penalty_scaling;
     p.normal_stiffness *= p.penalty_scaling;
     p.shear_stiffness *= p.penalty_scaling;
-    // By the gap another spring might push harder than the force that it takes over.
-    if (!past->same_spring)
-      p.initial_interference = std::max(p.initial_interference, -f.gap - past->spring_force / p.normal_stiffness);
+    // By the gap another spring might push harder than the force that it takes over, and a softer one hold more energy.
+    if (!past->same_spring) {
+      const double compression =
+          std::min(past->spring_force / p.normal_stiffness, std::sqrt(2 * past->spring_energy / p.normal_stiffness));
+      p.initial_interference = std::max(p.initial_interference, -f.gap - compression);
+    }
+    const double energy = shear_spring_energy(p, p.shear_start);
+    if (energy > (1 + rounding_of_energy) * past->shear_energy) p.shear_start *= std::sqrt(past->shear_energy / energy);
   } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {
     p.initial_interference = initial_interference(f, p.normal_stiffness);
   }

@@ -41,6 +41,8 @@ bool update_normals(ContactSet& contacts, const ContactLinks& links,
     const double depth = -at_end.gap - at_end.normal.dot(displacement),
                  known = point.initial_interference - links.gap(i, d);
     if (!(depth > limit && depth > known + tolerances.noticeable_deepening * limit)) continue;
+    // What is new begins without force: a normal along which it was in before would push from the start.
+    if (point.is_new && at_end.gap + point.initial_interference < -limit) continue;
     turn(point, at_end.normal);
     point.gap = at_end.gap + point.initial_interference;
     any = true;

@@ -101,7 +101,10 @@ void ContactMemory::add_forces(const History& history, const FoundPoint& point, 
     if (left > tolerances_.least_turned_shear * length) sum.shear += in_plane * (ratio * length / left);
   }
   sum.multiplier += ratio * history.multiplier;
-  sum.spring_force += ratio * std::max(0.0, history.normal_force - history.multiplier);
+  const double force = std::max(0.0, history.normal_force - history.multiplier);
+  sum.spring_force += ratio * force;
+  sum.spring_energy += 0.5 * ratio * force * std::max(0.0, -history.gap);
+  sum.shear_energy += ratio * history.shear_energy;
 }
 
 std::optional<ContactMemory::TransferredHistory> ContactMemory::transferred_to(int number, double size) const {
@@ -206,6 +209,7 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
                           .normal_force = p.let_go ? 0 : o.normal_force,
                           .multiplier = o.multiplier,
                           .spring_energy = spring_energy(p, o),
+                          .shear_energy = shear_spring_energy(p, o.shear_force),
                           .slip = p.slip_start + o.slip,
                           .initial_interference = p.initial_interference + given_by,
                           .penalty_scaling = p.penalty_scaling,

@@ -22,6 +22,8 @@ class ContactMemory {
   struct TransferredHistory {
     Vec3 shear = Vec3::Zero();          ///< N on the first body, in the point's plane
     double spring_force = 0;            ///< N, compression beside the multiplier
+    double spring_energy = 0;           ///< J, of that
+    double shear_energy = 0;            ///< J
     double multiplier = 0;              ///< N
     double slip, initial_interference;  ///< m, as ContactPoint's
     double penalty_scaling;             ///< as ContactPoint's

@@ -21,7 +21,8 @@ struct ContactHistory {
   Vec3 position, normal, shear;
   double gap, size, area;
   double normal_force, multiplier;
-  double spring_energy;  ///< J, at the end of the step
+  double spring_energy;  ///< J, at the end of the step …
+  double shear_energy;   ///< J, … and what of it shear holds
   double slip, initial_interference, penalty_scaling;
   ContactMode mode;
   bool bonded;

@@ -26,16 +26,33 @@ bool beside_the_body(const StepGeometry& step, int face, const Vec3& p) {
   });
 }
 
-/// Where a vertex of the body `other` would be on a face, had its body not sunk over a convex sharp edge of it: at the
-/// edge. `gap`: from the face [m].
+/// How far past a reentrant edge of a face [m] what is in by `depth` is on the face all the same. Between the planes
+/// square to both faces there it is on neither: in a valley of 90° as far as it is deep, farther the narrower the
+/// valley is. Twice as far both hold what runs along the valley.
+double reach_past_valley(const StepGeometry& step, const ContactEdge& edge, double depth) {
+  const double cosine = step.normal(edge.facets[0]).dot(step.normal(edge.facets[1]));
+  return 2 * depth * std::sqrt(std::max(1.0, (1 - cosine) / (1 + cosine)));
+}
+
+/// Where a vertex of the body `other` is on a face, or would be, had its body not sunk over a convex sharp edge of it:
+/// at the edge; and at a reentrant edge that it is hardly past. `gap`: from the face [m].
 struct HeldPlace {
   Vec3 at;
-  Vec3 across;  ///< normal of the facet across that edge; zero where it has not sunk over one
+  Vec3 across;  ///< normal of the facet across the convex edge; zero where it has not sunk over one
 };
 HeldPlace held_place(const StepGeometry& step, int node, int face, int other, double gap) {
   const int body = step.features.faces[face].body;
   const Vec3& p = step.x[node];
   const double near = step.edge_tolerance(body, other);
+  if (gap < 0)
+    for (const int edge : step.features.sides(face)) {
+      const ContactEdge& e = step.features.edges[edge];
+      const FeatureShapes::Edge& shape = step.shapes.edge(edge);
+      if (!e.is_sharp || shape.is_convex) continue;
+      const Vec3& into = shape.into[step.features.facets[e.facets[0]].face == face ? 0 : 1];
+      const double past = -into.dot(p - step.x[e.nodes[0]]);
+      if (past > 0 && past <= reach_past_valley(step, e, -gap)) return {p + past * into, Vec3::Zero()};
+    }
   if (-gap > near) return {p, Vec3::Zero()};
   for (const int edge : step.features.sides(face)) {
     const ContactEdge& e = step.features.edges[edge];

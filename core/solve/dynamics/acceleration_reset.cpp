@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "contact/contact_law.hpp"
+
 namespace talus {
 
 void AccelerationReset::begin_stage(BodySet& set) {
@@ -11,6 +13,27 @@ void AccelerationReset::begin_stage(BodySet& set) {
   was_hit_.assign(was_hit_.size(), false);
   for (std::size_t b = 0; b < set.bodies.size(); ++b) goes_on_[b] = set.bodies[b].rigid >= 0;
   pasts_.assign(pasts_.size(), {});
+}
+
+void AccelerationReset::let_fly(const BodySet& set, const ContactSet& contacts, double touching) {
+  std::vector<char> is_free(set.bodies.size(), true);
+  for (const ContactPoint& point : contacts.points)
+    for (const int b : point.bodies) is_free[b] = is_free[b] && !touches(point, point.gap, touching);
+  for (const int b : set.moving) goes_on_[b] = goes_on_[b] || is_free[b];
+}
+
+bool AccelerationReset::take_off(BodySet& set, const ContactLinks& links, const Increment& d, double touching) {
+  is_pushed_.assign(set.bodies.size(), false);
+  for (int i = 0; i < links.moves().size(); ++i)
+    if (touches(links.point(i), links.gap(i, d), touching))
+      for (const int b : links.point(i).bodies) is_pushed_[b] = true;
+  bool any = false;
+  for (const int b : set.moving) {
+    Body& body = set.bodies[b];
+    if (body.rigid >= 0 || body.constant_acceleration || is_pushed_[b]) continue;
+    body.constant_acceleration = any = true;
+  }
+  return any;
 }
 
 void AccelerationReset::begin_step(BodySet& set) const {
@@ -39,12 +62,13 @@ void AccelerationReset::note_start(const BodySet& set, const ContactSet& contact
   }
 }
 
-void AccelerationReset::drop(BodySet& set) const {
+void AccelerationReset::drop(BodySet& set, const FreeFlight& free_flight) const {
+  const auto estimates_errors = [&](int b) { return set.bodies[b].kind != BodyKind::rigid && free_flight.flies(b); };
   for (const int b : set.moving)
-    if (was_hit_[b] || set.bodies[b].constant_acceleration) set.scale_acceleration(b, 0);
+    if (was_hit_[b] || (set.bodies[b].constant_acceleration && !estimates_errors(b))) set.scale_acceleration(b, 0);
 }
 
-void AccelerationReset::end_step(const BodySet& set, double length) {
+void AccelerationReset::end_step(const BodySet& set, double length, const FreeFlight& free_flight) {
   for (const int r : set.turning) {
     const RigidBody& rigid = set.rigid[r];
     const int b = set.nodes.body[rigid.centre];
@@ -52,6 +76,8 @@ void AccelerationReset::end_step(const BodySet& set, double length) {
     goes_on_[b] = !swings(rigid, set.nodes.velocity[rigid.centre], length, swung, pasts_[b]) || was_hit_[b];
     if (was_hit_[b]) pasts_[b].change.reset();
   }
+  for (const int b : set.moving)
+    if (set.bodies[b].rigid < 0) goes_on_[b] = free_flight.flies(b);
 }
 
 bool AccelerationReset::swings(const RigidBody& rigid, const Vec3& velocity, double length, bool swung,

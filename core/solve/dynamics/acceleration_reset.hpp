@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "bodies/body_set.hpp"
-#include "contact/contact_point.hpp"
+#include "contact/contact_links.hpp"
 #include "model/solver_tolerances.hpp"
+#include "solve/dynamics/free_flight.hpp"
 
 namespace talus {
 
@@ -19,8 +20,10 @@ namespace talus {
 ///     β = ½ then, exact for a constant force, and gives nothing back. It does not damp. One that swings on a stiff
 ///     contact, so that its acceleration turns from step to step without a blow, is integrated with β ≠ ½ until it is
 ///     calm or hit;
+///   - so does a body that deforms, as long as it flies freely: waves that would ring on FreeFlight calms;
 ///   - a body goes on without an acceleration after a blow, and after a step of β = ½, which has paid for none.
-/// β = ½ would let the waves of a body that deforms ring on: there the last acceleration counts but after blows.
+/// β = ½ would let the waves of a body that deforms ring on its contacts: there the last acceleration counts but after
+/// blows.
 class AccelerationReset {
  public:
   explicit AccelerationReset(const BodySet& set, const AccelerationResetTolerances& tolerances = {})
@@ -33,16 +36,23 @@ class AccelerationReset {
 
   /// Nothing is known of blows and swings any more; rigid bodies begin with a₀ = a₁.
   void begin_stage(BodySet& set);
+  /// And so do those that deform, in the first step of a stage, where all contacts are open by more than `touching`, of
+  /// the mesh size.
+  void let_fly(const BodySet& set, const ContactSet& contacts, double touching);
+  /// Where `d` leads to, nothing pushes some bodies that deform, and all their contacts are open by more than
+  /// `touching`, of the mesh size: they fly in this step. Whether there are any.
+  bool take_off(BodySet& set, const ContactLinks& links, const Increment& d, double touching);
   /// A step is about to be tried: says of each body whether it begins with the acceleration that it ends with.
   void begin_step(BodySet& set) const;
   /// A step is accepted, and velocities are still those at its start: finds the bodies that have taken a blow, by the
   /// contact forces at its end.
   void note_start(const BodySet& set, const ContactSet& contacts, const std::vector<ContactOutcome>& outcomes);
-  /// Accelerations are those at the end of the step: takes from bodies those that do not go on.
-  void drop(BodySet& set) const;
+  /// Accelerations are those at the end of the step: takes from bodies those that do not go on. One that deforms and
+  /// flies keeps it: the next step begins without, but the error of time integration is measured against it.
+  void drop(BodySet& set, const FreeFlight& free_flight) const;
   /// Velocities are those with which the next step begins, after impacts: finds the bodies that swing. `length`: of the
   /// step [s].
-  void end_step(const BodySet& set, double length);
+  void end_step(const BodySet& set, double length, const FreeFlight& free_flight);
 
  private:
   /// Of a rigid body, and of its rotation.
@@ -59,6 +69,7 @@ class AccelerationReset {
   AccelerationResetTolerances tolerances_;
   std::vector<Vec3> forces_, before_;  // N, all normal forces on a body; of one asleep as it fell asleep
   std::vector<Past> pasts_;            // a body
+  std::vector<char> is_pushed_;        // a body: in the step that is tried
   std::vector<bool> was_hit_;          // a body: in the step before
   std::vector<bool> goes_on_;          // a body: begins its next step with a₀ = a₁
 };

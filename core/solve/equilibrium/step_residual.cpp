@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/stopwatch.hpp"
 
@@ -151,9 +152,21 @@ void StepResidual::assemble_constant() {
   }
 }
 
+bool StepResidual::weights_of_inertia_changed() {
+  bool changed = false;
+  const std::vector<Body>& bodies = composition_->bodies->bodies;
+  constant_accelerations_.resize(bodies.size(), false);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const bool now = bodies[b].constant_acceleration && bodies[b].rigid < 0;
+    changed = std::exchange(constant_accelerations_[b], now) != now || changed;
+  }
+  return changed;
+}
+
 bool StepResidual::begin_step(const StepContext& step) {
   const Stopwatch watch(times_.assemble);
-  const bool same_kind = step.length == step_.length && step.integration == step_.integration;
+  const bool weights_changed = weights_of_inertia_changed();
+  const bool same_kind = step.length == step_.length && step.integration == step_.integration && !weights_changed;
   step_ = step;
   smooth_fraction_ = step.integration.smooth_fraction();
   if (!same_kind || pattern_changed_) assemble_constant();

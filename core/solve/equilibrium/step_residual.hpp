@@ -103,6 +103,9 @@ class StepResidual {
  private:
   enum class Contacts { included, left_out };
   void assemble_constant();
+  /// Whether a body that deforms begins with its acceleration at the end where it did not in the step before, or the
+  /// other way round.
+  bool weights_of_inertia_changed();
   bool body_within(int body, double fraction) const;
   void leave_out_others(Eigen::VectorXd& forces);
   /// The largest fraction, at most 1, of a change that takes no node of a body farther than contacts were sought.
@@ -127,12 +130,13 @@ class StepResidual {
 
   ConvergenceTolerances tolerances_;
   Composition* composition_ = nullptr;
-  StepContext step_;              ///< of length 0: the stage has had none yet
-  double smooth_fraction_ = 1;    ///< of D at which smooth forces are taken
-  SymmetricBlocks constant_;      ///< what is constant through steps of this length of a stage …
-  SymmetricBlocks of_step_;       ///< … with what is constant through this step …
-  SymmetricBlocks matrix_;        ///< … with the rest
-  bool pattern_changed_ = false;  ///< since constant_ was assembled
+  std::vector<char> constant_accelerations_;  ///< a body that deforms: whether it had one in the last step
+  StepContext step_;                          ///< of length 0: the stage has had none yet
+  double smooth_fraction_ = 1;                ///< of D at which smooth forces are taken
+  SymmetricBlocks constant_;                  ///< what is constant through steps of this length of a stage …
+  SymmetricBlocks of_step_;                   ///< … with what is constant through this step …
+  SymmetricBlocks matrix_;                    ///< … with the rest
+  bool pattern_changed_ = false;              ///< since constant_ was assembled
   Eigen::VectorXd gradient_, part_, zero_;
   Eigen::VectorXd frozen_;  ///< N, moments that frozen forces keep beside those that have a potential
   Increment scaled_;

@@ -180,7 +180,8 @@ TEST(Company, WhatSlidesAndCollidesDoesSoWhateverLandsFarAway) {
     BlockSystem system =
         test::block_system({slab(), rigid_cube("A", Vec3(0, 0, 0)), rigid_cube("B", Vec3(1.01, 0, 0))});
     project.velocities = {{"A", Vec3(0.5, 0, 0), Vec3::Zero()}};
-    project.solver.tolerance = 1e-12;  // what steps leave out of balance must not differ
+    project.solver.tolerance = 1e-12;             // what steps leave out of balance must not differ
+    project.solver.penetration_tolerance = 5e-4;  // stiffer contacts make more of the last place
     if (edge_far_away > 0) {
       const Vec3 corner(0, far_away, 0), edge = Vec3::Constant(edge_far_away);
       system.blocks.push_back(

@@ -18,6 +18,7 @@ class NormalUpdate : public ::testing::Test {
     point.gap = 3e-4;
     point.initial_interference = 2e-4;
     point.size = 1;
+    point.is_new = false;
     point.shear_start = Vec3(3, 4, 0);
     point.stencil_end = 1;
     contacts_.points = {point};
@@ -96,6 +97,18 @@ TEST_F(NormalUpdate, ContactsThatSlideByMoreThanAFacetHaveLeftTheirFeaturesAndKe
     point().size = size;
     const auto updated = [&](int) { return ContactDetector::UpdatedNormal{Vec3::UnitZ(), -0.05}; };
     EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), size > 0.1);
+  }
+}
+
+/// Else it would push from the start of the step on with a force that nothing has built up.
+TEST_F(NormalUpdate, WhatIsNewTakesNoNormalAlongWhichItWasInBefore) {
+  for (const double before : {-1.1e-3, -1.3e-3}) {
+    point().is_new = true;
+    point().normal = Vec3::UnitZ();
+    point().gap = 3e-4;
+    const Vec3 normal = Vec3(-0.1, 0, 1).normalized();
+    const auto updated = [&](int) { return ContactDetector::UpdatedNormal{normal, before}; };
+    EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), before > -1e-3 - 2e-4);
   }
 }
 

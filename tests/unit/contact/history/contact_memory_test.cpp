@@ -285,6 +285,20 @@ TEST(ContactMemory, LawsMayChangeBetweenStages) {
   EXPECT_NEAR(cohesion, 1e3, 1e-8);
 }
 
+/// A force that goes on in a softer spring would hold more energy than there was.
+TEST(ContactMemory, ASofterSpringHoldsNoMoreEnergy) {
+  for (const double softer : {4.0, 0.25}) {
+    Scene scene = bonded_block();
+    scene.laws = {{.friction = 0.6, .shear_stiffness = 1e9}};
+    scene.detect(reach);
+    scene.detector().accept(scene.contacts, outcomes(scene.contacts, {1, 0, 0}, ContactMode::stick, scene));
+    scene.detector().set_laws({{.friction = 0.6, .shear_stiffness = 1e9 / softer}});
+    Vec3 force = Vec3::Zero();
+    for (const ContactPoint& p : scene.detect(reach).points) force += p.shear_start;
+    EXPECT_NEAR(force.x(), softer > 1 ? 1 / std::sqrt(softer) : 1, 1e-9);
+  }
+}
+
 TEST(ContactMemory, ASoftBondIsFoundOverMoreThanTheReach) {
   Scene scene = bonded_block();
   scene.laws[0].normal_stiffness = 1e6;  // 5e4 Pa open it by 0.05 m

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "contact/contact_law.hpp"
 #include "unit/contact/blocks.hpp"
 
 /// A contact that goes on as another kind of contact transfers its force to it.
@@ -20,11 +21,12 @@ using testing::Shape;
 struct Driven {
   Scene scene;
   double shear = 0, normal = 0, multiplier = 0;  // N, as the step begins
+  double shear_energy = 0;                       // J
   int touching = 0;
   bool face_face = false;
 
   void detect() {
-    shear = normal = multiplier = 0;
+    shear = normal = multiplier = shear_energy = 0;
     touching = 0;
     face_face = false;
     Vec3 sum = Vec3::Zero();
@@ -33,6 +35,7 @@ struct Driven {
       if (p.gap > 0) continue;
       ++touching;
       sum += p.shear_start;
+      shear_energy += shear_spring_energy(p, p.shear_start);
       multiplier += p.multiplier;
       normal += -p.gap * p.normal_stiffness;
     }
@@ -74,17 +77,25 @@ Driven tipping_cube(double degrees) {
 }
 
 /// Turns the cube by 0.1° a step: tractions stay while its face is in contact with the slab's (the area is seen under a
-/// changing angle), forces where it ceases or begins to.
+/// changing angle), forces where it ceases or begins to, but for what softer springs could not hold without more
+/// energy.
 void expect_continuous_shear(Driven& cube, double from, double to) {
   const double turn = to > from ? 0.1 : -0.1;
-  double shear = 5, multiplier = 2;
+  double shear = 5, multiplier = 2, energy = cube.shear_energy;
   for (double angle = from + turn; (to - angle) * turn > 0; angle += turn) {
     const bool faced = cube.face_face;
     turn_to(cube.scene, angle);
     cube.detect();
-    EXPECT_NEAR(cube.shear, shear, faced && cube.face_face ? 5e-5 * shear : 1e-9) << angle;
+    const bool is_softer = cube.face_face && !faced;
+    if (is_softer) {
+      EXPECT_LT(cube.shear, shear);
+      EXPECT_NEAR(cube.shear_energy, energy, 1e-9 * energy);
+    } else {
+      EXPECT_NEAR(cube.shear, shear, faced && cube.face_face ? 5e-5 * shear : 1e-9) << angle;
+    }
     EXPECT_NEAR(cube.multiplier, multiplier, faced && cube.face_face ? 5e-5 * multiplier : 1e-9) << angle;
     shear = cube.shear;
+    energy = cube.shear_energy;
     multiplier = cube.multiplier;
     cube.accept();
   }
@@ -116,6 +127,8 @@ TEST(TransferredHistory, ACubeThatRocksBackKeepsItsShear) {
   cube.detect();
   EXPECT_FALSE(cube.face_face);
   cube.accept({0, 5, 0});
+  cube.detect();
+  cube.accept();
   expect_continuous_shear(cube, 4, 2);
   EXPECT_TRUE(cube.face_face);
 }
@@ -142,7 +155,8 @@ TEST(TransferredHistory, AVertexThatPassesOverABendKeepsItsShear) {
       cube.scene.move(1, {next - x, 0, height(next) - height(x)});
       x = next;
       cube.detect();
-      EXPECT_EQ(cube.touching, 1) << degrees << " at " << x;
+      const bool in_valley = degrees == -20 && std::abs(x - 2) < 1e-5;
+      EXPECT_EQ(cube.touching, in_valley ? 2 : 1) << degrees << " at " << x;
       EXPECT_NEAR(cube.shear, 5, 1e-9) << degrees << " at " << x;
       cube.accept();
     }

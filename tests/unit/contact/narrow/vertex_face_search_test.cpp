@@ -82,6 +82,23 @@ TEST(VertexFaceSearch, CornerIsFoundInARoughBedWhereverItSinks) {
   EXPECT_EQ(places, 4 * 2 * 4 * 4);
 }
 
+/// Below the line of a valley a corner projects onto neither side.
+TEST(VertexFaceSearch, BothSidesOfAValleyHoldACornerThatSinksIntoItsLine) {
+  const Shape valley = mapped(box({-1, 0, -1}, {1, 2, 0}, {2, 1, 1}), [](const Vec3& p) {
+    return Vec3(p.x(), p.y(), p.z() < -0.5 ? -2 : std::abs(p.x()) / 2);
+  });
+  for (const double aside : {0.0, 2e-5, -2e-5}) {
+    Scene scene;
+    scene.add(valley, true);
+    scene.add(on_a_corner({aside, 1.1, -1e-4}));
+    int right = 0, left = 0;
+    for (const ContactPoint& p : scene.detect(reach).points)
+      if (p.gap < 0) ++(p.normal.x() > 0 ? right : left);
+    EXPECT_EQ(right, 1) << aside;
+    EXPECT_EQ(left, 1) << aside;
+  }
+}
+
 TEST(VertexFaceSearch, StiffnessOfAPointIsThatOfOneMeshCell) {
   Scene scene;
   scene.add(box({0, 0, -1}, {5, 4, 0}, {7, 6, 1}), true);

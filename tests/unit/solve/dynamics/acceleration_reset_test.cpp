@@ -44,8 +44,8 @@ class AccelerationResetTest : public testing::Test {
     reset_.note_start(set_, contacts, {{.normal_force = push}});
     acceleration() = {after, 0, 0};
     set_.nodes.velocity[centre()] += Vec3(length * after + impact, 0, 0);
-    reset_.drop(set_);
-    reset_.end_step(set_, length);
+    reset_.drop(set_, free_flight_);
+    reset_.end_step(set_, length, free_flight_);
     reset_.begin_step(set_);
   }
 
@@ -53,6 +53,7 @@ class AccelerationResetTest : public testing::Test {
   BlockSystem system_;
   BodySet set_;
   AccelerationReset reset_;
+  FreeFlight free_flight_{set_};
 };
 
 TEST_F(AccelerationResetTest, RigidBodiesBeginAStageWithTheAccelerationTheyEndWith) {
