@@ -40,7 +40,8 @@ double RoughBed::depth(const Vec3& point) const {
   const double first = height(i, j), last = height(i + 1, j + 1), middle = u > v ? height(i + 1, j) : height(i, j + 1);
   const double along_x = u > v ? middle - first : last - middle, along_y = u > v ? last - middle : middle - first;
   const double above = point.z() - (first + u * along_x + v * along_y);
-  return -above * cell_ / std::hypot(cell_, along_x, along_y);
+  const double to_side = cell_ * std::min({x, cells_ - x, y, cells_ - y});
+  return std::min(-above * cell_ / std::hypot(cell_, along_x, along_y), to_side);
 }
 
 double RoughBed::highest_within(double radius) const {

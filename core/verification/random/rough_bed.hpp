@@ -16,8 +16,8 @@ class RoughBed {
 
   /// From its surface down to a flat base that is `thickness` [m] below its lowest corner.
   TetMesh mesh(double thickness) const;
-  /// How far the point lies behind the triangle that is above or below it [m], negative where it lies before it;
-  /// −infinity beside the bed.
+  /// How far the point lies behind the triangle that is above or below it, or from the bed's side if that is nearer
+  /// [m]; negative where it lies before it, −infinity beside the bed.
   double depth(const Vec3& point) const;
   /// Of all corners that are not farther than `radius` from the origin along x or y, and those around them [m].
   double highest_within(double radius) const;
