@@ -15,22 +15,27 @@ void AccelerationReset::begin_stage(BodySet& set) {
   pasts_.assign(pasts_.size(), {});
 }
 
+void AccelerationReset::note_touching(const BodySet& set, const ContactSet& contacts,
+                                      const std::function<double(int)>& gap, double touching) {
+  touches_.assign(set.bodies.size(), false);
+  for (int i = 0; i < static_cast<int>(contacts.points.size()); ++i)
+    if (touches(contacts.points[i], gap(i), touching))
+      for (const int b : contacts.points[i].bodies) touches_[b] = true;
+}
+
 void AccelerationReset::let_fly(const BodySet& set, const ContactSet& contacts, double touching) {
-  std::vector<char> is_free(set.bodies.size(), true);
-  for (const ContactPoint& point : contacts.points)
-    for (const int b : point.bodies) is_free[b] = is_free[b] && !touches(point, point.gap, touching);
-  for (const int b : set.moving) goes_on_[b] = goes_on_[b] || is_free[b];
+  note_touching(
+      set, contacts, [&](int i) { return contacts.points[i].gap; }, touching);
+  for (const int b : set.moving) goes_on_[b] = goes_on_[b] || !touches_[b];
 }
 
 bool AccelerationReset::take_off(BodySet& set, const ContactLinks& links, const Increment& d, double touching) {
-  is_pushed_.assign(set.bodies.size(), false);
-  for (int i = 0; i < links.moves().size(); ++i)
-    if (touches(links.point(i), links.gap(i, d), touching))
-      for (const int b : links.point(i).bodies) is_pushed_[b] = true;
+  note_touching(
+      set, links.contacts(), [&](int i) { return links.gap(i, d); }, touching);
   bool any = false;
   for (const int b : set.moving) {
     Body& body = set.bodies[b];
-    if (body.rigid >= 0 || body.constant_acceleration || is_pushed_[b]) continue;
+    if (body.rigid >= 0 || body.constant_acceleration || touches_[b]) continue;
     body.constant_acceleration = any = true;
   }
   return any;

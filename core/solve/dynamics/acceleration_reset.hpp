@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -64,12 +65,15 @@ class AccelerationReset {
     std::optional<Pair> acceleration;  // mean of the last step, with impacts [m/s², N m]
     std::optional<Pair> change;        // of that to the one before
   };
+  /// Which bodies have a contact that is open by no more than `touching`, of the mesh size. `gap`: of a point [m].
+  void note_touching(const BodySet& set, const ContactSet& contacts, const std::function<double(int)>& gap,
+                     double touching);
   bool swings(const RigidBody& rigid, const Vec3& velocity, double length, bool swung, Past& past) const;
 
   AccelerationResetTolerances tolerances_;
   std::vector<Vec3> forces_, before_;  // N, all normal forces on a body; of one asleep as it fell asleep
   std::vector<Past> pasts_;            // a body
-  std::vector<char> is_pushed_;        // a body: in the step that is tried
+  std::vector<char> touches_;          // a body: where it was asked for last
   std::vector<bool> was_hit_;          // a body: in the step before
   std::vector<bool> goes_on_;          // a body: begins its next step with a₀ = a₁
 };

@@ -57,10 +57,8 @@ void FreeFlight::find_groups(const ContactSet& contacts, const std::vector<Conta
     if (set_.bodies[b].fixed) is_held_[together_.first_of(b)] = true;
   flies_.assign(count, false);
   bodies_.clear();
-  for (const int b : set_.moving) {
-    flies_[b] = !is_held_[together_.first_of(b)];
-    if (flies_[b]) bodies_.push_back(b);
-  }
+  for (const int b : set_.moving)
+    if (!is_held_[together_.first_of(b)]) bodies_.push_back(b);
   std::ranges::stable_sort(bodies_, {}, [&](int b) { return together_.first_of(b); });
   groups_.clear();
   for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
@@ -69,15 +67,15 @@ void FreeFlight::find_groups(const ContactSet& contacts, const std::vector<Conta
     groups_.back().end = i + 1;
   }
   for (const Group& group : groups_)
-    if (group.end - group.begin > 1)
-      for (const int b : bodies_of(group)) flies_[b] = false;
+    if (is_alone(group)) flies_[bodies_[group.begin]] = true;
 }
 
 bool FreeFlight::deforms_alone(const Group& group) const {
-  return group.end - group.begin == 1 && set_.bodies[bodies_[group.begin]].kind != BodyKind::rigid;
+  return is_alone(group) && set_.bodies[bodies_[group.begin]].kind != BodyKind::rigid;
 }
 
 void FreeFlight::end_step(IntegrationReserve& reserve) {
+  if (groups_.empty()) return;
   for (const Group& group : groups_) {
     reserve.release(bodies_of(group), keep_angular_momentum(group));
     if (deforms_alone(group)) calm(group);
@@ -125,9 +123,10 @@ void FreeFlight::set_velocities(const Group& group, const RigidMotion& motion, c
   };
   for (const int b : bodies_of(group)) {
     const Body& body = set_.bodies[b];
-    for (int n = body.first_free(); n < body.first_free() + body.free_count() && body.kind != BodyKind::rigid; ++n)
-      set(n);
-    if (body.kind != BodyKind::rigid) continue;
+    if (body.kind != BodyKind::rigid) {
+      for (int n = body.first_free(); n < body.first_free() + body.free_count(); ++n) set(n);
+      continue;
+    }
     RigidBody& rigid = set_.rigid[body.rigid];
     const Mat3 inertia = rigid.inertia_now();
     const Vec3 common = inertia * motion.turn;

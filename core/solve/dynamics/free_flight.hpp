@@ -58,6 +58,7 @@ class FreeFlight {
   std::span<const int> bodies_of(const Group& group) const {
     return std::span(bodies_).subspan(group.begin, group.end - group.begin);
   }
+  static bool is_alone(const Group& group) { return group.end - group.begin == 1; }
   bool deforms_alone(const Group& group) const;
   /// What a node does beside a rigid motion [m/s].
   Vec3 beside(const RigidMotion& motion, int node) const {
