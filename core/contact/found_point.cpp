@@ -113,7 +113,8 @@ std::uint64_t edge_key(int edge_a, int edge_b) {
 
 std::array<int, 2> edges_of(const FoundPoint& crossing) {
   constexpr std::uint64_t number = 0x7fffffff;
-  return {static_cast<int>(crossing.key >> 31 & number), static_cast<int>(crossing.key & number)};
+  const int sides = crossing.kind == PointKind::face_face ? 1 : 0;  // bits that tell on which side of the edge
+  return {static_cast<int>((crossing.key >> 31 & number) >> sides), static_cast<int>((crossing.key & number) >> sides)};
 }
 
 std::uint64_t face_family(int face_a, int face_b) { return vertex_key(face_a, face_b); }

@@ -13,6 +13,10 @@ namespace talus {
 /// there no feature has a normal of its own.
 enum class PointKind : std::uint8_t { face_face, vertex_face, edge_edge, vertex_vertex };
 
+/// What a corner of face–face contact slides along: the first body's facet, the second's, both edges that cross there,
+/// or the plane halfway between the facets.
+enum class Glide : std::uint8_t { first_facet, second_facet, edges, halfway };
+
 /// A contact point as geometry gives it: no law, no history.
 struct FoundPoint {
   std::uint64_t key;
@@ -22,7 +26,7 @@ struct FoundPoint {
   std::array<int, 2> bodies;  ///< once the stencil is closed
   std::array<int, 2> smooth_faces;
   int node;                      ///< whose contact it is; −1: two edges'
-  int along = -1;                ///< face–face: which of the two facets it slides along; −1: halfway between them
+  Glide glide = Glide::halfway;  ///< of a corner of face–face contact
   int joint;                     ///< −1: the pair's
   Vec3 normal = Vec3::Zero();    ///< from the second body to the first
   Vec3 position = Vec3::Zero();  ///< on the first

@@ -36,9 +36,9 @@ struct ContactTolerances {
   /// of this times its length: a fifth of the penetration that dynamic stages allow (2.5e-4 h). Larger: bodies go
   /// deeper over bent faces. Smaller: more edges of the mesh are looked at.
   double convex_edge_angle = 2e-4;
-  /// – (sin²). Edges at a smaller angle (1.8°) are parallel: the direction across both is hardly defined. Chosen.
+  /// – (sin²). Edges at a smaller angle (0.18°) are parallel: the direction across both is hardly defined. Chosen.
   /// Larger: more contacts between edges have the normal between their cores. Smaller: normals of rounding.
-  double parallel_edges = 1e-3;
+  double parallel_edges = 1e-5;
 
   // How near to an edge, or to each other, features are in one place.
 

@@ -21,6 +21,7 @@ double shortest_part(const SimulationState& s, double length);
 bool try_step(SimulationState& s, double start, double length, StepReport& report);
 void set_times(SimulationState& s, double start, double length);
 void set_up(SimulationState& s);
+void give_start_accelerations(SimulationState& s);
 OpenCloseResult converge(SimulationState& s);
 OpenCloseResult converge_with_missed(SimulationState& s, std::span<const ContactDetector::MissedContact>& missed);
 bool check(SimulationState& s, const OpenCloseResult& result, std::span<const ContactDetector::MissedContact> missed,
@@ -147,15 +148,28 @@ void set_times(SimulationState& s, double start, double length) {
   s.motion->begin_step(s.bodies, start + length);
 }
 
+/// Of the stage [s].
+double longest_step(const SimulationState& s) { return s.project.stages[s.clock.stage()].time_step; }
+
 void set_up(SimulationState& s) {
   if (s.accelerations_wanted && s.may_fly())
     s.acceleration_reset.let_fly(s.bodies, s.contacts, s.tolerances.convergence.first_closing);
   if (s.resets_accelerations()) s.acceleration_reset.begin_step(s.bodies);
+  s.reserve.begin_step(s.context);
   for (const auto& effect : s.composition.effects) effect->begin_step(s.context);
   s.open_close.begin_step(s.context);
-  if (!s.accelerations_wanted) return;
+  if (s.accelerations_wanted) give_start_accelerations(s);
+}
+
+/// Those that a stage begins with: what is driven has gone no way yet. Where the step takes it, it would stand in the
+/// bodies beside it.
+void give_start_accelerations(SimulationState& s) {
+  s.motion->stand_still(s.bodies);
+  s.links.connect(s.context.arms);
   s.bodies.give_accelerations(s.open_close.start_accelerations(s.context));
-  s.reserve.give(s.context);
+  s.motion->begin_step(s.bodies, s.context.time + s.context.length);
+  s.links.connect(s.context.arms);
+  s.reserve.give(s.context, longest_step(s));
   s.energy.accelerations_were_given(s.reserve.total());
   s.accelerations_wanted = false;
 }
@@ -281,7 +295,7 @@ void remember_step(SimulationState& s, StepReport& report) {
   s.reserve.note_start(s.context);
   for (const auto& effect : s.composition.effects) effect->accept(s.increment);
   if (s.resets_accelerations()) s.acceleration_reset.drop(s.bodies, s.free_flight);
-  s.reserve.hold(s.context);
+  s.reserve.hold(s.context, longest_step(s));
   s.detector.accept(s.contacts, s.outcomes.outcomes());
 }
 

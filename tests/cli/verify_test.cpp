@@ -191,17 +191,17 @@ TEST_F(Verify, PrintsASeedOfNowAndATableOfFamilies) {
   EXPECT_THAT(ending.out, testing::ContainsRegex("Family +Scenes +Held +Seconds"));
 }
 
-/// A body that sinks a little into a rough bed, by geometry alone.
+/// A small body that flies at a wall by many of its sizes a step makes energy there.
 TEST_F(Verify, EndsWithOneAndWritesRandomScenesThatFail) {
   write_text(folder / "page.md", "<!-- talus-cli verify: begin -->\n<!-- talus-cli verify: end -->\n");
   const Ending ending = talus_cli(
-      {"verify", "--random-scene", "terrain:17:27", "--out", place("failed"), "--markdown", place("page.md")});
+      {"verify", "--random-scene", "impacts:17:13", "--out", place("failed"), "--markdown", place("page.md")});
   EXPECT_EQ(ending.exit_code, 1) << ending.err;
-  EXPECT_THAT(ending.out, HasSubstr("failed: terrain:17:27"));
-  const std::string file = text_of(folder / "failed/terrain-17-27.talus");
-  EXPECT_THAT(file, HasSubstr("// - body 1 in bed is"));
-  EXPECT_EQ(talus_cli({"info", place("failed/terrain-17-27.talus")}).exit_code, 0);
-  EXPECT_THAT(text_of(place("page.md")), HasSubstr("- **terrain:17:27**"));
+  EXPECT_THAT(ending.out, HasSubstr("failed: impacts:17:13"));
+  const std::string file = text_of(folder / "failed/impacts-17-13.talus");
+  EXPECT_THAT(file, HasSubstr("// - energy grows by"));
+  EXPECT_EQ(talus_cli({"info", place("failed/impacts-17-13.talus")}).exit_code, 0);
+  EXPECT_THAT(text_of(place("page.md")), HasSubstr("- **impacts:17:13**"));
 }
 
 TEST_F(Verify, ListsTheFamiliesOfRandomScenes) {

@@ -47,7 +47,7 @@ struct ContactDetector::State {
   void measure_bodies(std::span<const Vec3> x);
   StepGeometry look(std::span<const Vec3> x, double reach);
   void find_points(std::span<const Vec3> x, double reach);
-  bool is_given(std::uint64_t key) const;
+  int given(std::uint64_t key) const;
   double initial_interference(const FoundPoint& found, double normal_stiffness) const;
   ContactPoint complete(int number) const;
   void complete_all(ContactSet& contacts);
@@ -267,10 +267,11 @@ ContactDetector::UpdatedNormal ContactDetector::updated_normal(int point, const 
   return {normal, normal.dot(found.normal) * found.gap};
 }
 
-bool ContactDetector::State::is_given(std::uint64_t key) const {
-  const auto same = std::lower_bound(found.points.begin(), found.points.end(), key,
-                                     [](const FoundPoint& p, std::uint64_t k) { return p.key < k; });
-  return same != found.points.end() && same->key == key && !same->dropped;
+/// Which of the points handed out has this key; −1: none.
+int ContactDetector::State::given(std::uint64_t key) const {
+  const auto key_of = [&](int number) { return found.points[number].key; };
+  const auto same = std::ranges::lower_bound(origins, key, {}, key_of);
+  return same != origins.end() && key_of(*same) == key ? static_cast<int>(same - origins.begin()) : -1;
 }
 
 std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts(std::span<const Vec3> start,
@@ -289,12 +290,18 @@ std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts
   s.search.find_ahead(step, s.broad.find(end, reach, std::ref(distance)), tolerance, s.ahead);
   for (const FoundPoint& point : s.ahead.points) {
     const double size = s.broad.size(point.bodies[0], point.bodies[1]), depth = -point.gap / size;
-    if (point.dropped || depth < tolerance || s.is_given(point.key)) continue;
+    if (point.dropped || depth < tolerance) continue;
     double approach = 0;
     for (int k = point.stencil_begin; k < point.stencil_end; ++k)
       approach += s.ahead.weights[k] * point.normal.dot(start[s.ahead.nodes[k]] - end[s.ahead.nodes[k]]);
     const int number = static_cast<int>(&point - s.ahead.points.data());
-    s.missed.push_back({{point.bodies[0], point.bodies[1]}, point.position, depth, approach / size, size, number});
+    s.missed.push_back({.bodies = {point.bodies[0], point.bodies[1]},
+                        .position = point.position,
+                        .depth = depth,
+                        .approach = approach / size,
+                        .size = size,
+                        .number = number,
+                        .given = s.given(point.key)});
   }
   return s.missed;
 }

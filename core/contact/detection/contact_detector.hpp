@@ -41,7 +41,8 @@ class ContactDetector {
   UpdatedNormal updated_normal(int point, const std::function<Vec3(int node)>& start,
                                const std::function<Vec3(int node)>& end) const;
 
-  /// A contact that detect() could not give: as its features stand at the start, none could touch there.
+  /// A contact that detect() did not give: as its features stand at the start, none could touch there, or did so in
+  /// another place.
   struct MissedContact {
     int bodies[2];
     Vec3 position;    ///< m, on the first body
@@ -49,9 +50,10 @@ class ContactDetector {
     double approach;  ///< of the mesh size: by so much the two came nearer there, against the normal
     double size;      ///< m, the mesh size
     int number;       ///< of the contact among those at the end
+    int given;        ///< which of those that detect() gave is that of the same features; −1: none
   };
-  /// Contacts deeper than `tolerance` of their mesh size once the nodes have gone from `start` to `end` [m], other than
-  /// those that detect() gave last, of two bodies of which one rotates by as much: `rotations` [m] are how far nodes go
+  /// Contacts deeper than `tolerance` of their mesh size once the nodes have gone from `start` to `end` [m], those that
+  /// detect() gave last among them, of two bodies of which one rotates by as much: `rotations` [m] are how far nodes go
   /// against the mean of their body. Vertex–vertex contacts are not looked for, nor is anything in the facet-wise
   /// model. Motion must be told of before, with settings for that, and again if the nodes go back.
   std::span<const MissedContact> missed_contacts(std::span<const Vec3> start, std::span<const Vec3> end,

@@ -8,6 +8,12 @@ namespace {
 
 bool is_alone(int body, std::span<const char> alone) { return !alone.empty() && alone[body]; }
 
+/// Of a contact of the step [mesh sizes]; negative where it is open.
+double depth_of(int number, const ContactLinks& links, const Increment& d) {
+  const ContactPoint& point = links.point(number);
+  return (point.initial_interference - links.gap(number, d)) / point.size;
+}
+
 }  // namespace
 
 void MissedContacts::measure_rotations(const Increment& d, std::span<const char> alone) {
@@ -52,7 +58,7 @@ double MissedContacts::known_depth(const ContactDetector::MissedContact& contact
   for (int i = 0; i < links.moves().size(); ++i) {
     const ContactPoint& point = links.point(i);
     if (point.bodies[0] != contact.bodies[0] || point.bodies[1] != contact.bodies[1]) continue;
-    deepest = std::max(deepest, (point.initial_interference - links.gap(i, d)) / point.size);
+    deepest = std::max(deepest, depth_of(i, links, d));
   }
   return deepest;
 }
@@ -69,6 +75,7 @@ std::span<const ContactDetector::MissedContact> MissedContacts::seek(ContactDete
   tell(detector);
   for (const ContactDetector::MissedContact& contact :
        detector.missed_contacts(set_.nodes.position, end_, rotations_, reach, tolerance)) {
+    if (contact.given >= 0 && contact.depth <= tolerance + depth_of(contact.given, links, d)) continue;
     const double known = known_depth(contact, links, d);
     // However deep others lie, one that is twice as deep as they may be was missed. What is deeper than the bodies have
     // come nearer there in this step lay there before it, and a shorter step would find it again.

@@ -9,6 +9,7 @@
 #include "contact/history/contact_memory.hpp"
 #include "contact/narrow/inside.hpp"
 #include "contact/narrow/normal_cones.hpp"
+#include "contact/narrow/valley.hpp"
 #include "contact/narrow/vertex_face_search.hpp"
 
 namespace talus {
@@ -66,6 +67,36 @@ struct Crossing {
   double gap = 0;                                                  // m
 };
 
+/// How far past one of its ends [fraction of its length] an edge holds an edge along `other`, all the same, that
+/// crosses it `depth` [m] behind: where its body comes out again, `outwards`, as at the end of a valley. What runs into
+/// the corner there is past the ends of both edges that meet in it (as past both faces of a valley, `held_place`).
+double reach_past_end(const StepGeometry& step, const ContactEdge& edge, int end, const Vec3& other,
+                      const Vec3& outwards, double depth) {
+  const Vec3& corner = step.x[edge.nodes[end]];
+  const auto seen_along_other = [&](int node) -> Vec3 {
+    const Vec3 away = step.x[node] - corner;
+    return away - away.dot(other) / other.squaredNorm() * other;
+  };
+  const Vec3 back = seen_along_other(edge.nodes[1 - end]);
+  double reach = 0;
+  for (const int node : step.features.ring(edge.nodes[end])) {
+    const Vec3 out = seen_along_other(node);
+    if (!(out.dot(outwards) > step.cone_tolerance * out.norm())) continue;
+    const double cosine = back.dot(out) / (back.norm() * out.norm());
+    reach = std::max(reach, reach_past_valley(cosine, depth));
+  }
+  return reach / back.norm();
+}
+
+/// Whether the fraction `at` of its length is on an edge of the body, or so little past its end that it is held there.
+bool is_on_edge(const StepGeometry& step, const ContactEdge& edge, double at, const Vec3& other, const Vec3& outwards,
+                double gap) {
+  const double past = std::max(-at, at - 1);
+  if (past <= step.tolerances.past_edge_end) return true;
+  if (!(gap < 0) || step.features.is_convex(step.features.body_of(edge.nodes[0]))) return false;
+  return past <= reach_past_end(step, edge, at < 0 ? 0 : 1, other, outwards, -gap);
+}
+
 std::optional<Crossing> crossing_of(const StepGeometry& step, int edge_a, int edge_b) {
   const ContactEdge &a = step.features.edges[edge_a], &b = step.features.edges[edge_b];
   const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
@@ -82,11 +113,13 @@ std::optional<Crossing> crossing_of(const StepGeometry& step, int edge_a, int ed
     n = -n;
     if (!in_both_cones(n)) return {};
   }
-  const double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
-  const double past_end = step.tolerances.past_edge_end;
-  if (!(s >= -past_end && s <= 1 + past_end && t >= -past_end && t <= 1 + past_end)) return {};
+  double s = r.cross(w).dot(c) / squared, t = r.cross(u).dot(c) / squared;
+  const double gap = -n.dot(r);
+  if (!is_on_edge(step, a, s, w, -n, gap) || !is_on_edge(step, b, t, u, n, gap)) return {};
+  s = std::clamp(s, 0.0, 1.0);
+  t = std::clamp(t, 0.0, 1.0);
   const double la = u.norm(), lb = w.norm();
-  return Crossing{a, b, s, t, {s * la, (1 - s) * la}, {t * lb, (1 - t) * lb}, n, a0 + s * u, -n.dot(r)};
+  return Crossing{a, b, s, t, {s * la, (1 - s) * la}, {t * lb, (1 - t) * lb}, n, a0 + s * u, gap};
 }
 
 /// Edges may cross beside the bodies, and still far behind each other along the normal: near the end of a convex edge,
@@ -96,13 +129,18 @@ bool passes_beside(const StepGeometry& step, const Crossing& c) {
 }
 
 /// An end nearer to the other edge than `near` has the contact if it ends its body in this direction and was found
-/// there.
+/// there. Not of convex bodies, which are as deep in each other as the edges say, on a face that looks away from the
+/// edges' normal, as the far face of an acute edge may: what that one holds can sink over the edge all the same.
 bool end_has_it(const StepGeometry& step, const VertexFaceSearch& vertices, const ContactEdge& e,
-                const std::array<double, 2>& from_ends, const Vec3& inwards, const ContactEdge& other, double near) {
+                const std::array<double, 2>& from_ends, const Vec3& inwards, const ContactEdge& other, double near,
+                bool are_convex) {
+  const auto holds = [&](int node, int facet) {
+    const bool looks_away = are_convex && step.normal(facet).dot(inwards) < -step.cone_tolerance;
+    return !looks_away && vertices.has(node, step.features.facets[facet].smooth_face);
+  };
   const auto has_it = [&](int node) {
-    if (!step.features.corner[node] || !is_in_cone(step, node, inwards)) return false;
-    return std::any_of(other.facets.begin(), other.facets.end(),
-                       [&](int f) { return vertices.has(node, step.features.facets[f].smooth_face); });
+    return step.features.corner[node] && is_in_cone(step, node, inwards) &&
+           std::ranges::any_of(other.facets, [&](int facet) { return holds(node, facet); });
   };
   return (from_ends[0] <= near && has_it(e.nodes[0])) || (from_ends[1] <= near && has_it(e.nodes[1]));
 }
@@ -165,8 +203,8 @@ void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, con
   if (axis.refutes(step, body_a, body_b, c.gap) || (!are_convex && appears_deep() && passes_beside(step, c))) return;
   // An end is near where both are in one place, or nearer than the edge seems deep: then it came past that one.
   const double near = std::max(edge_tolerance, -c.gap);
-  if (end_has_it(step, vertices, c.a, of_a, c.normal, c.b, near)) return;
-  if (end_has_it(step, vertices, c.b, of_b, -c.normal, c.a, near)) return;
+  if (end_has_it(step, vertices, c.a, of_a, c.normal, c.b, near, are_convex)) return;
+  if (end_has_it(step, vertices, c.b, of_b, -c.normal, c.a, near, are_convex)) return;
   if (sharp_edge_has_it(step, c.a, of_a, near) || sharp_edge_has_it(step, c.b, of_b, near)) return;
 
   FoundPoint p = point_at(step, c, key);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "contact/narrow/polygon_overlap.hpp"
 
@@ -72,6 +73,20 @@ class SharpEdgesAlong {
   std::array<Vec2, 16> outward_;
   std::size_t count_ = 0;
 };
+
+/// The direction across two convex edges of which each may touch the other along it, to the side of `normal`.
+std::optional<Vec3> normal_across(const StepGeometry& step, int edge_a, int edge_b, const Vec3& normal) {
+  const FeatureShapes::Edge &a = step.shapes.edge(edge_a), &b = step.shapes.edge(edge_b);
+  const Vec3 across = a.along.cross(b.along);
+  if (!a.is_convex || !b.is_convex || !(across.squaredNorm() > step.tolerances.parallel_edges)) return std::nullopt;
+  const Vec3 n = (normal.dot(across) < 0 ? -1 : 1) * across.normalized();
+  const double tolerance = step.cone_tolerance;
+  const auto is_in = [&](const FeatureShapes::Edge& edge, const Vec3& inwards) {
+    return edge.into[0].dot(inwards) >= -tolerance && edge.into[1].dot(inwards) >= -tolerance;
+  };
+  if (!is_in(a, n) || !is_in(b, -n)) return std::nullopt;
+  return n;
+}
 
 }  // namespace
 
@@ -219,8 +234,9 @@ void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, Sep
   const auto beside = [&] {
     place_corners(step, first);
     const auto any = [](const Vec3&) { return true; };
-    return step.came_past_sharp_edge(pair.b, places_[0], fa.body, any) ||
-           step.came_past_sharp_edge(pair.a, places_[1], fb.body, any);
+    const auto least_deep = [&] { return axis.confirms(step, fa.body, fb.body, least_gap); };
+    return step.came_past_sharp_edge(pair.b, places_[0], fa.body, any, least_deep) ||
+           step.came_past_sharp_edge(pair.a, places_[1], fb.body, any, least_deep);
   };
   if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) ||
       axis.refutes(step, fa.body, fb.body, least_gap) ||
@@ -246,7 +262,8 @@ void FaceFaceSearch::place_corners(const StepGeometry& step, std::size_t first) 
 }
 
 /// Which features cross at the corner. A vertex that lies amid a facet slides along it, and so does a sharp edge that
-/// crosses an edge of the mesh: along the plane halfway they would rise or sink by half the angle between both facets.
+/// crosses an edge of the mesh; sharp edges slide along each other. Along the plane halfway they would rise or sink by
+/// half the angle between both facets.
 void FaceFaceSearch::name(const StepGeometry& step, const Vec2& corner, Corner& c, FoundPoints& found) {
   const ContactFacet &fa = step.features.facets[c.facets[0]], &fb = step.features.facets[c.facets[1]];
   const int at_a = flat_[0].node_at(corner, step.tolerances.at_vertex),
@@ -257,17 +274,26 @@ void FaceFaceSearch::name(const StepGeometry& step, const Vec2& corner, Corner& 
     if (at_b >= 0)
       found.covered.push_back({vertex_key(at_b, fa.smooth_face), at_b, c.facets[0], -c.normal});
     else
-      c.along = 1;
+      c.glide = Glide::second_facet;
   } else if (at_b >= 0) {
     c.key = vertex_key(at_b, fa.smooth_face);
-    c.along = 0;
+    c.glide = Glide::first_facet;
   } else {
     const int ea = flat_[0].nearest_side(corner), eb = flat_[1].nearest_side(corner);
     c.key = crossing_key(step.features, ea, fa.smooth_face, eb, fb.smooth_face);
     const bool sharp_a = step.features.edges[ea].is_sharp, sharp_b = step.features.edges[eb].is_sharp;
-    if (sharp_a != sharp_b) c.along = sharp_a ? 1 : 0;
+    if (sharp_a != sharp_b) {
+      c.glide = sharp_a ? Glide::second_facet : Glide::first_facet;
+    } else if (sharp_a && tilted) {
+      if (const auto across = normal_across(step, ea, eb, c.normal)) {
+        c.glide = Glide::edges;
+        c.normal = *across;
+      }
+    }
   }
-  if (c.along >= 0 && tilted) c.normal = c.along == 1 ? step.normal(c.facets[1]) : Vec3(-step.normal(c.facets[0]));
+  if (!tilted) return;
+  if (c.glide == Glide::first_facet) c.normal = -step.normal(c.facets[0]);
+  if (c.glide == Glide::second_facet) c.normal = step.normal(c.facets[1]);
 }
 
 void FaceFaceSearch::merge(const StepGeometry& step, FoundPoints& found) {
@@ -286,7 +312,7 @@ void FaceFaceSearch::merge(const StepGeometry& step, FoundPoints& found) {
       p.normal += c.weight * c.normal;
       if (c.weight > heaviest || end == i) {
         heaviest = c.weight;
-        p.along = c.along;
+        p.glide = c.glide;
         p.facets = c.facets;
       }
     }

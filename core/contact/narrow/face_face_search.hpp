@@ -59,7 +59,7 @@ class FaceFaceSearch {
     double weight;             // m²
     std::array<double, 6> at;  // barycentric coordinates on both facets
     Vec3 normal;
-    int along = -1;  // as of a found point
+    Glide glide = Glide::halfway;
   };
   void overlap(const StepGeometry& step, const FacePair& pair, SeparatingAxis& axis, FoundPoints& found);
   void place_corners(const StepGeometry& step, std::size_t first);

@@ -8,6 +8,8 @@
 namespace talus {
 namespace {
 
+constexpr double rounding_of_gaps = 1e-9;  // of the size: by as much two measures of one gap may differ
+
 template <class Visit>
 void visit_edges(const StepGeometry& step, int body, const Visit& visit) {
   for (int f = step.features.face_begin[body]; f < step.features.face_begin[body + 1]; ++f)
@@ -30,8 +32,19 @@ double lowest(const StepGeometry& step, int body, int face, double enough) {
 }  // namespace
 
 bool SeparatingAxis::refutes(const StepGeometry& step, int body_a, int body_b, double gap) {
-  const double enough = gap + step.edge_tolerance(body_a, body_b);
+  const bool are_convex = step.features.is_convex(body_a) && step.features.is_convex(body_b);
+  const double enough =
+      gap + (are_convex ? step.noticeable_depth(body_a, body_b) : step.edge_tolerance(body_a, body_b));
   if (!(enough < 0) || !step.features.keeps_shape(body_a) || !step.features.keeps_shape(body_b)) return false;
+  return any_wider(step, body_a, body_b, enough);
+}
+
+bool SeparatingAxis::confirms(const StepGeometry& step, int body_a, int body_b, double gap) {
+  if (!step.features.is_convex(body_a) || !step.features.is_convex(body_b)) return false;
+  return !any_wider(step, body_a, body_b, gap + rounding_of_gaps * step.broad.size(body_a, body_b));
+}
+
+bool SeparatingAxis::any_wider(const StepGeometry& step, int body_a, int body_b, double enough) {
   if (bodies_ != std::array{body_a, body_b}) {
     bodies_ = {body_a, body_b};
     widest_ = -std::numeric_limits<double>::infinity();

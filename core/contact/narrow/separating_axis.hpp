@@ -17,11 +17,17 @@ class SeparatingAxis {
  public:
   /// Positions are others now.
   void begin() { bodies_ = {-1, -1}; }
-  /// Whether both bodies keep their shape, and are less deep in each other than a contact with this gap [m] says, by
-  /// more than the edge tolerance.
+  /// Whether both bodies keep their shape, and are less deep in each other than a contact with this gap [m] says: of
+  /// convex bodies by more than is noticeable, else by more than the edge tolerance, for they may touch in several
+  /// places of which one is less deep than another.
   bool refutes(const StepGeometry& step, int body_a, int body_b, double gap);
+  /// Whether both bodies are convex, and as deep in each other as a contact with this gap [m] says: no direction parts
+  /// them by less.
+  bool confirms(const StepGeometry& step, int body_a, int body_b, double gap);
 
  private:
+  /// Whether they are apart by more than `enough` along some direction [m].
+  bool any_wider(const StepGeometry& step, int body_a, int body_b, double enough);
   void look_along_normals(const StepGeometry& step, int body, int other, double enough);
   void look_across_edges(const StepGeometry& step, double enough);
 

@@ -76,15 +76,17 @@ struct StepGeometry {
   double noticeable_depth(int body_a, int body_b) const;
   /// Of `points` of the body `other` some lie below a face. Whether they came there from outside, past a convex sharp
   /// edge of the face: then the contact is false. At an edge whose facet across has the normal `across`, and
-  /// `counts(across)` holds, they did so if
+  /// `counts(across)` holds, they did so if (the latter two where `least_deep()` does not say that the bodies are less
+  /// deep in no other direction)
   /// - none is deeper below the facet across than the edge tolerance, or
   /// - they are less wide, from the edge, than the deepest is deep, and none is deeper below the facet across:
   /// something
   ///   slides along that one, however far it reaches below this one, or
   /// - the edge is sharper than 90° and they are clearly less deep below the facet across. (There the width says
   ///   nothing: what is below both facets is always wider than deep.)
-  template <class Counts>
-  bool came_past_sharp_edge(int face, std::span<const Vec3> points, int other, const Counts& counts) const;
+  template <class Counts, class LeastDeep>
+  bool came_past_sharp_edge(int face, std::span<const Vec3> points, int other, const Counts& counts,
+                            const LeastDeep& least_deep) const;
   /// Joint that both facets carry, or −1.
   int common_joint(int facet_a, int facet_b) const;
   /// Of a facet: that of its face.
@@ -98,8 +100,9 @@ struct StepGeometry {
   }
 };
 
-template <class Counts>
-bool StepGeometry::came_past_sharp_edge(int face, std::span<const Vec3> points, int other, const Counts& counts) const {
+template <class Counts, class LeastDeep>
+bool StepGeometry::came_past_sharp_edge(int face, std::span<const Vec3> points, int other, const Counts& counts,
+                                        const LeastDeep& least_deep) const {
   const ContactFace& f = features.faces[face];
   const Vec3 centre = this->centre(face);
   const auto depth_below = [&](const Vec3& normal, int node, const Vec3& p) { return normal.dot(x[node] - p); };
@@ -120,7 +123,7 @@ bool StepGeometry::came_past_sharp_edge(int face, std::span<const Vec3> points, 
       }
       const bool past_acute_edge = cosine < 0 && below <= tolerances.clearly_shallower * deepest;
       const bool beside = past_acute_edge || (width < deepest && below <= deepest);
-      if (beside || within_edge_tolerance(below, f.body, other, n)) return true;
+      if (within_edge_tolerance(below, f.body, other, n) || (beside && !least_deep())) return true;
     }
   return false;
 }

@@ -18,12 +18,12 @@ Vec3 edge_direction(const ContactEdge& e, const Positions& at) { return at(e.nod
 
 /// What the point's features say of its normal, of either sign.
 Vec3 direction(const ContactFeatures& features, const FoundPoint& p, const Positions& at) {
-  if (p.kind == PointKind::edge_edge) {
+  if (p.kind == PointKind::edge_edge || (p.node < 0 && p.glide == Glide::edges)) {
     const auto [a, b] = edges_of(p);
     return edge_direction(features.edges[a], at).cross(edge_direction(features.edges[b], at)).stableNormalized();
   }
   const auto of_side = [&](int k) { return facet_normal(features, p.facets[k], at); };
-  if (p.node < 0 && p.along >= 0) return of_side(p.along);
+  if (p.node < 0 && p.glide != Glide::halfway) return of_side(p.glide == Glide::first_facet ? 0 : 1);
   if (p.node < 0) return (of_side(1) - of_side(0)).stableNormalized();
   return of_side(features.body_of(p.node) == p.bodies[0] ? 1 : 0);
 }

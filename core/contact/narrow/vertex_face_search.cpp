@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/narrow/normal_cones.hpp"
+#include "contact/narrow/valley.hpp"
 
 namespace talus {
 namespace {
@@ -26,14 +28,6 @@ bool beside_the_body(const StepGeometry& step, int face, const Vec3& p) {
   });
 }
 
-/// How far past a reentrant edge of a face [m] what is in by `depth` is on the face all the same. Between the planes
-/// square to both faces there it is on neither: in a valley of 90° as far as it is deep, farther the narrower the
-/// valley is. Twice as far both hold what runs along the valley.
-double reach_past_valley(const StepGeometry& step, const ContactEdge& edge, double depth) {
-  const double cosine = step.normal(edge.facets[0]).dot(step.normal(edge.facets[1]));
-  return 2 * depth * std::sqrt(std::max(1.0, (1 - cosine) / (1 + cosine)));
-}
-
 /// Where a vertex of the body `other` is on a face, or would be, had its body not sunk over a convex sharp edge of it:
 /// at the edge; and at a reentrant edge that it is hardly past. `gap`: from the face [m].
 struct HeldPlace {
@@ -51,7 +45,8 @@ HeldPlace held_place(const StepGeometry& step, int node, int face, int other, do
       if (!e.is_sharp || shape.is_convex) continue;
       const Vec3& into = shape.into[step.features.facets[e.facets[0]].face == face ? 0 : 1];
       const double past = -into.dot(p - step.x[e.nodes[0]]);
-      if (past > 0 && past <= reach_past_valley(step, e, -gap)) return {p + past * into, Vec3::Zero()};
+      const double between = -step.normal(e.facets[0]).dot(step.normal(e.facets[1]));
+      if (past > 0 && past <= reach_past_valley(between, -gap)) return {p + past * into, Vec3::Zero()};
     }
   if (-gap > near) return {p, Vec3::Zero()};
   for (const int edge : step.features.sides(face)) {
@@ -136,14 +131,16 @@ void VertexFaceSearch::touch(const StepGeometry& step, int node, int face, bool 
   const HeldPlace held = held_place(step, node, face, other, gap);
   for (const int facet : step.features.facets_of(face)) locate(step, facet, held.at, t);
   if (t.facet < 0) return;
-  if (node_is_first ? axis.refutes(step, other, f.body, gap) : axis.refutes(step, f.body, other, gap)) return;
-  if (gap < 0 && beside_the_body(step, face, held.at)) return;
+  const auto [first, second] = node_is_first ? std::pair(other, f.body) : std::pair(f.body, other);
+  if (axis.refutes(step, first, second, gap)) return;
+  const auto least_deep = [&] { return axis.confirms(step, first, second, gap); };
+  if (gap < 0 && beside_the_body(step, face, held.at) && !least_deep()) return;
   // An edge that reaches back over the facet lies on it, though it ends at the sharp edge.
   const auto lies_across = [&](const Vec3& across) {
     return is_in_cone(step, node, across) && !(across.dot(held.across) > step.flush_cosine);
   };
   if (gap < -step.noticeable_depth(f.body, other) &&
-      step.came_past_sharp_edge(face, {&step.x[node], 1}, other, lies_across))
+      step.came_past_sharp_edge(face, {&step.x[node], 1}, other, lies_across, least_deep))
     return;
   touches_.push_back(t);
 }

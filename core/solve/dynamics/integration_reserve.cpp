@@ -9,7 +9,8 @@
 
 namespace talus {
 
-IntegrationReserve::IntegrationReserve(BodySet& set) : set_(set), held_(set.bodies.size(), 0) {}
+IntegrationReserve::IntegrationReserve(BodySet& set)
+    : set_(set), held_(set.bodies.size(), 0), begun_with_(set.bodies.size(), 1) {}
 
 void IntegrationReserve::measure(const StepContext& step, std::vector<double>& reserves) const {
   reserves.assign(set_.bodies.size(), 0);
@@ -27,17 +28,42 @@ void IntegrationReserve::measure(const StepContext& step, std::vector<double>& r
   }
 }
 
-void IntegrationReserve::give(const StepContext& step) {
+void IntegrationReserve::begin_from(const StepContext& step) {
+  length_ = step.length;
+  begun_with_.assign(begun_with_.size(), 1);
+  any_limited_ = false;
+}
+
+void IntegrationReserve::give(const StepContext& step, double longest) {
   measure(step, held_);
+  for (double& held : held_) held *= std::pow(longest / step.length, 2);
+  begin_from(step);
   for (const int b : set_.moving)
     if (set_.bodies[b].constant_acceleration) held_[b] = 0;
 }
 
-void IntegrationReserve::hold(const StepContext& step) {
+void IntegrationReserve::begin_step(const StepContext& step) {
+  if (step.length <= length_ && !any_limited_) return;
+  measure(step, at_start_);
+  any_limited_ = false;
+  for (const int b : set_.moving) {
+    double& part = begun_with_[b];
+    if (set_.bodies[b].constant_acceleration || part == 0) continue;
+    const double whole = at_start_[b] / (part * part);
+    const double paid = whole > held_[b] ? std::sqrt(held_[b] / whole) : 1;
+    if (paid != part) set_.scale_acceleration(b, paid / part);
+    part = paid;
+    any_limited_ = any_limited_ || part < 1;
+  }
+}
+
+void IntegrationReserve::hold(const StepContext& step, double longest) {
   measure(step, at_end_);
+  begin_from(step);
+  const double growth = std::pow(longest / step.length, 2);
   for (const int b : set_.moving) {
     const bool holds = !set_.bodies[b].constant_acceleration;
-    const double paid = std::min(held_[b], at_start_[b]) + at_end_[b] - at_start_[b];
+    const double paid = std::min(held_[b], growth * at_start_[b]) + at_end_[b] - at_start_[b];
     held_[b] = holds ? std::max(0.0, paid) : 0;
   }
 }

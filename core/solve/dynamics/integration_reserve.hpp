@@ -14,18 +14,23 @@ struct BodySet;
 ///   R = ½ (β − γ/2) Δ² aᵀ M a  [J]
 /// grows by, or more, and gives back no more than it shrinks by: the sum of both never grows. So a body may begin a
 /// step with the acceleration of the last one only as far as that has paid for it, and the ledger keeps account of what
-/// was paid. Steps of β = ½ (Body::constant_acceleration) hold nothing.
+/// was paid. A shorter step holds less of the same acceleration; what a longer one before it has paid beyond that is
+/// kept for when steps are as long again. Steps of β = ½ (Body::constant_acceleration) hold nothing.
 class IntegrationReserve {
  public:
   /// `set` outlives it.
   explicit IntegrationReserve(BodySet& set);
 
-  /// Bodies have been given the accelerations with which they begin `step`, and what belongs to these.
-  void give(const StepContext& step);
+  /// Bodies have been given the accelerations with which they begin `step`, and what belongs to these in steps that are
+  /// no longer than `longest` [s].
+  void give(const StepContext& step, double longest);
+  /// A step is about to be tried: where it is longer than the last one, bodies begin it with as much of their
+  /// acceleration as is paid for. Where it is tried again, shorter, they have more of it.
+  void begin_step(const StepContext& step);
   /// A step is about to be accepted: accelerations are those with which it begins.
   void note_start(const StepContext& step) { measure(step, at_start_); }
-  /// It is accepted: accelerations are those with which the next one begins.
-  void hold(const StepContext& step);
+  /// It is accepted: accelerations are those with which the next one begins. Steps are no longer than `longest` [s].
+  void hold(const StepContext& step, double longest);
   /// Impacts gave `energy` to these bodies [J], which time integration had taken from them in the step: they keep as
   /// much less, and of their accelerations what they have paid for.
   void release(std::span<const int> bodies, double energy);
@@ -36,8 +41,14 @@ class IntegrationReserve {
   /// R of each body that moves, with its present acceleration [J].
   void measure(const StepContext& step, std::vector<double>& reserves) const;
 
+  /// The next step follows on this one.
+  void begin_from(const StepContext& step);
+
   BodySet& set_;
   std::vector<double> held_, at_start_, at_end_;  // J, a body
+  std::vector<double> begun_with_;                // a body: of its acceleration, in the step that is tried
+  bool any_limited_ = false;                      // some begin with less than all
+  double length_ = 0;                             // s, of the last step
 };
 
 }  // namespace talus

@@ -1,5 +1,7 @@
 #include "solve/dynamics/prescribed_motion.hpp"
 
+#include <algorithm>
+
 #include "model/time_table.hpp"
 
 namespace talus {
@@ -31,6 +33,13 @@ void PrescribedMotion::begin_step(BodySet& bodies, double end) const {
     const Vec3 place = wanted(constraint, end);
     for (int n = body.first_node; n < body.first_node + body.node_count; ++n)
       nodes.prescribed[n] = nodes.reference[n] + place - nodes.position[n];
+  }
+}
+
+void PrescribedMotion::stand_still(BodySet& bodies) const {
+  for (const Moved& moved : moved_) {
+    const Body& body = bodies.bodies[moved.body];
+    std::fill_n(bodies.nodes.prescribed.begin() + body.first_node, body.node_count, Vec3::Zero());
   }
 }
 

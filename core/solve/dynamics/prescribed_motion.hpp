@@ -12,6 +12,8 @@ class PrescribedMotion {
 
   /// Sets the increments of the blocks' nodes so that they stand where they are wanted at `end` [s].
   void begin_step(BodySet& bodies, double end) const;
+  /// Sets them to none.
+  void stand_still(BodySet& bodies) const;
 
  private:
   struct Moved {

@@ -38,8 +38,11 @@ std::string unrest(const Trajectory& trajectory, int block, int stage, double di
          in_degrees(turn);
 }
 
-double displacement_along(const Trajectory& trajectory, const std::string& block, const Vec3& direction) {
-  return trajectory.last().blocks[trajectory.block(block)].displacement.dot(direction);
+/// Since the end of the stage.
+double displacement_along(const Trajectory& trajectory, const std::string& block, const Vec3& direction, int stage) {
+  const int b = trajectory.block(block);
+  const auto displacement = [&](const Snapshot& snapshot) { return snapshot.blocks[b].displacement; };
+  return direction.dot(displacement(trajectory.last()) - displacement(trajectory.end_of_stage(stage)));
 }
 
 std::string travel_fault(const std::string& block, double distance_moved) {
@@ -69,10 +72,12 @@ HardCaseExpectation all_rest(int stage, double distance, double angle) {
           }};
 }
 
-HardCaseExpectation travels(const std::string& block, const Vec3& direction, double distance, double tolerance) {
-  return {block + " goes " + significant(distance, 6) + " m within " + with_unit(100 * tolerance, "%"),
+HardCaseExpectation travels(const std::string& block, const Vec3& direction, double distance, double tolerance,
+                            int stage) {
+  const std::string since = stage < 0 ? "" : " " + since_words(stage);
+  return {block + " goes " + significant(distance, 6) + " m" + since + " within " + with_unit(100 * tolerance, "%"),
           [=](const Trajectory& trajectory) {
-            const double distance_moved = displacement_along(trajectory, block, direction);
+            const double distance_moved = displacement_along(trajectory, block, direction, stage);
             const bool there = std::abs(distance_moved - distance) <= tolerance * std::abs(distance);
             return there ? std::string() : travel_fault(block, distance_moved);
           }};
@@ -80,7 +85,7 @@ HardCaseExpectation travels(const std::string& block, const Vec3& direction, dou
 
 HardCaseExpectation travels_at_least(const std::string& block, const Vec3& direction, double least) {
   return {block + " goes at least " + with_unit(least, "m"), [=](const Trajectory& trajectory) {
-            const double distance_moved = displacement_along(trajectory, block, direction);
+            const double distance_moved = displacement_along(trajectory, block, direction, -1);
             return distance_moved >= least ? std::string() : travel_fault(block, distance_moved);
           }};
 }
@@ -90,8 +95,9 @@ HardCaseExpectation accelerates(const std::string& block, const Vec3& direction,
   return {
       block + " is accelerated by " + significant(acceleration, 6) + " m/s² within " + with_unit(100 * tolerance, "%"),
       [=](const Trajectory& trajectory) {
-        const std::vector<Snapshot>& snapshots = trajectory.snapshots;
-        const Snapshot &middle = snapshots[snapshots.size() / 2], &end = snapshots.back();
+        const Snapshot &end = trajectory.last(), &start = trajectory.end_of_stage(end.stage - 1);
+        const Snapshot& middle = *std::ranges::lower_bound(trajectory.snapshots, (start.time + end.time) / 2, {},
+                                                           [](const Snapshot& snapshot) { return snapshot.time; });
         const int b = trajectory.block(block);
         const double gained = direction.dot(end.blocks[b].velocity - middle.blocks[b].velocity);
         const double found = gained / (end.time - middle.time);

@@ -10,12 +10,14 @@ namespace talus {
 HardCaseExpectation rests(const std::string& block, int stage, double distance, double angle = 0.01);
 /// All movable blocks do.
 HardCaseExpectation all_rest(int stage, double distance, double angle = 0.01);
-/// The block's displacement along `direction` (unit) from the start is `distance` [m], within `tolerance` of it.
-HardCaseExpectation travels(const std::string& block, const Vec3& direction, double distance, double tolerance);
-/// … is at least `least` [m].
+/// The block's displacement along `direction` (unit) since the end of the stage (−1: the start) is `distance` [m],
+/// within `tolerance` of it.
+HardCaseExpectation travels(const std::string& block, const Vec3& direction, double distance, double tolerance,
+                            int stage = -1);
+/// … from the start is at least `least` [m].
 HardCaseExpectation travels_at_least(const std::string& block, const Vec3& direction, double least);
-/// Over the second half of the run the block's velocity along `direction` (unit) grows by `acceleration` [m/s²], within
-/// `tolerance` of it.
+/// Over the second half of the last stage the block's velocity along `direction` (unit) grows by `acceleration` [m/s²],
+/// within `tolerance` of it.
 HardCaseExpectation accelerates(const std::string& block, const Vec3& direction, double acceleration, double tolerance);
 /// The block has turned by at least `angle` [degrees].
 HardCaseExpectation topples(const std::string& block, double angle);

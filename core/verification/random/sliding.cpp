@@ -85,7 +85,7 @@ HardCase sliding_case(Draw& draw, CaseScene scene, const Drive& drive, double fr
   if (rests_there)
     drawn.expected = {rests("block", 0, most_unrest * size)};
   else if (start == Start::let_go && is_rigid)
-    drawn.expected = {travels("block", down, way, share)};
+    drawn.expected = {travels("block", down, way, share, static_cast<int>(scene.project.stages.size()) - 2)};
   else
     drawn.expected = {travels_at_least("block", down, (1 - share) * way),
                       accelerates("block", down, acceleration, share)};

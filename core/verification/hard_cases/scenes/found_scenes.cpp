@@ -65,8 +65,7 @@ std::vector<HardCase> energies() {
   return {found("restitution_makes_energy", "Box dropped by 1 m, restitution 1, friction 25°",
                 found_scene_restitution_makes_energy, {stays_above(0)}),
           found("ridge_tetrahedra_growth", "Ridge of a meshed wedge falls on a ridge across it",
-                found_scene_ridge_tetrahedra_growth, {stays_above(0)},
-                "contacts of ridges that cross by 0.01 rad run along them at 20 m/s and are found anew, 2e-3 deep"),
+                found_scene_ridge_tetrahedra_growth, {stays_above(0)}),
           found("shaking_tower_growth", "Tower of four boxes on a shaken table", found_scene_shaking_tower_growth,
                 {stays_above(0)})};
 }
@@ -75,8 +74,7 @@ std::vector<HardCase> crowds() {
   return {found("cavern_not_converged", "107 blocks round a cavern", found_scene_cavern_not_converged, {stays_above(3)},
                 {}, true),
           found("chain_3_links", "Chain of rings of sixty faces swings", found_scene_chain_3_links, {stays_above(-11)}),
-          found("crosses_deep", "Eight crosses poured into a box", found_scene_crosses_deep, {stays_above(0)},
-                "crosses are 5.8e-2 of the mesh size deep in each other, by contacts that are found deep"),
+          found("crosses_deep", "Eight crosses poured into a box", found_scene_crosses_deep, {stays_above(0)}),
           found("slab_1e_minus_9_above_boxes", "Slab 1e-9 m above eight boxes", found_scene_slab_1e_minus_9_above_boxes,
                 {all_rest(-1, 1e-3)})};
 }
@@ -84,12 +82,11 @@ std::vector<HardCase> crowds() {
 std::vector<HardCase> slopes() {
   return {
       found("slope_35_tetrahedra", "35 meshed blocks of three random joint sets slide", found_scene_slope_35_tetrahedra,
-            {stays_above(0)}, "blocks are 1.7e-3 of the mesh size deep in each other; why is not known", true),
+            {stays_above(0)}, "blocks are 2.4e-3 of the mesh size deep in each other; why is not known", true),
       found("slope_59_static_slow", "59 blocks of three random joint sets, a static stage first",
-            found_scene_slope_59_static_slow, {stays_above(0)},
-            "its static stage takes hundreds of iterations a step: not ended in 20 minutes", true),
+            found_scene_slope_59_static_slow, {stays_above(0)}, {}, true),
       found("slope_71_affine", "71 affine blocks of three random joint sets slide", found_scene_slope_71_affine,
-            {stays_above(0)}, "contacts are 1.4e-3 of the mesh size deep; why is not known", true)};
+            {stays_above(0)}, {}, true)};
 }
 
 }  // namespace

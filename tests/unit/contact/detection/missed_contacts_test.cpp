@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "base/units.hpp"
 #include "contact/detection/missed_contacts.hpp"
@@ -47,9 +48,18 @@ TEST_F(MissedContact, WhatRotatesIntoAnotherIsFoundWithItsDepth) {
   EXPECT_NEAR(deepest * scene_.size(1), 0.02, 1e-3);
 }
 
-TEST_F(MissedContact, WhatTheStepKnowsAndWhatIsNotSoDeepIsNot) {
-  ASSERT_FALSE(scene_.detect(0.2).points.empty());
-  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3).empty());
+TEST_F(MissedContact, WhatTheStepKnowsIsSaid) {
+  const ContactSet& known = scene_.detect(0.2);
+  ASSERT_FALSE(known.points.empty());
+  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3);
+  ASSERT_FALSE(missed.empty());
+  for (const ContactDetector::MissedContact& contact : missed) {
+    ASSERT_GE(contact.given, 0);
+    EXPECT_LT((known.points[contact.given].position - contact.position).norm(), 0.13);
+  }
+}
+
+TEST_F(MissedContact, WhatIsNotSoDeepIsNot) {
   scene_.detect(0.01);
   EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 0.1).empty());
 }
@@ -72,7 +82,8 @@ TEST_F(MissedContact, WhatIsTakenInIsAsDeepWhereTheStepLeadsAsItIsThere) {
     deepest = std::max(deepest, -gap);
   }
   EXPECT_NEAR(deepest, deepest_missed, 1e-12);
-  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3).empty());
+  for (const auto& contact : scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3))
+    EXPECT_GE(contact.given, 0);
 }
 
 TEST_F(MissedContact, NobodyLooksForTheOneOfBlocksOfWhichNeitherRotates) {
@@ -93,32 +104,52 @@ TEST_F(MissedContact, LookingAheadChangesNothingThatIsFoundAtTheStart) {
   }
 }
 
-/// A rigid cube `height` [m] above a slab, or in it, of which no contact is known; it goes by `way` [m].
+/// A rigid box, its corners at `lower` and `upper` [m], above a fixed slab, 1 m thick, whose top is at z = 0 and
+/// reaches to x = `end`.
+class BoxOverSlab {
+ public:
+  BoxOverSlab(const Vec3& lower, const Vec3& upper, double end)
+      : system_(test::block_system({test::box_block("slab", Vec3(-3, -3, -1), Vec3(end, 3, 0), BodyKind::fixed),
+                                    test::box_block("box", lower, upper, BodyKind::rigid)})),
+        set_(test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 1, {}}}), system_) {
+    for (const Block& block : system_.blocks) surfaces_.push_back(make_surface(block.mesh.nodes, block.surface));
+    detector_ = std::make_unique<ContactDetector>(
+        std::vector<ContactBody>{{&surfaces_[0], set_.bodies[0].first_node, true, 5e9, true},
+                                 {&surfaces_[1], set_.bodies[1].first_node, false, 5e9, true}},
+        std::vector<JointLaw>{{.friction = 0.5}}, PairJoints(), ContactSettings{});
+  }
+
+  /// Those of a step that knows what is found with the box higher by this [m].
+  std::vector<ContactDetector::MissedContact> missed(double higher, const Increment& d) {
+    std::vector<Vec3> positions = set_.nodes.position;
+    for (int n = 0; n < set_.bodies[1].node_count; ++n) positions[set_.bodies[1].first_node + n].z() += higher;
+    detector_->detect(positions, 0.1, known_);
+    ContactLinks links(set_, known_);
+    links.connect();
+    MissedContacts missed(set_);
+    const auto all = missed.seek(*detector_, links, d, 0.1, 1e-3, 0);
+    return {all.begin(), all.end()};
+  }
+  const ContactSet& known() const { return known_; }
+  double radius() const { return set_.rigid[0].radius; }
+
+ private:
+  BlockSystem system_;
+  BodySet set_;
+  std::vector<Surface> surfaces_;
+  std::unique_ptr<ContactDetector> detector_;
+  ContactSet known_;
+};
+
+/// A cube `height` [m] above the slab, or in it, of which no contact is known; it goes by `way` [m].
 std::vector<ContactDetector::MissedContact> missed_by(double height, const Vec3& way) {
-  const Project project = test::rock_project(30, {{"fall", StageKind::dynamic, 0.01, 1, {}}});
-  const BlockSystem system =
-      test::block_system({test::box_block("slab", Vec3(-3, -3, -1), Vec3(3, 3, 0), BodyKind::fixed),
-                          test::box_block("cube", Vec3(0, 0, height), Vec3(1, 1, 1 + height), BodyKind::rigid)});
-  const BodySet set(project, system);
-  std::vector<Surface> surfaces;
-  for (const Block& block : system.blocks) surfaces.push_back(make_surface(block.mesh.nodes, block.surface));
-  ContactDetector detector({{&surfaces[0], set.bodies[0].first_node, true, 5e9, true},
-                            {&surfaces[1], set.bodies[1].first_node, false, 5e9, true}},
-                           {{.friction = 0.5}}, PairJoints(), {});
-  std::vector<Vec3> far_away = set.nodes.position;
-  for (int n = 0; n < set.bodies[1].node_count; ++n) far_away[set.bodies[1].first_node + n].z() += 5;
-  ContactSet found;
-  detector.detect(far_away, 0.1, found);
-  EXPECT_TRUE(found.points.empty());
-  const ContactSet none;
-  ContactLinks links(set, none);
-  links.connect();
-  Increment d = Increment::Zero(set.unknowns());
+  BoxOverSlab scene(Vec3(0, 0, height), Vec3(1, 1, 1 + height), 3);
+  Increment d = Increment::Zero(6);
   d.head<3>() = way;
   d[5] = 0.01;  // it rotates about the vertical: of blocks that do not, nobody looks for any
-  MissedContacts missed(set);
-  const auto all = missed.seek(detector, links, d, 0.1, 1e-3, 0);
-  return {all.begin(), all.end()};
+  auto missed = scene.missed(5, d);
+  EXPECT_TRUE(scene.known().points.empty());
+  return missed;
 }
 
 TEST(MissedContacts, WhatComesInDuringAStepIsMissed) {
@@ -131,6 +162,25 @@ TEST(MissedContacts, WhatLayDeeperBeforeItIsNot) {
   EXPECT_TRUE(missed_by(-0.01, {0, 0, -0.005}).empty());
   EXPECT_TRUE(missed_by(-0.01, {0, 0, 0}).empty());
   EXPECT_TRUE(missed_by(-0.01, {0.03, 0.02, 0.001}).empty()) << "what slides along does not come in";
+}
+
+/// A bar reaches over the rim of the slab. It turns about its left end, the right one down, and goes back by 0.1 m:
+/// what comes over the rim by then is deeper than what was over it.
+TEST(MissedContacts, WhatTouchesInAnotherPlaceByTheEndIsMissed) {
+  constexpr double gap = 0.018, angle = 0.02;
+  BoxOverSlab scene(Vec3(-1, 0, gap), Vec3(1, 0.2, gap + 0.2), 0);
+  Increment d = Increment::Zero(6);
+  d.head<3>() = Vec3(-0.1, 0, -angle);
+  d[4] = scene.radius() * angle;
+  const auto missed = scene.missed(0, d);
+  ASSERT_EQ(missed.size(), 2u);
+  for (const ContactDetector::MissedContact& contact : missed) {
+    EXPECT_GE(contact.given, 0);
+    EXPECT_NEAR(contact.position.x(), 0, 1e-9);
+    EXPECT_NEAR(contact.depth * contact.size, 1.1 * angle - gap, 1e-4);
+  }
+  d[0] = 0;
+  EXPECT_TRUE(scene.missed(0, d).empty()) << "in the same place the step knows how deep they are";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace talus {
 namespace {
 
 using testing::box;
+using testing::mapped;
 using testing::reach;
 using testing::Scene;
 using testing::Shape;
@@ -241,6 +242,24 @@ TEST(FaceFaceSearch, SlidingOverInnerEdgesKeepsKeysAndMemory) {
     }
     scene.detector().accept(scene.contacts, outcomes);
     scene.move(1, {0.007, 0.003, 0});
+  }
+}
+
+/// Where sharp edges of two faces that are not quite parallel cross, motion along either of them opens nothing.
+TEST(FaceFaceSearch, SharpEdgesThatCrossSlideAlongEachOther) {
+  const Mat3 r =
+      (Eigen::AngleAxisd(radians(0.7), Vec3::UnitX()) * Eigen::AngleAxisd(radians(1.2), Vec3::UnitY())).matrix();
+  Scene scene;
+  scene.single_body = true;
+  scene.add(box({-1, -0.1, -0.2}, {1, 0.1, 0}), true);
+  scene.add(mapped(box({-0.1, -1, 0}, {0.1, 1, 0.2}), [&](const Vec3& p) { return Vec3(r * p); }));
+  const ContactSet& contacts = scene.detect(reach);
+  ASSERT_EQ(contacts.points.size(), 4u);
+  for (const ContactPoint& p : contacts.points) {
+    EXPECT_GT(p.area, 0);
+    EXPECT_NEAR(p.normal.dot(Vec3::UnitX()), 0, 1e-12);
+    EXPECT_NEAR(p.normal.dot(r.col(1)), 0, 1e-12);
+    EXPECT_LT(p.normal.z(), 0);
   }
 }
 

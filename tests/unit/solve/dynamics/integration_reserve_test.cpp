@@ -14,7 +14,7 @@ class IntegrationReserveTest : public testing::Test {
  protected:
   IntegrationReserveTest() : system_(test::cube_on_slab()), set_(test::rock_project(30, {}), rigid(system_)) {
     step_.length = length;
-    reserve_.give(step_);
+    reserve_.give(step_, length);
   }
   static BlockSystem& rigid(BlockSystem& system) {
     system.blocks[1].body = BodyKind::rigid;
@@ -24,7 +24,7 @@ class IntegrationReserveTest : public testing::Test {
   void go_to(double after) {
     reserve_.note_start(step_);
     acceleration() = after;
-    reserve_.hold(step_);
+    reserve_.hold(step_, length);
   }
   /// mΔ²a²/32, Krenk's for β = 9/16 and γ = 1.
   double held_for(double a) const { return set_.bodies[1].mass() * length * length * a * a / 32; }
@@ -65,6 +65,33 @@ TEST_F(IntegrationReserveTest, LongerStepsHoldNoMoreThanWasPaid) {
   step_.length = 3 * length;
   go_to(5);
   EXPECT_NEAR(reserve_.total(), held_for(5), 1e-12 * held_for(5));
+}
+
+TEST_F(IntegrationReserveTest, AfterAShorterStepALongOneFindsWhatWasPaid) {
+  go_to(5);
+  step_.length = length / 2;
+  reserve_.begin_step(step_);
+  go_to(5);
+  EXPECT_NEAR(reserve_.total(), held_for(5), 1e-12 * held_for(5));
+  step_.length = length;
+  reserve_.begin_step(step_);
+  EXPECT_NEAR(acceleration(), 5, 1e-12);
+}
+
+TEST_F(IntegrationReserveTest, ALongerStepBeginsWithAsMuchAccelerationAsIsPaidFor) {
+  step_.length = length / 2;
+  reserve_.give(step_, length);
+  go_to(5);
+  step_.length = length;
+  reserve_.begin_step(step_);
+  EXPECT_NEAR(acceleration(), 2.5, 1e-12);
+  step_.length = 0.8 * length;
+  reserve_.begin_step(step_);
+  EXPECT_NEAR(acceleration(), 2.5 / 0.8, 1e-12) << "tried again, shorter";
+  step_.length = length;
+  reserve_.begin_step(step_);
+  go_to(0);
+  EXPECT_NEAR(reserve_.total(), 0, 1e-12 * held_for(5));
 }
 
 TEST_F(IntegrationReserveTest, WhatImpactsGiveComesOutOfIt) {
