@@ -102,11 +102,9 @@ std::optional<Crossing> crossing_of(const StepGeometry& step, int edge_a, int ed
   const Vec3 &a0 = step.x[a.nodes[0]], &b0 = step.x[b.nodes[0]];
   const Vec3 u = step.x[a.nodes[1]] - a0, w = step.x[b.nodes[1]] - b0, c = u.cross(w), r = b0 - a0;
   const double squared = c.squaredNorm();
-  const std::array<Vec3, 2>&into_a = step.shapes.edge(edge_a).into, &into_b = step.shapes.edge(edge_b).into;
-  const double tolerance = step.cone_tolerance;
+  const FeatureShapes::Edge &shape_a = step.shapes.edge(edge_a), &shape_b = step.shapes.edge(edge_b);
   const auto in_both_cones = [&](const Vec3& m) {
-    return m.dot(into_a[0]) >= -tolerance && m.dot(into_a[1]) >= -tolerance && m.dot(into_b[0]) <= tolerance &&
-           m.dot(into_b[1]) <= tolerance;
+    return is_in_cone(step, shape_a, m) && is_in_cone(step, shape_b, -m);
   };
   Vec3 n = c / std::sqrt(squared);
   if (!in_both_cones(n)) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "contact/narrow/normal_cones.hpp"
 #include "contact/narrow/polygon_overlap.hpp"
 
 namespace talus {
@@ -80,11 +81,7 @@ std::optional<Vec3> normal_across(const StepGeometry& step, int edge_a, int edge
   const Vec3 across = a.along.cross(b.along);
   if (!a.is_convex || !b.is_convex || !(across.squaredNorm() > step.tolerances.parallel_edges)) return std::nullopt;
   const Vec3 n = (normal.dot(across) < 0 ? -1 : 1) * across.normalized();
-  const double tolerance = step.cone_tolerance;
-  const auto is_in = [&](const FeatureShapes::Edge& edge, const Vec3& inwards) {
-    return edge.into[0].dot(inwards) >= -tolerance && edge.into[1].dot(inwards) >= -tolerance;
-  };
-  if (!is_in(a, n) || !is_in(b, -n)) return std::nullopt;
+  if (!is_in_cone(step, a, n) || !is_in_cone(step, b, -n)) return std::nullopt;
   return n;
 }
 

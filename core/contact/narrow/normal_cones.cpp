@@ -24,14 +24,16 @@ bool is_in_cone(const StepGeometry& step, int node, const Vec3& normal) {
   });
 }
 
+bool is_in_cone(const StepGeometry& step, const FeatureShapes::Edge& edge, const Vec3& inwards) {
+  return edge.into[0].dot(inwards) >= -step.cone_tolerance && edge.into[1].dot(inwards) >= -step.cone_tolerance;
+}
+
 bool an_edge_lies_along(const StepGeometry& step, int node, const Vec3& normal) {
-  const double tolerance = step.cone_tolerance;
   const auto numbers = step.features.edges_at(node);
   return std::any_of(numbers.begin(), numbers.end(), [&](int number) {
     if (!step.features.edges[number].is_sharp) return false;
     const FeatureShapes::Edge& edge = step.shapes.edge(number);
-    return edge.is_convex && edge.into[0].dot(normal) >= -tolerance && edge.into[1].dot(normal) >= -tolerance &&
-           std::abs(edge.along.dot(normal)) <= tolerance;
+    return edge.is_convex && is_in_cone(step, edge, normal) && std::abs(edge.along.dot(normal)) <= step.cone_tolerance;
   });
 }
 
