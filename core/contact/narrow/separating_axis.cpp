@@ -32,9 +32,7 @@ double lowest(const StepGeometry& step, int body, int face, double enough) {
 }  // namespace
 
 bool SeparatingAxis::refutes(const StepGeometry& step, int body_a, int body_b, double gap) {
-  const bool are_convex = step.features.is_convex(body_a) && step.features.is_convex(body_b);
-  const double enough =
-      gap + (are_convex ? step.noticeable_depth(body_a, body_b) : step.edge_tolerance(body_a, body_b));
+  const double enough = gap + step.noticeable_depth(body_a, body_b);
   if (!(enough < 0) || !step.features.keeps_shape(body_a) || !step.features.keeps_shape(body_b)) return false;
   return any_wider(step, body_a, body_b, enough);
 }

@@ -17,8 +17,8 @@ class SeparatingAxis {
  public:
   /// Positions are others now.
   void begin() { bodies_ = {-1, -1}; }
-  /// Whether both bodies keep their shape, and are less deep in each other than a contact with this gap [m] says: of
-  /// convex bodies by more than is noticeable, else by more than the edge tolerance.
+  /// Whether both bodies keep their shape, and are less deep in each other than a contact with this gap [m] says, by more
+  /// than is noticeable.
   bool refutes(const StepGeometry& step, int body_a, int body_b, double gap);
   /// Whether both bodies are convex, and as deep in each other as a contact with this gap [m] says: no direction parts
   /// them by less.
