@@ -159,14 +159,18 @@ void add_the_rest(const Project& project, const Scene& scene, bool rebounds, Cal
             "blocks may turn into each other within a step", "");
   calls.add(EffectKind::updated_normals, switches.updated_normals, touches, scene.no_motion, true,
             "contacts may turn within a step", "");
+  const std::string given = "all stiffness is given: " + joints_where(project, own_stiffness);
+  const bool multiplied = solver.penetration_tolerance && !scene.dynamic;
   calls.add(EffectKind::penalty_scaling, switches.penalty_scaling,
-            touches && (scaled || solver.penetration_tolerance.has_value()),
-            touches ? "all stiffness is given: " + joints_where(project, own_stiffness) : scene.no_motion, true,
-            "a penetration is to be kept to", "");
-  calls.add(EffectKind::followed_springs, switches.followed_springs, touches && single && scaled,
-            !touches  ? scene.no_motion
-            : !single ? "every block that moves has a mesh"
-                      : "all stiffness is given: " + joints_where(project, own_stiffness),
+            scene.touching && !multiplied && (scaled || solver.penetration_tolerance),
+            !scene.touching ? scene.no_touch
+            : multiplied    ? "multipliers keep to the penetration_tolerance: every stage is static"
+                            : given,
+            true, "a penetration is to be kept to", "");
+  calls.add(EffectKind::followed_springs, switches.followed_springs, scene.touching && single && scaled,
+            !scene.touching ? scene.no_touch
+            : !single       ? "every block that moves has a mesh"
+                            : given,
             true, "contacts of rigid and affine blocks may be too stiff for a step", "");
   const bool moves = scene.movable > 0 && scene.dynamic;
   const std::string nothing_moves = scene.movable == 0 ? "every block is fixed" : "every stage is static";

@@ -33,10 +33,10 @@ struct StepTolerances {
   /// on to its tolerance when nothing is left to correct. Chosen. Larger: what small forces do is not seen yet.
   /// Smaller: more iterations on contacts that are changed anyway.
   double corrected_residual = 1e-3;
-  /// Of h. In dynamic stages contacts whose stiffness nobody has given penetrate no deeper, where the project has no
+  /// Of h. Contacts whose stiffness nobody has given penetrate no deeper, where the project has no
   /// penetration_tolerance. Chosen: a quarter of what published bodies keep apart, for what takes a contact over may be
   /// found twice as deep. Larger: softer contacts, deeper. Smaller: more corrections and stiffer contacts.
-  double dynamic_penetration = 2.5e-4;
+  double penetration = 2.5e-4;
   /// Of the stage's time_step. A shorter step is accepted even if it misses a contact. Chosen: three cuts. Larger:
   /// missed contacts go deeper. Smaller: more cuts.
   double shortest_recheck = 0.03;
@@ -95,7 +95,9 @@ struct ConvergenceTolerances {
   /// direction. Smaller: more rounds.
   double friction_settled = 1e-3;
 
-  /// Iterations after which a step is hard, and listed as trouble; most take two to six. Reports alone hang on it.
+  /// Iterations after which a step is hard, and listed as trouble; most take two to six. A static stage that has had
+  /// such a step goes on with springs that its steps can follow. Chosen. Larger: static stages of crowds stay slow for
+  /// longer. Smaller: contacts that do not need it get softer, and sink by up to the allowed penetration.
   int hard_step = 25;
   /// Newton iterations since the residual last came down to `stalled_fraction`, after which friction strengths are
   /// frozen. Chosen from the hard cases, as are the next four. Larger: circles are left later. Smaller: quick steps
@@ -253,7 +255,7 @@ struct ImpactTolerances {
   int sweep_limit = 500;
 };
 
-/// How stiff the springs of new contacts are in dynamic steps.
+/// How stiff springs are that a step can follow.
 struct FollowedSpringTolerances {
   /// – (ωΔ). Two rigid or affine bodies swing no faster on the springs between them. 2π: one swing a step, as
   /// "near-rigid" contact has it. Larger: more iterations, four times as many for a crowd at 8π. Smaller: bodies sink

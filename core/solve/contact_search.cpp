@@ -15,10 +15,10 @@ namespace talus {
 namespace {
 
 void limit_springs(SimulationState& s, double length) {
-  if (!s.is_on(EffectKind::followed_springs) || !s.dynamic() || s.contacts.points.empty()) return;
+  if (!s.is_on(EffectKind::followed_springs) || s.contacts.points.empty()) return;
   const EffectTimer timer(s.work_of(EffectKind::followed_springs));
-  s.followed_springs.limit(s.project, s.adaptive() ? length : s.clock.next_length(), s.dynamic_penetration(),
-                           s.contacts);
+  s.followed_springs.limit(s.project, s.adaptive() ? length : s.clock.next_length(), s.penetration(),
+                           s.followed_contacts, s.contacts);
 }
 
 /// Contacts of all who are awake, with those whom they wake.

@@ -27,6 +27,8 @@ OpenCloseResult converge_with_missed(SimulationState& s, std::span<const Contact
 bool check(SimulationState& s, const OpenCloseResult& result, std::span<const ContactDetector::MissedContact> missed,
            StepReport& report);
 bool retry_with_more_inertia(SimulationState& s, bool good);
+bool retry_with_softer_springs(SimulationState& s, bool good);
+void choose_springs(SimulationState& s, int iterations);
 void cut(SimulationState& s, StepReport& report);
 void accept(SimulationState& s, StepReport& report);
 void remember_step(SimulationState& s, StepReport& report);
@@ -137,7 +139,7 @@ bool try_step(SimulationState& s, double start, double length, StepReport& repor
     const OpenCloseResult result = converge_with_missed(s, missed);
     const bool good = check(s, result, missed, report);
     if (good && s.company.goes_too_far(s.bodies, s.increment)) continue;
-    if (!retry_with_more_inertia(s, good)) return good;
+    if (!retry_with_more_inertia(s, good) && !retry_with_softer_springs(s, good)) return good;
   }
 }
 
@@ -178,8 +180,8 @@ void give_start_accelerations(SimulationState& s) {
 /// to the tolerance of the step.
 OpenCloseResult converge(SimulationState& s) {
   OpenCloseResult result;
-  // Multipliers of static stages converge no further than the rounds that they are taken from.
-  const bool early = s.dynamic() && s.project.solver.open_close == OpenCloseMethod::newton;
+  // Multipliers converge no further than the rounds that they are taken from.
+  const bool early = !s.multiplies() && s.project.solver.open_close == OpenCloseMethod::newton;
   const double loosely = early ? s.tolerances.step.corrected_residual : 0;
   double enough = loosely;
   for (int round = 0;; ++round) {
@@ -251,12 +253,28 @@ bool retry_with_more_inertia(SimulationState& s, bool good) {
   return true;
 }
 
+/// Whether a static step is to be tried again with springs that it can follow.
+bool retry_with_softer_springs(SimulationState& s, bool good) {
+  if (good || s.followed_contacts != FollowedContacts::none || !s.is_on(EffectKind::followed_springs)) return false;
+  s.followed_contacts = FollowedContacts::all;
+  return true;
+}
+
+/// In a static stage contacts are as stiff as rock, until a step has been hard: then springs are such as steps can
+/// follow.
+void choose_springs(SimulationState& s, int iterations) {
+  if (s.followed_contacts == FollowedContacts::all) s.followed_contacts = FollowedContacts::new_ones;
+  const bool hard = iterations > s.tolerances.convergence.hard_step;
+  if (hard && s.followed_contacts == FollowedContacts::none) s.followed_contacts = FollowedContacts::all;
+}
+
 void cut(SimulationState& s, StepReport& report) {
   ++report.cuts;
   s.troubles.note_cut();
 }
 
 void accept(SimulationState& s, StepReport& report) {
+  choose_springs(s, report.iterations);
   const bool may_hit = s.impacts && s.dynamic() && s.anything_moves();
   if (may_hit) s.impacts->note_speeds(s.contacts, s.context);
   s.outcomes.take(s.contacts, s.links, s.composition, s.increment, s.augmented());

@@ -102,8 +102,8 @@ SimulationState::SimulationState(const Project& given, const BlockSystem& blocks
     if (!bodies.bodies[b].built_fixed()) context.mesh_size = std::max(context.mesh_size, surfaces[b].size);
 }
 
-double SimulationState::dynamic_penetration() const {
-  return project.solver.penetration_tolerance.value_or(tolerances.step.dynamic_penetration);
+double SimulationState::penetration() const {
+  return project.solver.penetration_tolerance.value_or(tolerances.step.penetration);
 }
 
 }  // namespace talus

@@ -48,6 +48,9 @@ struct SimulationState {
 
   bool adaptive() const { return project.solver.time_step_control == TimeStepControl::adaptive; }
   bool augmented() const { return project.solver.penetration_tolerance.has_value(); }
+  /// Whether multipliers keep contacts from sinking too deep, in place of stiffer springs. They push out what is in
+  /// already, at once: in a moving block that would be speed from nothing.
+  bool multiplies() const { return augmented() && !dynamic(); }
   /// Whether an effect is on, as far as blocks can touch.
   bool is_on(EffectKind kind) const { return called[static_cast<std::size_t>(kind)].active; }
   bool dynamic() const { return context.dynamic_factor > 0; }  ///< is the stage?
@@ -61,7 +64,7 @@ struct SimulationState {
     if (composition.rebounds && !impacts) impacts.emplace(bodies, tolerances.impact);
   }
   StepResidual::EffectWork& work_of(EffectKind kind) { return extra_work[static_cast<std::size_t>(kind)]; }
-  double dynamic_penetration() const;  ///< of h, that contacts of a dynamic stage may have
+  double penetration() const;  ///< of h, that contacts may have
   bool anything_moves() const { return bodies.nodes.movable > 0; }
 
   const LocalModel model;
@@ -108,6 +111,7 @@ struct SimulationState {
   std::optional<PassageCheck> passage;  ///< none where missed contacts are not looked for
   bool goes_through = false;  ///< the trial step took a body through another: it is cut until no body goes that far
   FollowedSprings followed_springs;
+  FollowedContacts followed_contacts = FollowedContacts::none;
   std::optional<Impacts> impacts;  ///< where some joint takes speed from them
   Sleep sleep;
   bool accelerations_wanted = false;  ///< the next step is to begin with those of OpenClose

@@ -114,6 +114,7 @@ void begin_stage(SimulationState& s) {
   set_time_integration(s, stage.kind);
   s.free_flight.begin_stage();
   s.acceleration_reset.begin_stage(s.bodies);
+  s.followed_contacts = s.dynamic() ? FollowedContacts::new_ones : FollowedContacts::none;
   s.accelerations_wanted = s.dynamic();
   if (s.dynamic() && !s.velocities_given) {
     give_velocities(s);

@@ -22,7 +22,7 @@ std::span<const ContactDetector::MissedContact> missed_contacts(SimulationState&
   if (!s.is_on(EffectKind::missed_contacts) || !s.dynamic() || !s.company.any() ||
       s.context.length < s.tolerances.step.shortest_recheck * longest)
     return {};
-  const double tolerance = s.dynamic_penetration();
+  const double tolerance = s.penetration();
   const Stopwatch watch(s.detect_seconds);
   const EffectTimer timer(s.work_of(EffectKind::missed_contacts));
   return s.missed_contacts.seek(s.detector, s.links, s.increment, s.reach, tolerance, tolerance * s.smallest_size,
@@ -42,7 +42,7 @@ std::optional<DeepPair> passage(SimulationState& s) {
     }
     return deepest;
   };
-  return s.passage->find(s.increment, s.dynamic_penetration(), known, s.company.alone());
+  return s.passage->find(s.increment, s.penetration(), known, s.company.alone());
 }
 
 }  // namespace talus

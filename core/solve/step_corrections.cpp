@@ -7,45 +7,44 @@ namespace talus {
 
 namespace {
 
-bool update_normals(SimulationState& s, double tolerance) {
+bool update_normals(SimulationState& s) {
   if (!s.is_on(EffectKind::updated_normals)) return false;
   const EffectTimer timer(s.work_of(EffectKind::updated_normals));
   const auto start = [&](int node) { return s.bodies.nodes.position[node]; };
   const auto end = [&](int node) { return Vec3(start(node) + s.bodies.node_increment(node, s.increment)); };
   const auto updated = [&](int point) { return s.detector.updated_normal(point, start, end); };
-  return update_normals(s.contacts, s.links, updated, s.increment, tolerance, s.detector.tolerances());
+  return update_normals(s.contacts, s.links, updated, s.increment, s.penetration(), s.detector.tolerances());
 }
 
-bool scale_penalty(SimulationState& s, double tolerance) {
+bool scale_penalty(SimulationState& s) {
   if (!s.is_on(EffectKind::penalty_scaling)) return false;
   const EffectTimer timer(s.work_of(EffectKind::penalty_scaling));
   const auto as_given =
       s.project.solver.penetration_tolerance ? std::span<const Joint>() : std::span<const Joint>(s.project.joints);
-  return s.penalty_scaling.scale(s.contacts, s.links, s.increment, tolerance, as_given);
+  return s.penalty_scaling.scale(s.contacts, s.links, s.increment, s.penetration(), as_given);
 }
 
 bool take_off(SimulationState& s) {
   if (!s.may_fly()) return false;
   const EffectTimer timer(s.work_of(EffectKind::acceleration_reset));
-  if (!s.acceleration_reset.take_off(s.bodies, s.links, s.increment, s.dynamic_penetration())) return false;
+  if (!s.acceleration_reset.take_off(s.bodies, s.links, s.increment, s.penetration())) return false;
   s.open_close.begin_step(s.context);
+  return true;
+}
+
+bool improve_multipliers(SimulationState& s) {
+  if (multiplier_error(s.links, s.increment) <= s.penetration()) return false;
+  adapt_multipliers(s.contacts, s.links, s.increment);
   return true;
 }
 
 }  // namespace
 
 bool correct(SimulationState& s) {
-  const std::optional<double>& asked = s.project.solver.penetration_tolerance;
-  // Multipliers push out what is in already, at once: in a moving block that would be speed from nothing.
-  if (s.dynamic()) {
-    if (take_off(s)) return true;
-    if (s.contacts.points.empty()) return false;
-    const double tolerance = s.dynamic_penetration();
-    return update_normals(s, tolerance) || scale_penalty(s, tolerance);
-  }
-  if (!asked || multiplier_error(s.links, s.increment) <= *asked) return false;
-  adapt_multipliers(s.contacts, s.links, s.increment);
-  return true;
+  if (s.dynamic() && take_off(s)) return true;
+  if (s.contacts.points.empty()) return false;
+  if (s.multiplies()) return improve_multipliers(s);
+  return (s.dynamic() && update_normals(s)) || scale_penalty(s);
 }
 
 }  // namespace talus

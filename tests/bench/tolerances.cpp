@@ -119,7 +119,7 @@ std::vector<Entry> entries() {
             {"least_reach", &G::least_reach},
             {"correction_limit", &G::correction_limit},
             {"corrected_residual", &G::corrected_residual},
-            {"dynamic_penetration", &G::dynamic_penetration},
+            {"penetration", &G::penetration},
             {"shortest_recheck", &G::shortest_recheck},
             {"fewest_static_steps", &G::fewest_static_steps},
             {"time_rounding", &G::time_rounding}});

@@ -1,6 +1,7 @@
 #include "solve/dynamics/followed_springs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace talus {
 
@@ -11,9 +12,11 @@ bool deforms(const Body& body) { return !body.fixed && !body.single_body(); }
 double inverse_mass(const Body& body) { return body.fixed ? 0 : 1 / body.mass(); }
 
 void scale(ContactPoint& point, double scaling) {
+  const double ratio = scaling / point.penalty_scaling;
   point.penalty_scaling = scaling;
-  point.normal_stiffness *= scaling;
-  point.shear_stiffness *= scaling;
+  point.normal_stiffness *= ratio;
+  point.shear_stiffness *= ratio;
+  point.shear_start *= std::sqrt(std::min(ratio, 1.0));
 }
 
 }  // namespace
@@ -26,10 +29,13 @@ double FollowedSprings::limit_of(const ContactPoint& point, double length, doubl
   return std::max(rate * rate / (first + second), weight / (penetration * point.size));
 }
 
-void FollowedSprings::limit(const Project& project, double length, double penetration, ContactSet& contacts) {
+void FollowedSprings::limit(const Project& project, double length, double penetration, FollowedContacts which,
+                            ContactSet& contacts) {
+  if (which == FollowedContacts::none) return;
   std::vector<ContactPoint>& points = contacts.points;
+  const auto is_limited = [&](const ContactPoint& p) { return p.is_new || which == FollowedContacts::all; };
   by_pair_.clear();
-  if (std::none_of(points.begin(), points.end(), [](const ContactPoint& p) { return p.is_new; })) return;
+  if (std::none_of(points.begin(), points.end(), is_limited)) return;
   for (int i = 0; i < static_cast<int>(points.size()); ++i) {
     const ContactPoint& p = points[i];
     if (deforms(bodies_.bodies[p.bodies[0]]) || deforms(bodies_.bodies[p.bodies[1]])) continue;
@@ -44,11 +50,14 @@ void FollowedSprings::limit(const Project& project, double length, double penetr
     double stiffness = 0, stiffest = 0;  // N/m, as they would be; scaling of one that goes on
     for (auto i = first; i != last; ++i) {
       stiffness += points[*i].normal_stiffness / points[*i].penalty_scaling;
-      if (!points[*i].is_new) stiffest = std::max(stiffest, points[*i].penalty_scaling);
+      if (!is_limited(points[*i])) stiffest = std::max(stiffest, points[*i].penalty_scaling);
     }
     const double followed = limit_of(points[*first], length, project.gravity.norm(), penetration) / stiffness;
-    for (auto i = first; i != last; ++i)
-      if (points[*i].is_new) scale(points[*i], std::max(std::min(followed, 1.0), stiffest));
+    const double scaling = std::max(std::min(followed, 1.0), stiffest);
+    for (auto i = first; i != last; ++i) {
+      ContactPoint& point = points[*i];
+      if (is_limited(point)) scale(point, point.is_new ? scaling : std::min(scaling, point.penalty_scaling));
+    }
     first = last;
   }
 }

@@ -10,20 +10,27 @@
 
 namespace talus {
 
-/// Springs of new contacts between rigid and affine bodies in dynamic steps: no stiffer than the step can follow. Those
-/// between two bodies of masses m₁ and m₂ are together at most (ωΔ/Δ)² / (1/m₁ + 1/m₂): stiffer ones give the same
-/// motion in many more iterations ("near-rigid" contact, Castro, Permenter & Han 2022). Nor are they so soft that the
-/// lighter body's weight would press them deeper than is allowed; nor softer than the stiffest that goes on between the
-/// same bodies, which has shown what they need. Contacts that go on keep their springs, for softened ones would sink,
-/// and so do joints that have a stiffness of their own.
+/// Which springs are no stiffer than the steps of a stage can follow.
+enum class FollowedContacts {
+  none,
+  new_ones,  ///< those that go on keep theirs, for softened ones sink
+  all,
+};
+
+/// Springs of contacts between rigid and affine bodies: no stiffer than the step can follow. Those between two bodies
+/// of masses m₁ and m₂ are together at most (ωΔ/Δ)² / (1/m₁ + 1/m₂): stiffer ones give the same motion in many more
+/// iterations ("near-rigid" contact, Castro, Permenter & Han 2022). Nor are they so soft that the lighter body's weight
+/// would press them deeper than is allowed; nor softer than the stiffest that goes on between the same bodies, which
+/// has shown what they need. Joints keep a stiffness of their own.
 class FollowedSprings {
  public:
   /// `bodies` outlive them.
   FollowedSprings(const BodySet& bodies, const FollowedSpringTolerances& tolerances)
       : bodies_(bodies), tolerances_(tolerances) {}
 
-  /// Limits the new ones in a step of `length` [s]. `penetration`: of h, that contacts may have.
-  void limit(const Project& project, double length, double penetration, ContactSet& contacts);
+  /// Limits the springs of these contacts in a step of `length` [s]. `penetration`: of h, that contacts may have. Of
+  /// those that go on and get softer, the shear force falls, so that they hold no more energy.
+  void limit(const Project& project, double length, double penetration, FollowedContacts which, ContactSet& contacts);
 
  private:
   double limit_of(const ContactPoint& point, double length, double gravity, double penetration) const;

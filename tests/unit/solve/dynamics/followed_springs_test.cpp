@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "contact/contact_law.hpp"
 #include "support/solver_scenes.hpp"
 
 namespace talus {
@@ -30,7 +31,9 @@ class FollowedSpringsOf : public ::testing::Test {
       contacts_.points.push_back(point);
     }
   }
-  void limit(double length = step) { FollowedSprings(*bodies_, {}).limit(project_, length, penetration, contacts_); }
+  void limit(double length = step, FollowedContacts which = FollowedContacts::new_ones) {
+    FollowedSprings(*bodies_, {}).limit(project_, length, penetration, which, contacts_);
+  }
   double stiffness_between(int first, int second) const {
     double sum = 0;
     for (const ContactPoint& p : contacts_.points)
@@ -83,6 +86,36 @@ TEST_F(FollowedSpringsOf, ContactsThatGoOnKeepTheirs) {
   limit();
   EXPECT_EQ(contacts_.points[0].normal_stiffness, 5e10);
   EXPECT_EQ(contacts_.points[1].normal_stiffness, 5e10) << "as stiff as what goes on between the same bodies";
+}
+
+TEST_F(FollowedSpringsOf, WhereAllAreToFollowThoseThatGoOnGetSofterAndHoldNoMore) {
+  build(BodyKind::rigid);
+  add_points(2, 1, 2);
+  ContactPoint& goes_on = contacts_.points[0];
+  goes_on.is_new = false;
+  goes_on.shear_start = {3e3, 0, 0};
+  const double before = shear_spring_energy(goes_on, goes_on.shear_start);
+  limit(step, FollowedContacts::all);
+  EXPECT_NEAR(stiffness_between(1, 2), std::pow(2 * M_PI / step, 2) / (1 / small_mass + 1 / large_mass), 1e-3);
+  EXPECT_EQ(goes_on.normal_stiffness, contacts_.points[1].normal_stiffness);
+  EXPECT_NEAR(shear_spring_energy(goes_on, goes_on.shear_start), before, 1e-9 * before);
+}
+
+TEST_F(FollowedSpringsOf, OnesThatGoOnAreNeverMadeStiffer) {
+  build(BodyKind::rigid);
+  add_points(2, 1, 2);
+  contacts_.points[0].is_new = false;
+  contacts_.points[0].penalty_scaling = 1e-6;
+  contacts_.points[0].normal_stiffness *= 1e-6;
+  limit(step, FollowedContacts::all);
+  EXPECT_NEAR(contacts_.points[0].normal_stiffness, 1e5, 1e-6);
+}
+
+TEST_F(FollowedSpringsOf, WhereNoneIsToFollowAllKeepTheirs) {
+  build(BodyKind::rigid);
+  add_points(1, 1, 2);
+  limit(step, FollowedContacts::none);
+  EXPECT_EQ(stiffness_between(1, 2), 1e11);
 }
 
 TEST_F(FollowedSpringsOf, JointsThatHaveAStiffnessKeepIt) {

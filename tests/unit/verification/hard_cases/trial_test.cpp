@@ -113,7 +113,10 @@ TEST(Trial, ContactThatIsLoadedFromNothingIsEnergyThatGrows) {
 }
 
 TEST(Trial, ARunThatDoesNotConvergeGivesTheSolversWords) {
-  const Trial trial = trial_of(changed([](CaseScene& scene) { scene.project.solver.open_close_limit = 1; }));
+  const Trial trial = trial_of(changed([](CaseScene& scene) {
+    scene.project.velocities = {{.block = "cube", .linear = {3, 0, -2}, .angular = {0, 2, 0}}};
+    scene.project.solver.open_close_limit = 1;
+  }));
   EXPECT_EQ(trial.ending, TrialEnding::not_converged);
   EXPECT_THAT(faults(trial), Contains(HasSubstr("did not converge: the open-close iteration did not converge")));
 }
