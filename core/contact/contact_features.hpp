@@ -60,7 +60,8 @@ class ContactFeatures {
   /// Whether a body remains as it is but for rotation and affine deformation: it is single, or fixed and was never
   /// released.
   bool keeps_shape(int body) const { return keeps_shape_[body]; }
-  /// Whether a body is convex and remains so.
+  /// Whether a body was convex before it deformed; and whether it remains so.
+  bool was_convex(int body) const { return convex_[body]; }
   bool is_convex(int body) const { return convex_[body] && keeps_shape_[body]; }
   /// One face in each plane that has the whole body on one side, as long as the body keeps its shape: of a convex body
   /// every face, of another those that are also its convex hull's.

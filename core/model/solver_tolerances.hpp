@@ -37,9 +37,9 @@ struct StepTolerances {
   /// penetration_tolerance. Chosen: a quarter of what published bodies keep apart, for what takes a contact over may be
   /// found twice as deep. Larger: softer contacts, deeper. Smaller: more corrections and stiffer contacts.
   double penetration = 2.5e-4;
-  /// Of the stage's time_step. A shorter step is accepted even if it misses a contact. Chosen: three cuts. Larger:
-  /// missed contacts go deeper. Smaller: more cuts.
-  double shortest_recheck = 0.03;
+  /// Of the shortest part that a step is cut to. A shorter one is accepted even if it misses a contact. Chosen: three
+  /// cuts. Larger: missed contacts go deeper. Smaller: more cuts.
+  double shortest_recheck = 3;
   /// Steps of a static stage before it may end in equilibrium. Two, as the first starts from a state without any
   /// inertia force to measure. Larger: longer static stages.
   int fewest_static_steps = 2;

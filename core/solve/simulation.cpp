@@ -17,7 +17,6 @@ namespace {
 // In the order in which they come:
 void take_fixed_step(SimulationState& s, StepReport& report);
 void take_adaptive_step(SimulationState& s, StepReport& report);
-double shortest_part(const SimulationState& s, double length);
 bool try_step(SimulationState& s, double start, double length, StepReport& report);
 void set_times(SimulationState& s, double start, double length);
 void set_up(SimulationState& s);
@@ -88,14 +87,6 @@ void take_fixed_step(SimulationState& s, StepReport& report) {
     }
   }
   s.clock.advance();
-}
-
-/// No part of a step of this length is cut below it [s].
-double shortest_part(const SimulationState& s, double length) {
-  const StepTolerances& t = s.tolerances.step;
-  const double speed = s.dynamic() ? s.bodies.top_speed() : 0;
-  const double shortest = t.shortest_step * length, way = t.shortest_way * s.smallest_size;
-  return speed * shortest > way ? way / speed : shortest;
 }
 
 /// One step of the length that its control chooses.

@@ -7,6 +7,13 @@
 
 namespace talus {
 
+double shortest_part(const SimulationState& s, double length) {
+  const StepTolerances& t = s.tolerances.step;
+  const double speed = s.dynamic() ? s.bodies.top_speed() : 0;
+  const double shortest = t.shortest_step * length, way = t.shortest_way * s.smallest_size;
+  return speed * shortest > way ? way / speed : shortest;
+}
+
 int inverted_element(const SimulationState& s) {
   const auto is_inverted = [&](const Element& element) {
     Corners corners = s.bodies.corner_increments(element, s.increment);
@@ -20,7 +27,7 @@ int inverted_element(const SimulationState& s) {
 std::span<const ContactDetector::MissedContact> missed_contacts(SimulationState& s) {
   const double longest = s.project.stages[s.clock.stage()].time_step;
   if (!s.is_on(EffectKind::missed_contacts) || !s.dynamic() || !s.company.any() ||
-      s.context.length < s.tolerances.step.shortest_recheck * longest)
+      s.context.length < s.tolerances.step.shortest_recheck * shortest_part(s, longest))
     return {};
   const double tolerance = s.penetration();
   const Stopwatch watch(s.detect_seconds);

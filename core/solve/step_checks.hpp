@@ -10,6 +10,9 @@ namespace talus {
 
 struct SimulationState;
 
+/// No part of a step of this length is cut below it [s].
+double shortest_part(const SimulationState& s, double length);
+
 /// What forbids to accept a step although it has converged.
 
 /// The first element that the increment turns inside out; −1: none.

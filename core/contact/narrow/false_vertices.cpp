@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/narrow/normal_cones.hpp"
+#include "contact/narrow/separating_axis.hpp"
 
 namespace talus {
 namespace {
@@ -87,13 +88,14 @@ bool FalseVertices::past_sharp_edge(const StepGeometry& step, const Held& h) con
   return any_across_sharp_edges(step, face, projection, step.largest_edge_tolerance(h.body, own), is_past);
 }
 
-/// Of two facets of one body that form a convex edge, a vertex that is inside both has come through the nearer one; one
-/// at which only edges touch may have an edge on each.
+/// Of two facets of one body that form a convex edge, a vertex that is inside both has come through the nearer one,
+/// unless the bodies are less deep in each other in no other direction than through the farther; one at which only
+/// edges touch may have an edge on each.
 bool FalseVertices::deeper(const StepGeometry& step, const Held& h) const {
   const FoundPoint& p = *h.point;
   if (!(p.gap < 0) || !is_in_cone(step, p.node, h.normal)) return false;
   const int face = face_below(step, p);
-  return held_.any_of(h.node, [&](const Held& other) {
+  const bool nearer = held_.any_of(h.node, [&](const Held& other) {
     if (!other.point || other.point == h.point || other.body != h.body) return false;
     const FoundPoint& q = *other.point;
     if (!(q.gap < 0)) return false;
@@ -103,6 +105,7 @@ bool FalseVertices::deeper(const StepGeometry& step, const Held& h) const {
     const bool tie = p.gap == q.gap && p.key > q.key && q.kind == PointKind::vertex_face;
     return convex && (p.gap < q.gap || tie);
   });
+  return nearer && !SeparatingAxis().confirms(step, p.bodies[0], p.bodies[1], p.gap);
 }
 
 bool FalseVertices::pushes(const Held& held) {

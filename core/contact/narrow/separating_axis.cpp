@@ -38,8 +38,11 @@ bool SeparatingAxis::refutes(const StepGeometry& step, int body_a, int body_b, d
 }
 
 bool SeparatingAxis::confirms(const StepGeometry& step, int body_a, int body_b, double gap) {
-  if (!step.features.is_convex(body_a) || !step.features.is_convex(body_b)) return false;
-  return !any_wider(step, body_a, body_b, gap + rounding_of_gaps * step.broad.size(body_a, body_b));
+  if (!step.features.was_convex(body_a) || !step.features.was_convex(body_b)) return false;
+  const bool are_convex = step.features.is_convex(body_a) && step.features.is_convex(body_b);
+  const double as_deep =
+      are_convex ? rounding_of_gaps * step.broad.size(body_a, body_b) : step.noticeable_depth(body_a, body_b);
+  return !any_wider(step, body_a, body_b, gap + as_deep);
 }
 
 bool SeparatingAxis::any_wider(const StepGeometry& step, int body_a, int body_b, double enough) {
@@ -51,7 +54,7 @@ bool SeparatingAxis::any_wider(const StepGeometry& step, int body_a, int body_b,
   if (widest_ > enough || complete_) return widest_ > enough;
   look_along_normals(step, body_a, body_b, enough);
   look_along_normals(step, body_b, body_a, enough);
-  if (step.features.is_convex(body_a) && step.features.is_convex(body_b)) look_across_edges(step, enough);
+  if (step.features.was_convex(body_a) && step.features.was_convex(body_b)) look_across_edges(step, enough);
   complete_ = !(widest_ > enough);
   return !complete_;
 }

@@ -6,22 +6,22 @@
 
 namespace talus {
 
-/// How far two bodies that keep their shape are apart along the direction in which they are farthest apart or, where
-/// they lie in each other, least deep: that of a face's normal, or the one across two edges where normals of both are
-/// opposite (the separating axis theorem; Gottschalk, Lin, Manocha 1996, with arcs on the sphere of normals as by
-/// Gregorius 2013). Of bodies that are not convex only those faces count that have the whole body on one side.
-/// No contact is deeper than that: along the normals of a vertex, an edge or a face that seems to lie deeper the bodies
-/// lie in each other, but along another direction they do not. Directions are looked at one after the other, and no
-/// more of them than a question needs.
+/// How far two bodies are apart along the direction in which they are farthest apart or, where they lie in each other,
+/// least deep: that of a face's normal, or the one across two edges where normals of both are opposite (the separating
+/// axis theorem; Gottschalk, Lin, Manocha 1996, with arcs on the sphere of normals as by Gregorius 2013). Of bodies
+/// that are not convex only those faces count that have the whole body on one side. No contact is deeper than that:
+/// along the normals of a vertex, an edge or a face that seems to lie deeper the bodies lie in each other, but along
+/// another direction they do not. Directions are looked at one after the other, and no more of them than a question
+/// needs.
 class SeparatingAxis {
  public:
   /// Positions are others now.
   void begin() { bodies_ = {-1, -1}; }
-  /// Whether both bodies keep their shape, and are less deep in each other than a contact with this gap [m] says, by more
-  /// than is noticeable.
+  /// Whether both bodies keep their shape, and are less deep in each other than a contact with this gap [m] says, by
+  /// more than is noticeable.
   bool refutes(const StepGeometry& step, int body_a, int body_b, double gap);
-  /// Whether both bodies are convex, and as deep in each other as a contact with this gap [m] says: no direction parts
-  /// them by less.
+  /// Whether both bodies are convex, or were so before they deformed, and as deep in each other as a contact with this
+  /// gap [m] says: no direction parts them by less, or of bodies that deform by noticeably less.
   bool confirms(const StepGeometry& step, int body_a, int body_b, double gap);
 
  private:

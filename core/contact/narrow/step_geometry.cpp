@@ -16,14 +16,17 @@ double StepGeometry::largest_edge_tolerance(int body_a, int body_b) const {
   return tolerances.most_edge_tolerance * broad.size(body_a, body_b);
 }
 
-bool StepGeometry::within_edge_tolerance(double distance, int body, int other, const Vec3& across) const {
+bool StepGeometry::sank_over_edge(double distance, double times, int body, int other, const Vec3& across) const {
   if (distance < tolerances.least_edge_tolerance * broad.size(body, other)) return true;
   if (!(distance < largest_edge_tolerance(body, other))) return false;
   const auto held_by_a_third = [&](int b, const Vec3& direction, int but) {
     return moved[b] ? memory.depth_along(b, direction, but) : 0;
   };
-  const double held = std::max(held_by_a_third(other, across, body), held_by_a_third(body, -across, other));
-  return distance < tolerances.edge_tolerance_per_penetration * held;
+  return distance < times * std::max(held_by_a_third(other, across, body), held_by_a_third(body, -across, other));
+}
+
+bool StepGeometry::within_edge_tolerance(double distance, int body, int other, const Vec3& across) const {
+  return sank_over_edge(distance, tolerances.edge_tolerance_per_penetration, body, other, across);
 }
 
 double StepGeometry::sunk_past_edge(int other, int body, const Vec3& across) const {

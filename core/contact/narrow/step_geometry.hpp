@@ -54,6 +54,8 @@ struct StepGeometry {
   /// `across` in the last step, and the distance is no more than a few times as deep as they lay in it: blocks that lie
   /// on a third sink into it, their faces are out of line by about as much, and they must slide past each other.
   bool within_edge_tolerance(double distance, int body, int other, const Vec3& across) const;
+  /// The same, where the distance is next to nothing or no more than so many `times` as deep as they lay in a third.
+  bool sank_over_edge(double distance, double times, int body, int other, const Vec3& across) const;
   /// How far places of `other` may lie past a convex sharp edge of `body`, the facet across which has the normal
   /// `across`, and yet be held by the facet on this side: a few times as much deeper as `other` lay in what pushed it
   /// back over the edge in the last step than in what pushed it on. A block on a floor has sunk below the foot of a
@@ -76,11 +78,10 @@ struct StepGeometry {
   double noticeable_depth(int body_a, int body_b) const;
   /// Of `points` of the body `other` some lie below a face. Whether they came there from outside, past a convex sharp
   /// edge of the face: then the contact is false. At an edge whose facet across has the normal `across`, and
-  /// `counts(across)` holds, they did so if (the latter two where `least_deep()` does not say that the bodies are less
-  /// deep in no other direction)
+  /// `counts(across)` holds, they did so if none is deeper below the facet across than the two sank over the edge. They
+  /// also did, where `least_deep()` does not say that the bodies are less deep in no other direction, if
   /// - none is deeper below the facet across than the edge tolerance, or
-  /// - they are less wide, from the edge, than the deepest is deep, and none is deeper below the facet across:
-  /// something
+  /// - they are less wide, from the edge, than the deepest is deep, and none is deeper below the facet across: what
   ///   slides along that one, however far it reaches below this one, or
   /// - the edge is sharper than 90° and they are clearly less deep below the facet across. (There the width says
   ///   nothing: what is below both facets is always wider than deep.)
@@ -123,7 +124,8 @@ bool StepGeometry::came_past_sharp_edge(int face, std::span<const Vec3> points, 
       }
       const bool past_acute_edge = cosine < 0 && below <= tolerances.clearly_shallower * deepest;
       const bool beside = past_acute_edge || (width < deepest && below <= deepest);
-      if (within_edge_tolerance(below, f.body, other, n) || (beside && !least_deep())) return true;
+      if (sank_over_edge(below, 1, f.body, other, n)) return true;
+      if ((beside || within_edge_tolerance(below, f.body, other, n)) && !least_deep()) return true;
     }
   return false;
 }
