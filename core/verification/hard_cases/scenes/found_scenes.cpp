@@ -81,7 +81,7 @@ std::vector<HardCase> crowds() {
 
 std::vector<HardCase> slopes() {
   return {found("slope_35_tetrahedra", "35 meshed blocks of three random joint sets slide",
-                found_scene_slope_35_tetrahedra, {stays_above(0)}, {}, true),
+                found_scene_slope_35_tetrahedra, {stays_above(0)}),
           found("slope_59_static_slow", "59 blocks of three random joint sets, a static stage first",
                 found_scene_slope_59_static_slow, {stays_above(0)}),
           found("slope_71_affine", "71 affine blocks of three random joint sets slide", found_scene_slope_71_affine,

@@ -169,7 +169,7 @@ TEST(SeparatingAxis, WhereBodiesAreInEachOtherAContactTellsHowDeep) {
   EXPECT_EQ(pairs_with_a_contact_as_deep(true), 400);
 }
 
-TEST(SeparatingAxis, ItConfirmsContactsOfBodiesThatMayDeform) { EXPECT_EQ(pairs_with_a_contact_as_deep(false), 400); }
+TEST(SeparatingAxis, SoDoesOneOfBodiesThatMayDeform) { EXPECT_EQ(pairs_with_a_contact_as_deep(false), 400); }
 
 }  // namespace
 }  // namespace talus
