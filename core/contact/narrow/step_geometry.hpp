@@ -124,8 +124,8 @@ bool StepGeometry::came_past_sharp_edge(int face, std::span<const Vec3> points, 
       }
       const bool past_acute_edge = cosine < 0 && below <= tolerances.clearly_shallower * deepest;
       const bool beside = past_acute_edge || (width < deepest && below <= deepest);
-      if (sank_over_edge(below, 1, f.body, other, n)) return true;
-      if ((beside || within_edge_tolerance(below, f.body, other, n)) && !least_deep()) return true;
+      const bool came_past = beside || within_edge_tolerance(below, f.body, other, n);
+      if (came_past && (sank_over_edge(below, 1, f.body, other, n) || !least_deep())) return true;
     }
   return false;
 }
