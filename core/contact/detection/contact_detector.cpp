@@ -12,6 +12,7 @@
 #include "contact/contact_law.hpp"
 #include "contact/history/contact_memory.hpp"
 #include "contact/history/coupling.hpp"
+#include "contact/history/spring_handover.hpp"
 #include "contact/narrow/point_search.hpp"
 #include "contact/narrow/updated_normal.hpp"
 
@@ -66,6 +67,7 @@ struct ContactDetector::State {
   FeatureShapes shapes;
   PointSearch search;
   ContactMemory memory;
+  SpringHandover handover;
   Coupling coupling;
   std::vector<char> asleep;         // a body
   std::vector<double> penetration;  // m, a movable body: the deepest of the last step
@@ -201,6 +203,7 @@ void ContactDetector::State::complete_all(ContactSet& contacts) {
     for (int i = first; i < last; ++i) contacts.points[i] = complete(origins[i]);
   };
   in_parallel(static_cast<int>(origins.size()), renewed_worth_a_thread, std::ref(complete_some));
+  handover.limit(memory, origins, contacts.points);
   if (joints_bond() || memory.any_bonded()) bond(contacts.points);
   if (memory.any_broken()) weaken_broken(contacts.points);
 }

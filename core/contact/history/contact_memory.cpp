@@ -155,6 +155,12 @@ std::span<const int> ContactMemory::histories_of_either(int body_a, int body_b) 
   return of_a.size() < of_b.size() ? of_a : of_b;
 }
 
+void ContactMemory::visit_between(const std::array<int, 2>& bodies,
+                                  const std::function<void(const ContactHistory&)>& look) const {
+  for (const int m : histories_of_either(bodies[0], bodies[1]))
+    if (histories_[m].bodies == bodies) look(histories_[m]);
+}
+
 double ContactMemory::depth_between(int body_a, int body_b) const {
   double deepest = 0;
   for (const int m : histories_of_either(body_a, body_b)) {

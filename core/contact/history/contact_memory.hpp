@@ -48,6 +48,10 @@ class ContactMemory {
   /// length as they turn into the point's plane. Nothing where the point is really new. `size`: its mesh size [m].
   std::optional<TransferredHistory> transferred_to(int point, double size) const;
 
+  /// The former contact with the key of the point of this number, and what `look` is to see of those of two bodies.
+  const ContactHistory* own(int point) const { return own_[point] < 0 ? nullptr : &histories_[own_[point]]; }
+  void visit_between(const std::array<int, 2>& bodies, const std::function<void(const ContactHistory&)>& look) const;
+
   /// Whether the contact with this key was closed or bonded when the last step was accepted.
   bool remembers(std::uint64_t key) const { return with_key(key) != nullptr; }
 

@@ -56,7 +56,7 @@ void Impacts::note_speeds(const ContactSet& contacts, const StepContext& step) {
 Impacts::Range Impacts::range(const ContactPoint& point, double restitution, double closing, double speed,
                               const ContactOutcome& end, double step) const {
   const double leaves = restitution * std::max(0.0, closing);
-  const bool has_met = point.gap > 0;  // in this step
+  const bool has_met = point.gap > tolerances_.landing_gap * point.size;  // in this step
   const double pushed_out = point.let_go ? 0 : -end.gap / (tolerances_.steps_to_part * step);
   return {has_met ? leaves : std::min(0.0, speed), std::max(leaves, pushed_out)};
 }

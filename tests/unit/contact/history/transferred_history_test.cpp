@@ -133,6 +133,41 @@ TEST(TransferredHistory, ACubeThatRocksBackKeepsItsShear) {
   EXPECT_TRUE(cube.face_face);
 }
 
+TEST(TransferredHistory, WhatIsOpenTakesNoTractionOfWhatBearsIt) {
+  Driven cube = tipping_cube(2.5);
+  cube.detect();
+  const auto points = static_cast<int>(cube.scene.contacts.points.size());
+  EXPECT_TRUE(cube.face_face);
+  EXPECT_GT(points, cube.touching);
+  cube.accept({0, 5, 0});
+  cube.detect();
+  for (const ContactPoint& p : cube.scene.contacts.points) EXPECT_TRUE(p.gap <= 0 || p.shear_start.norm() < 1e-9);
+  EXPECT_NEAR(cube.shear, 5, 1e-9);
+}
+
+TEST(TransferredHistory, AFaceOfWhichMoreComesToLieHoldsNoMore) {
+  Driven cube;
+  cube.scene.add(box({0, 0, -1}, {5, 4, 0}, {7, 6, 1}), true);
+  cube.scene.add(box({-0.8, 1.1, -1e-5}, {0.2, 2.1, 1 - 1e-5}, {4, 4, 4}));
+  cube.detect();
+  cube.accept({0, 5, 0});
+  cube.detect();
+  const auto normal_energy = [&] {
+    double sum = 0;
+    for (const ContactPoint& p : cube.scene.contacts.points)
+      sum += 0.5 * p.normal_stiffness * std::pow(std::min(0.0, p.gap), 2);
+    return sum;
+  };
+  const double normal = normal_energy(), shear = cube.shear_energy;
+  for (int step = 0; step < 7; ++step) {
+    cube.accept();
+    cube.scene.move(1, {0.1, 0, 0});
+    cube.detect();
+    EXPECT_NEAR(normal_energy(), normal, 1e-6 * normal) << step;
+    EXPECT_NEAR(cube.shear_energy, shear, 1e-6 * shear) << step;
+  }
+}
+
 /// A slab whose surface bends by `degrees` at x = 2, down or up.
 Shape bent(double degrees) {
   const double slope = std::tan(radians(degrees));
