@@ -43,6 +43,7 @@ struct StepReport {
   double max_displacement = 0;                      ///< m, of a node in this step
   double unbalanced_force = 0;                      ///< N, norm of the residual at the end of the step
   double time_error = 0;                            ///< m, estimated error of time integration in this step
+  double out_of_balance = 0;                        ///< of static steps: what inertia bears, over the largest force
   bool equilibrium = false;                         ///< a static stage ended because nothing moves any more
   Phases phases;
   EnergyLedger energy;

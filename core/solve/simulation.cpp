@@ -331,7 +331,8 @@ void end_static_stage_in_equilibrium(SimulationState& s, StepReport& report) {
   if (s.troubles.run_ended() || s.clock.stage_ended()) return;
   const Stage& stage = s.project.stages[s.clock.stage()];
   if (!stage.until_equilibrium || s.dynamic() || s.stage_steps < s.tolerances.step.fewest_static_steps) return;
-  if (s.anything_moves() && s.open_close.residual().static_residual() > stage.equilibrium_tolerance) return;
+  if (s.anything_moves()) report.out_of_balance = s.open_close.residual().static_residual();
+  if (report.out_of_balance > stage.equilibrium_tolerance) return;
   report.equilibrium = true;
   s.clock.end_stage();
 }

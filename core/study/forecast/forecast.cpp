@@ -118,7 +118,8 @@ void add_up(const Project& project, const RunBeginning& beginning, const RunOutl
     const auto more = growth(outline, sample, k, length, length_of(stage));
     const double iterating = sample.iterating * more.iterations;
     const bool unseen = seen.steps.empty() || !outline.came_through();
-    sum.add_foreseen(steps * (sample.searching * more.contacts + (iterating + sample.other) * more.awake),
+    const double to_come = steps_to_end(stage, seen, steps);
+    sum.add_foreseen(to_come * (sample.searching * more.contacts + (iterating + sample.other) * more.awake),
                      steps * (sample.searching + iterating + sample.other),
                      sample.of_first ? spread_first
                      : unseen        ? spread_unseen

@@ -1,6 +1,7 @@
 #include "study/forecast/run_beginning.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/processor_time.hpp"
 #include "base/resident_memory.hpp"
@@ -20,7 +21,8 @@ constexpr double for_few = 2;      ///< … so many times the budget is spent
 constexpr double of_static = 0.5;  ///< share of the budget that all static stages may take, in …
 constexpr int fewest_static_steps = 10, most_static_steps = 100;  ///< … so many steps each
 constexpr int static_leaps = 2;                                   ///< through what is left of a static stage
-constexpr double worthwhile = 1.5;  ///< times as many steps: a stage of fewer is gone through as it is
+constexpr double worthwhile = 1.5;                ///< times as many steps: a stage of fewer is gone through as it is
+constexpr std::size_t fewest_to_extrapolate = 4;  ///< steps: from fewer it is not known when a stage ends
 
 /// A stage of the beginning.
 struct Part {
@@ -105,8 +107,8 @@ class StepTimer final : public RunObserver {
     const Phases& p = step.phases;
     const double all = p.detect + p.assemble + p.factor + p.solve + p.update + p.write;
     const double share = all > 0 ? 1 / all : 0;
-    stages_[part.of].steps.push_back(
-        {step.time_step, seconds, share * p.detect, share * (p.assemble + p.factor + p.solve), step.iterations});
+    stages_[part.of].steps.push_back({step.time_step, seconds, share * p.detect,
+                                      share * (p.assemble + p.factor + p.solve), step.iterations, step.out_of_balance});
   }
 
   const std::vector<Part>& parts_;
@@ -153,6 +155,15 @@ int affordable_static_steps(const Project& project, const RunBeginning& first, d
 }
 
 }  // namespace
+
+double steps_to_end(const Stage& stage, const StageBeginning& seen, double left) {
+  if (!stage.until_equilibrium || seen.steps.size() < fewest_to_extrapolate) return left;
+  const std::size_t last = seen.steps.size() - 1, middle = seen.steps.size() / 2;
+  const double then = seen.steps[middle].out_of_balance, now = seen.steps[last].out_of_balance;
+  if (!(now > 0 && now < then)) return left;
+  const double a_step = std::log(then / now) / static_cast<double>(last - middle);
+  return std::clamp(std::log(now / stage.equilibrium_tolerance) / a_step, 0.0, left);
+}
 
 Project beginning_of(const Project& project, int static_steps) {
   return with_stages(project, parts_of(project, static_steps));

@@ -12,11 +12,12 @@ struct BlockSystem;
 
 /// What a step of the run's own length took.
 struct TimedStep {
-  double length = 0;     ///< s of model time
-  double seconds = 0;    ///< of the processor, with what was written
-  double detecting = 0;  ///< share of that, 0 to 1, for the search for contacts …
-  double iterating = 0;  ///< … and for what each iteration does again
-  int iterations = 0;    ///< of the step
+  double length = 0;          ///< s of model time
+  double seconds = 0;         ///< of the processor, with what was written
+  double detecting = 0;       ///< share of that, 0 to 1, for the search for contacts …
+  double iterating = 0;       ///< … and for what each iteration does again
+  int iterations = 0;         ///< of the step
+  double out_of_balance = 0;  ///< as StepReport's
 };
 
 struct StageBeginning {
@@ -32,6 +33,10 @@ struct RunBeginning {
   bool whole = false;                  ///< it is the run: nothing was left out
   std::string failure;                 ///< of the run, why it does not converge; empty: as far as was seen it does
 };
+
+/// Of `left` steps that a stage has left, how many come until it ends. Where it ends at equilibrium, what is out of
+/// balance is taken to go on falling as it did in the second half of the steps that were seen, by one factor a step.
+double steps_to_end(const Stage& stage, const StageBeginning& seen, double left);
 
 /// The project whose run is the beginning: static stages of many steps are gone through in `static_steps` of them and a
 /// few long ones, so that what comes after them is seen as well.
