@@ -37,6 +37,8 @@ std::filesystem::path study_folder(const AccuracyOptions& options) {
 }
 
 StudyFolder open_study(const AccuracyOptions& options) {
+  const bool as_it_is = options.collect && options.measure.empty() && options.axes.empty() && options.values.empty();
+  if (as_it_is) return StudyFolder(study_folder(options));
   StudyRequest request = options.request;
   request.program = TALUS_VERSION;
   request.wish = parse_ladder_wish(options.axes, options.values);

@@ -1,6 +1,7 @@
 #include "widgets/study/accuracy_panel.hpp"
 
 #include <QAction>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QTest>
@@ -54,6 +55,44 @@ TEST_F(AccuracyPanelTest, BeginsAStudyWhereThereIsNone) {
   EXPECT_TRUE(panel.findChild<AccuracyChart*>()->isVisible()) << "it shows what has been made";
   EXPECT_FALSE(begin.isVisible());
   EXPECT_EQ(table(panel, "runs").rowCount(), static_cast<int>(session->project.study()->study.rows.size()));
+}
+
+TEST_F(AccuracyPanelTest, GoesOnWithMoreRunsOfEachSettingAndAnotherMeasure) {
+  qputenv("TALUS_CLI", TALUS_CLI);
+  const auto file = slidingCube(20);
+  study(file);
+  window->open(file);
+  AccuracyPanel& panel = opened();
+  const auto buttons = panel.findChildren<QPushButton*>();
+  const auto shown = std::ranges::find_if(buttons, [](const QPushButton* one) {
+    return one->isVisible() && one->text() == QStringLiteral("Study further");
+  });
+  ASSERT_NE(shown, buttons.end());
+  QPushButton& further = **shown;
+  EXPECT_FALSE(further.isEnabled());
+  EXPECT_EQ(further.toolTip(), QStringLiteral("The study has all of these runs"));
+
+  auto& repeats = *further.parentWidget()->findChild<QLineEdit*>(QStringLiteral("repeats"));
+  const auto ask = [&](const char* words) {
+    repeats.setFocus();
+    repeats.selectAll();
+    QTest::keyClicks(&repeats, QLatin1String(words));
+    QTest::keyClick(&repeats, Qt::Key_Return);
+  };
+  ask("1.5");
+  EXPECT_FALSE(further.isEnabled()) << "no whole number";
+  ask("2");
+  further.parentWidget()->findChild<QComboBox*>(QStringLiteral("studyMeasure"))->setCurrentIndex(1);
+  rest(50);
+  keepPicture(panel, "accuracy_further.png");
+  ASSERT_TRUE(further.isEnabled());
+  click(further);
+  ASSERT_TRUE(wait([&] { return !session->study.isBusy(); }, 300000));
+  const AccuracyStudy& made = session->project.study()->study;
+  EXPECT_EQ(made.repeats, 2);
+  EXPECT_EQ(made.measure, StudyMeasure::run_out);
+  EXPECT_TRUE(says(panel, QStringLiteral("mean of 2 runs")));
+  EXPECT_FALSE(further.isEnabled());
 }
 
 TEST_F(AccuracyPanelTest, SaysWhyNoStudyCanBeBegun) {

@@ -12,6 +12,18 @@ namespace talus {
 
 namespace {
 
+/// With the settings of the study that is there, if it is of the same project: they may have been chosen.
+StudyPlan plan_for(const StudyRequest& request) {
+  StudyPlan plan = make_plan(request);
+  try {
+    const StudyFolder there(study_folder_of(plan.project_file));
+    if (there.plan().fingerprint == plan.fingerprint) plan.ladder = there.plan().ladder;
+  } catch (const InputError&) {
+    // none, or none that can be read: folder_for takes its place or says why not
+  }
+  return plan;
+}
+
 StudyFolder folder_for(const StudyPlan& plan) {
   const std::filesystem::path place = study_folder_of(plan.project_file);
   try {
@@ -32,7 +44,7 @@ void draw_up(const StudyFolder& folder) {
 }
 
 void make_study(const StudyRequest& request, Progress& progress) {
-  const StudyFolder folder = folder_for(make_plan(request));
+  const StudyFolder folder = folder_for(plan_for(request));
   run_locally(folder, {command_line_program(), free_cores()}, progress);
   draw_up(folder);
 }

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <optional>
 
 #include "jobs/study_job.hpp"
 
@@ -10,6 +11,13 @@ namespace talus {
 class CurrentProject;
 class CurrentRun;
 class Messages;
+
+/// What a study is asked for.
+struct StudyWish {
+  std::optional<StudyMeasure> measure{};  ///< empty: what the project expects, else displacements
+  int repeats = 1;                        ///< runs of each setting
+  bool operator==(const StudyWish&) const = default;
+};
 
 /// The accuracy study of the project that is open, while it is being made: one at a time, whoever asked for it. It ends
 /// with the project.
@@ -22,9 +30,15 @@ class ProjectStudy : public QObject {
   /// The project has a study, of what it was before it was changed.
   bool isOutdated() const;
   const TimeLeft& timeLeft() const { return job_.timeLeft(); }
-  /// Empty when a study can be begun; otherwise why not.
-  QString whyNot() const;
-  void begin();
+  /// The project, as it is, has a study.
+  bool isCurrent() const;
+  /// All runs of the study have ended.
+  bool isComplete() const;
+  /// As the project's study was made; where there is none as studies usually are.
+  StudyWish wish() const;
+  /// Empty when such a study can be begun, or gone on with; otherwise why not.
+  QString whyNot(const StudyWish& wish) const;
+  void begin(const StudyWish& wish);
   /// Runs that have ended are kept.
   void cancel();
   bool isStopping() const { return stopping_; }
@@ -36,6 +50,8 @@ class ProjectStudy : public QObject {
  signals:
   /// Whether it can be begun, whether it is outdated, or how it goes.
   void changed();
+  /// The project has another study, or is another one: wish() is another, too.
+  void madeAnother();
 
  private:
   void takeEnd(const QString& problem);

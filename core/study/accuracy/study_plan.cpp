@@ -74,8 +74,7 @@ std::string difference(const StudyPlan& old, const StudyPlan& now) {
   if (old.fingerprint != now.fingerprint) return "another project, or this one before it was changed";
   if (old.program != now.program) return "the version " + old.program + " of the program";
   if (old.ladder.settings != now.ladder.settings || old.ladder.finest != now.ladder.finest) return "other settings";
-  if (old.repeats != now.repeats)
-    return std::to_string(old.repeats) + (old.repeats == 1 ? " run" : " runs") + " a setting";
+  if (old.repeats > now.repeats) return std::to_string(old.repeats) + " runs a setting";
   return {};
 }
 
@@ -134,7 +133,7 @@ StudyFolder::StudyFolder(std::filesystem::path folder, const StudyPlan& plan, bo
     if (const std::string other = difference(old, plan); !other.empty())
       throw InputError(path_.string(), "holds a study of " + other,
                        "choose another folder with --out, or begin anew with --restart");
-    if (old.measure == plan.measure) return;
+    if (old.measure == plan.measure && old.repeats == plan.repeats) return;
   }
   std::error_code failure;
   std::filesystem::create_directories(path_ / "runs", failure);

@@ -48,8 +48,8 @@ Project project_of(const StudyPlan& plan);
 class StudyFolder {
  public:
   /// Begins the study in an empty or new folder, or goes on with it where the plan is the same. Throws InputError where
-  /// the folder holds another study or something else; with `restart` another study's files go. What is measured may
-  /// be another thing than before: the runs know all of it.
+  /// the folder holds another study or something else; with `restart` another study's files go. There may be more
+  /// repeats than before, and what is measured may be another thing: the runs know all of it.
   StudyFolder(std::filesystem::path folder, const StudyPlan& plan, bool restart);
   /// A study that was begun. Throws InputError where there is none.
   explicit StudyFolder(std::filesystem::path folder);

@@ -69,14 +69,14 @@ AccuracyPanel::AccuracyPanel(CurrentProject& project, CurrentRun& run, ProjectSt
   auto* column = new QVBoxLayout(this);
   setMargins(column, 0, 0);
   column->addWidget(makeHeading());
+  column->addWidget(empty_ = makeEmpty(study), 1);
   content_ = new QWidget;
   auto* row = new QHBoxLayout(content_);
   setMargins(row, 0, 0);
   row->addWidget(makeRuns(), 1);
   row->addWidget(makeLine(Qt::Vertical));
-  row->addWidget(makeSide());
+  row->addWidget(makeSide(study));
   column->addWidget(content_, 1);
-  column->addWidget(empty_ = makeEmpty(study), 1);
   connect(&project_, &CurrentProject::studyChanged, this, &AccuracyPanel::showProjectsStudy);
   connect(&project_.document(), &Document::projectChanged, this, &AccuracyPanel::refreshUse);
   connect(&run_.job(), &SolverJob::stateChanged, this, &AccuracyPanel::refreshUse);
@@ -106,7 +106,7 @@ QWidget* AccuracyPanel::makeHeading() {
 QWidget* AccuracyPanel::makeEmpty(ProjectStudy& study) {
   auto* whole = new QWidget;
   auto* column = new QVBoxLayout(whole);
-  auto* start = new StudyStart(study);
+  auto* start = new StudyStart(study, true);
   start->setFixedWidth(orders_width);
   column->addWidget(start, 0, Qt::AlignCenter);
   return whole;
@@ -131,7 +131,7 @@ QWidget* AccuracyPanel::makeRuns() {
   return whole;
 }
 
-QWidget* AccuracyPanel::makeSide() {
+QWidget* AccuracyPanel::makeSide(ProjectStudy& study) {
   auto* whole = new QWidget;
   auto* column = new QVBoxLayout(whole);
   column->setContentsMargins(12, 10, 12, 10);
@@ -149,6 +149,12 @@ QWidget* AccuracyPanel::makeSide() {
   recommended_ = makeWrappedLabel({}, "muted");
   recommended_->setObjectName(QStringLiteral("recommended"));
   column->addWidget(recommended_);
+  column->addSpacing(8);
+  auto* ofProject = new QVBoxLayout(further_ = new QWidget);
+  setMargins(ofProject, 0, 6);
+  ofProject->addWidget(makeLabel(tr("The study"), "section"));
+  ofProject->addWidget(new StudyStart(study, true));
+  column->addWidget(further_);
   column->addSpacing(8);
   column->addWidget(makeLabel(tr("Chosen run"), "section"));
   chosen_ = makeWrappedLabel({}, "muted");
@@ -203,6 +209,7 @@ void AccuracyPanel::show(std::optional<StudyRecord> record) {
   chosenRun_.reset();
   content_->setVisible(record_.has_value());
   empty_->setVisible(!record_);
+  further_->setVisible(record_ && project_.study() && record_->place == project_.study()->place);
   if (!record_) {
     title_->setText(tr("There is no study of this project"));
     note_->setText(tr("Open… shows another one; talus-cli study accuracy PROJECT makes one, too"));

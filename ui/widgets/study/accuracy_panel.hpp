@@ -32,7 +32,7 @@ class AccuracyPanel : public QDialog {
   QWidget* makeHeading();
   QWidget* makeEmpty(ProjectStudy& study);
   QWidget* makeRuns();
-  QWidget* makeSide();
+  QWidget* makeSide(ProjectStudy& study);
   void askForFile();
   void showProjectsStudy();
   void show(std::optional<StudyRecord> record);
@@ -54,7 +54,7 @@ class AccuracyPanel : public QDialog {
   QLabel *recommended_, *chosen_;
   QPushButton* use_;
   RunProfile* profile_;
-  QWidget *content_, *empty_;
+  QWidget *content_, *empty_, *further_;
 };
 
 }  // namespace talus

@@ -25,7 +25,7 @@ AccuracySlider::AccuracySlider(CurrentProject& project, CurrentRun& run, Project
       figures_(makeLabel({}, "strong")),
       words_(makeWrappedLabel({}, "small")),
       use_(makeButton(tr("Use"))),
-      start_(new StudyStart(study)) {
+      start_(new StudyStart(study, false)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 10, 12, 10);
   column->setSpacing(4);

@@ -250,11 +250,13 @@ TEST_F(AccuracyStudyTest, SaysThatNoSettingIsBetterWhereRepeatsScatterAsMuch) {
   EXPECT_EQ(json["runs"][0]["spread"], *study.rows[0].spread);
 }
 
-TEST_F(AccuracyStudyTest, OfOtherRepeatsIsAnotherStudy) {
+TEST_F(AccuracyStudyTest, GoesOnWithMoreRepeatsAndNotWithFewer) {
   studied(bar("newmark"));
   StudyPlan more = plan_;
   more.repeats = 2;
-  EXPECT_THROW(StudyFolder(folder_.path() / "study", more, false), InputError);
+  EXPECT_EQ(StudyFolder(folder_.path() / "study", more, false).missing_runs(), (std::vector{5, 6, 7, 8, 9}));
+  EXPECT_EQ(StudyFolder(folder_.path() / "study").plan().repeats, 2);
+  EXPECT_THROW(StudyFolder(folder_.path() / "study", plan_, false), InputError);
   EXPECT_EQ(StudyFolder(folder_.path() / "study", more, true).missing_runs().size(), 10u);
 }
 
