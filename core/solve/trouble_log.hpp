@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "bodies/step_context.hpp"
 #include "contact/contact_point.hpp"
 #include "results/convergence_trouble.hpp"
+#include "solve/trouble_advice.hpp"
 
 namespace talus {
 
@@ -35,8 +37,10 @@ class TroubleLog {
   const std::vector<ConvergenceTrouble>& all() const { return troubles_; }
 
  private:
-  /// Blocks, joint and position: of the contact of the node's body that is nearest to the node, else of the node.
-  void place(int node, ConvergenceTrouble& trouble) const;
+  /// Blocks, joint and position: of the contact of the node's body that is nearest to the node, else of the node. The
+  /// chip at that contact, if one of both is one.
+  std::optional<Chip> place(int node, ConvergenceTrouble& trouble) const;
+  std::optional<Chip> chip_of(int body_a, int body_b) const;
   /// A place on a body, as bodies lie now.
   void set_place(ConvergenceTrouble& trouble, const Vec3& position, int body) const;
 

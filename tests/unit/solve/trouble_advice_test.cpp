@@ -19,6 +19,16 @@ TEST(TroubleAdvice, FitsTheCause) {
   EXPECT_THAT(advice_for(trouble, 0.001, settings), testing::AllOf(HasSubstr("mesh"), HasSubstr("stiffer")));
 }
 
+TEST(TroubleAdvice, OfAChipIsToMergeIt) {
+  const SolverSettings settings;
+  ConvergenceTrouble trouble;
+  for (const TroubleCause cause : {TroubleCause::many_iterations, TroubleCause::not_converged}) {
+    trouble.cause = cause;
+    EXPECT_THAT(advice_for(trouble, 0.001, settings, Chip{"rock.500", 0.002}),
+                testing::AllOf(HasSubstr("rock.500 is a chip"), HasSubstr("splinters"), HasSubstr("0.0022 m")));
+  }
+}
+
 TEST(TroubleAdvice, OfDeepContactsHasToDoWithTheirStiffness) {
   SolverSettings settings;
   ConvergenceTrouble trouble;
