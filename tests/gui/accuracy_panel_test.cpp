@@ -26,6 +26,12 @@ class AccuracyPanelTest : public StudiedWindow {
   static PlainTable& table(AccuracyPanel& panel, const char* name) {
     return *panel.findChild<PlainTable*>(QLatin1String(name));
   }
+  static void typeOver(QLineEdit& field, const char* words) {
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, QLatin1String(words));
+    QTest::keyClick(&field, Qt::Key_Return);
+  }
   static bool says(AccuracyPanel& panel, const QString& words) {
     const auto labels = panel.findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) { return one->text().contains(words); });
@@ -73,15 +79,9 @@ TEST_F(AccuracyPanelTest, GoesOnWithMoreRunsOfEachSettingAndAnotherMeasure) {
   EXPECT_EQ(further.toolTip(), QStringLiteral("The study has all of these runs"));
 
   auto& repeats = *further.parentWidget()->findChild<QLineEdit*>(QStringLiteral("repeats"));
-  const auto ask = [&](const char* words) {
-    repeats.setFocus();
-    repeats.selectAll();
-    QTest::keyClicks(&repeats, QLatin1String(words));
-    QTest::keyClick(&repeats, Qt::Key_Return);
-  };
-  ask("1.5");
+  typeOver(repeats, "1.5");
   EXPECT_FALSE(further.isEnabled()) << "no whole number";
-  ask("2");
+  typeOver(repeats, "2");
   further.parentWidget()->findChild<QComboBox*>(QStringLiteral("studyMeasure"))->setCurrentIndex(1);
   rest(50);
   keepPicture(panel, "accuracy_further.png");
@@ -159,13 +159,7 @@ TEST_F(AccuracyPanelTest, ChoosesTheCheapestRunWithinATarget) {
   window->open(file);
   AccuracyPanel& panel = opened();
   auto& target = *panel.findChild<QLineEdit*>(QStringLiteral("target"));
-  const auto ask = [&](const char* words) {
-    target.setFocus();
-    target.selectAll();
-    QTest::keyClicks(&target, QLatin1String(words));
-    QTest::keyClick(&target, Qt::Key_Return);
-  };
-  ask("1000%");
+  typeOver(target, "1000%");
   const int cheapest = table(panel, "runs").currentRow();
   const auto& rows = session->project.study()->study.rows;
   for (const AccuracyRow& row : rows)
@@ -176,9 +170,9 @@ TEST_F(AccuracyPanelTest, ChoosesTheCheapestRunWithinATarget) {
   rest(100);
   keepPicture(panel, "accuracy_dark.png");
   theme::install(false);
-  ask("1e-13");
+  typeOver(target, "1e-13");
   EXPECT_TRUE(says(panel, QStringLiteral("No run of this study is within")));
-  ask("soon");
+  typeOver(target, "soon");
   EXPECT_FALSE(says(panel, QStringLiteral("No run of this study is within")));
 }
 

@@ -48,8 +48,9 @@ class ContactMemory {
   /// length as they turn into the point's plane. Nothing where the point is really new. `size`: its mesh size [m].
   std::optional<TransferredHistory> transferred_to(int point, double size) const;
 
-  /// The former contact with the key of the point of this number, and what `look` is to see of those of two bodies.
+  /// The former contact with the key of the point of this number; null where there was none.
   const ContactHistory* own(int point) const { return own_[point] < 0 ? nullptr : &histories_[own_[point]]; }
+  /// Former contacts of these two bodies, in the order that a point has them in.
   void visit_between(const std::array<int, 2>& bodies, const std::function<void(const ContactHistory&)>& look) const;
 
   /// Whether the contact with this key was closed or bonded when the last step was accepted.
