@@ -16,8 +16,8 @@ HardCaseExpectation travels(const std::string& block, const Vec3& direction, dou
                             int stage = -1);
 /// … from the start is at least `least` [m].
 HardCaseExpectation travels_at_least(const std::string& block, const Vec3& direction, double least);
-/// Over the second half of the last stage the block's velocity along `direction` (unit) grows by `acceleration` [m/s²],
-/// within `tolerance` of it.
+/// Over the second half of the last stage the block's displacements along `direction` (unit) are those of
+/// `acceleration` [m/s²] in the mean (least squares), within `tolerance` of it.
 HardCaseExpectation accelerates(const std::string& block, const Vec3& direction, double acceleration, double tolerance);
 /// The block has turned by at least `angle` [degrees].
 HardCaseExpectation topples(const std::string& block, double angle);
