@@ -11,6 +11,7 @@ struct ContactBody {
   bool fixed = false;
   double young = 0;          ///< Pa
   bool single_body = false;  ///< rigid or affine: all its nodes move together
+  bool deforms = false;      ///< affine or meshed, and not fixed
 };
 
 }  // namespace talus

@@ -119,6 +119,10 @@ struct ContactTolerances {
   double transfer_agreement = 0.2;
   /// – (fraction). Shear force of which the new plane keeps less has no direction there and is forgotten. Rounding.
   double least_turned_shear = 1e-6;
+  /// Of its compression. A spring that its gap says to be compressed otherwise, by more than this, than its force says
+  /// has its gap measured by other features than before; what the gap changes by then interferes, if a body deforms.
+  /// Chosen. Larger: bodies that deform and slide from facet to facet make energy. Smaller: they sink in as they roll.
+  double same_compression = 0.1;
   /// Of h. Facets nearer than this when two bodies are seen first are one joint, and bonded if its law says so. Chosen.
   /// Larger: bonds across open joints. Smaller: joints of imprecise geometry have no cohesion.
   double bonded_gap = 1e-3;

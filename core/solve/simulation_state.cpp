@@ -18,9 +18,15 @@ std::vector<Surface> surfaces_of(const BlockSystem& system) {
 
 std::vector<ContactBody> contact_bodies(const BodySet& set, const std::vector<Surface>& surfaces) {
   std::vector<ContactBody> bodies;
-  for (std::size_t b = 0; b < set.bodies.size(); ++b)
-    bodies.push_back({&surfaces[b], set.bodies[b].first_node, set.bodies[b].fixed, set.bodies[b].young,
-                      set.bodies[b].single_body()});
+  for (std::size_t b = 0; b < set.bodies.size(); ++b) {
+    const Body& body = set.bodies[b];
+    bodies.push_back({.surface = &surfaces[b],
+                      .first_node = body.first_node,
+                      .fixed = body.fixed,
+                      .young = body.young,
+                      .single_body = body.single_body(),
+                      .deforms = !body.fixed && body.kind != BodyKind::rigid});
+  }
   return bodies;
 }
 

@@ -101,6 +101,7 @@ std::vector<Entry> entries() {
             {"transfer_across_features", &G::transfer_across_features},
             {"transfer_agreement", &G::transfer_agreement},
             {"least_turned_shear", &G::least_turned_shear},
+            {"same_compression", &G::same_compression},
             {"bonded_gap", &G::bonded_gap},
             {"foreseen_slide", &G::foreseen_slide},
             {"noticeable_slide", &G::noticeable_slide},

@@ -50,6 +50,7 @@ struct ContactDetector::State {
   void find_points(std::span<const Vec3> x, double reach);
   int given(std::uint64_t key) const;
   double initial_interference(const FoundPoint& found, double normal_stiffness) const;
+  void go_on_from(const ContactMemory::TransferredHistory& past, const FoundPoint& found, ContactPoint& point) const;
   ContactPoint complete(int number) const;
   void complete_all(ContactSet& contacts);
   void bond(std::span<ContactPoint> points) const;
@@ -139,6 +140,31 @@ double ContactDetector::State::initial_interference(const FoundPoint& f, double 
   return f.gap < 0 ? std::max(0.0, -f.gap - memory.known_compression(f, normal_stiffness)) : 0;
 }
 
+/// What the point takes over. Another spring might push harder, by the gap, than the force that goes on in it, and a
+/// softer one hold more energy; so might the same spring where its features measure the gap anew, as a corner does that
+/// slides from one facet on to the next. It is compressed as it was then, and the rest of the gap interferes. Where
+/// springs of both bodies only stop them, the law of impact takes what they make, and depth is not to grow.
+void ContactDetector::State::go_on_from(const ContactMemory::TransferredHistory& past, const FoundPoint& f,
+                                        ContactPoint& p) const {
+  p.bonded = past.bonded && f.area > 0;
+  p.mode = past.mode;
+  p.shear_start = past.shear;
+  p.multiplier = past.multiplier;
+  p.slip_start = past.slip;
+  p.initial_interference = past.initial_interference;
+  p.penalty_scaling = past.penalty_scaling;
+  p.normal_stiffness *= p.penalty_scaling;
+  p.shear_stiffness *= p.penalty_scaling;
+  const double compression =
+      std::min(past.spring_force / p.normal_stiffness, std::sqrt(2 * past.spring_energy / p.normal_stiffness));
+  const bool deforms = bodies[p.bodies[0]].deforms || bodies[p.bodies[1]].deforms;
+  const double change = std::abs(-f.gap - p.initial_interference - compression);
+  if (!past.same_spring || (deforms && change > settings.tolerances.same_compression * compression))
+    p.initial_interference = std::max(0.0, -f.gap - compression);
+  const double energy = shear_spring_energy(p, p.shear_start);
+  if (energy > (1 + rounding_of_energy) * past.shear_energy) p.shear_start *= std::sqrt(past.shear_energy / energy);
+}
+
 /// The point of this number among those found.
 ContactPoint ContactDetector::State::complete(int number) const {
   const FoundPoint& f = found.points[number];
@@ -169,23 +195,7 @@ ContactPoint ContactDetector::State::complete(int number) const {
   const auto past = memory.transferred_to(number, scale.size);
   p.is_new = !past;
   if (past) {
-    p.bonded = past->bonded && f.area > 0;
-    p.mode = past->mode;
-    p.shear_start = past->shear;
-    p.multiplier = past->multiplier;
-    p.slip_start = past->slip;
-    p.initial_interference = past->initial_interference;
-    p.penalty_scaling = past->penalty_scaling;
-    p.normal_stiffness *= p.penalty_scaling;
-    p.shear_stiffness *= p.penalty_scaling;
-    // By the gap another spring might push harder than the force that it takes over, and a softer one hold more energy.
-    if (!past->same_spring) {
-      const double compression =
-          std::min(past->spring_force / p.normal_stiffness, std::sqrt(2 * past->spring_energy / p.normal_stiffness));
-      p.initial_interference = std::max(p.initial_interference, -f.gap - compression);
-    }
-    const double energy = shear_spring_energy(p, p.shear_start);
-    if (energy > (1 + rounding_of_energy) * past->shear_energy) p.shear_start *= std::sqrt(past->shear_energy / energy);
+    go_on_from(*past, f, p);
   } else if (moved[p.bodies[0]] || moved[p.bodies[1]]) {
     p.initial_interference = initial_interference(f, p.normal_stiffness);
   }

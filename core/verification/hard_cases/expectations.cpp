@@ -53,9 +53,8 @@ double displacement_along(const Trajectory& trajectory, const std::string& block
 double mean_acceleration(const Trajectory& trajectory, int block, const Vec3& direction) {
   const Snapshot &end = trajectory.last(), &start = trajectory.end_of_stage(end.stage - 1);
   const double middle = (start.time + end.time) / 2, duration = end.time - middle;
-  const auto second_half =
-      std::ranges::subrange(std::ranges::lower_bound(trajectory.snapshots, middle, {}, &Snapshot::time),
-                            trajectory.snapshots.end());
+  const auto second_half = std::ranges::subrange(
+      std::ranges::lower_bound(trajectory.snapshots, middle, {}, &Snapshot::time), trajectory.snapshots.end());
   Eigen::MatrixX3d powers(std::ssize(second_half), 3);  // of the time since the middle, of what is left of the stage
   Eigen::VectorXd displacements(std::ssize(second_half));
   int row = 0;

@@ -99,7 +99,7 @@ class Scene {
  public:
   int add(const Shape& shape, bool fixed = false) {
     surfaces_.push_back(std::make_unique<Surface>(make_surface(shape.nodes, shape.triangles)));
-    bodies_.push_back({surfaces_.back().get(), static_cast<int>(x.size()), fixed, young, single_body});
+    bodies_.push_back({surfaces_.back().get(), static_cast<int>(x.size()), fixed, young, single_body, deforms});
     x.insert(x.end(), shape.nodes.begin(), shape.nodes.end());
     return static_cast<int>(bodies_.size()) - 1;
   }
@@ -127,8 +127,8 @@ class Scene {
   std::vector<JointLaw> laws = {JointLaw{.friction = 0.5}};
   ContactSettings settings;
   ContactSet contacts;
-  double young = 1e9;        ///< of the bodies that are added next
-  bool single_body = false;  ///< are they rigid?
+  double young = 1e9;                         ///< of the bodies that are added next
+  bool single_body = false, deforms = false;  ///< are they rigid?
 
  private:
   std::vector<std::unique_ptr<Surface>> surfaces_;

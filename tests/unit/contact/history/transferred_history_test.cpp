@@ -122,6 +122,29 @@ TEST(TransferredHistory, ACubeThatTipsOverItsEdgePushesAsBefore) {
   EXPECT_NEAR(cube.normal, before, 1e-3 * before);  // five times without what is left out of the gap
 }
 
+/// A corner that slides from one facet on to the next is nearer to the plane of that one, or less near, than it was to
+/// the other's, though the features have the same names.
+TEST(TransferredHistory, AGapThatIsMeasuredAnewNeitherPressesNorRelieves) {
+  for (const bool deforms : {true, false}) {
+    Driven cube;
+    cube.scene.deforms = deforms;
+    cube.scene.add(box({0, 0, -1}, {5, 4, 0}, {7, 6, 1}), true);
+    cube.scene.add(box({1, 1, -1e-5}, {2, 2, 1 - 1e-5}, {1, 1, 1}));
+    cube.detect();
+    const double before = cube.normal;
+    EXPECT_GT(before, 0);
+    cube.accept();
+    cube.scene.move(1, {0, 0, -1e-4});
+    cube.detect();
+    EXPECT_NEAR(cube.normal, deforms ? before : 11 * before, 1e-6 * before);
+    cube.accept();
+    cube.scene.move(1, {0, 0, 1e-4});
+    cube.detect();
+    EXPECT_NEAR(cube.normal, before, 1e-6 * before);
+    EXPECT_NEAR(cube.scene.contacts.points[0].initial_interference, 0, 1e-12);
+  }
+}
+
 TEST(TransferredHistory, ACubeThatRocksBackKeepsItsShear) {
   Driven cube = tipping_cube(4);
   cube.detect();
