@@ -293,8 +293,8 @@ bool VertexVertexSearch::passes(const StepGeometry& step, std::uint64_t key) {
 bool VertexVertexSearch::stands_for_others(const StepGeometry& step, const Vec3& normal, bool own_is_first,
                                            FoundPoints& found) const {
   const double same_normal = step.face_face_cosine;
-  const double near =
-      step.tolerances.same_place * step.broad.size(own_.body, other_.body) + 2 * (own_.place - other_.place).norm();
+  const double apart = (own_.place - other_.place).norm(), most = step.largest_edge_tolerance(own_.body, other_.body);
+  const double near = step.tolerances.same_place * step.broad.size(own_.body, other_.body) + 2 * std::min(apart, most);
   const auto is_of = [](const Feature& feature, int smooth_face) {
     return std::any_of(feature.faces.begin(), feature.faces.end(),
                        [&](const auto& face) { return face.first == smooth_face; });

@@ -43,6 +43,33 @@ TEST(VertexVertexSearch, ATipApartFromAConvexEdgeHasTheDirectionBetweenTheCloses
   }
 }
 
+/// Two surfaces as those of one body.
+Shape joined(Shape a, const Shape& b) {
+  const auto first = static_cast<int>(a.nodes.size());
+  a.nodes.insert(a.nodes.end(), b.nodes.begin(), b.nodes.end());
+  for (SurfaceTriangle triangle : b.triangles) {
+    for (int& node : triangle.nodes) node += first;
+    a.triangles.push_back(triangle);
+  }
+  return a;
+}
+
+TEST(VertexVertexSearch, TipsFarApartLeaveEdgesAloneThatTouchBesideThem) {
+  const Shape lower =
+      joined(roof(), mapped(spike({0.7, -0.5, 0.25}), [](const Vec3& p) { return Vec3(p.x(), -p.y(), -p.z()); }));
+  const Mat3 across = (Mat3() << 0, 1, 0, 1, 0, 0, 0, 0, -1).finished();
+  Scene scene;
+  scene.add(lower, true);
+  scene.add(mapped(lower, [&](const Vec3& p) { return Vec3(across * p - 1e-5 * Vec3::UnitZ()); }));
+  bool tips = false, edges = false;
+  for (const ContactPoint& p : scene.detect(0.6).points) {
+    tips = tips || std::abs(p.gap - std::sqrt(0.33)) < 1e-4;
+    edges = edges || std::abs(p.gap + 1e-5) < 1e-9;
+  }
+  EXPECT_TRUE(tips);
+  EXPECT_TRUE(edges);
+}
+
 TEST(VertexVertexSearch, TheNormalTurnsWithTheTipAsItPassesOverTheEdge) {
   Vec3 former = Vec3(std::sqrt(0.5), 0, -std::sqrt(0.5));  // the left face's
   for (double x = -1e-3; x < 1e-3; x += 1e-5) {
