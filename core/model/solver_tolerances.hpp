@@ -26,8 +26,8 @@ struct StepTolerances {
   double least_reach = 1e-3;
   /// Rounds in which a converged step is corrected (normals, stiffness, multipliers, accelerations) and converged
   /// again. Chosen: each round of the augmented Lagrangian divides penetration by about the ratio of contact to rock
-  /// stiffness, so three or four suffice; normals of contacts that turn fast settle in ten. Smaller: contacts stay
-  /// deeper than asked. Reaching it is counted in the report.
+  /// stiffness, so three or four suffice; normals of contacts that turn fast settle in ten. Dynamic steps that need
+  /// more are cut. Smaller: contacts stay deeper than asked, and steps are cut. Reaching it is counted in the report.
   int correction_limit = 20;
   /// Of the forces on each body. A step is corrected as soon as no body is further out of balance than this, and goes
   /// on to its tolerance when nothing is left to correct. Chosen. Larger: what small forces do is not seen yet.

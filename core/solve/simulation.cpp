@@ -168,7 +168,7 @@ void give_start_accelerations(SimulationState& s) {
 }
 
 /// Converges as far as contacts can be judged, corrects what that shows to be wrong, and goes on so until nothing is,
-/// to the tolerance of the step.
+/// to the tolerance of the step. Corrections that come to no end leave contacts deep; the step is too long for them.
 OpenCloseResult converge(SimulationState& s) {
   OpenCloseResult result;
   // Multipliers converge no further than the rounds that they are taken from.
@@ -183,8 +183,11 @@ OpenCloseResult converge(SimulationState& s) {
               .force_scale = last.force_scale,
               .worst_dof_block = std::max(result.worst_dof_block, last.worst_dof_block)};
     if (!result.converged) return result;
-    const bool corrected = round < s.tolerances.step.correction_limit && correct(s);
-    if (round == s.tolerances.step.correction_limit) ++s.correction_limits;
+    const bool is_last = round == s.tolerances.step.correction_limit;
+    if (is_last) ++s.correction_limits;
+    const bool corrected = (!is_last || may_look_again(s)) && correct(s);
+    result.converged = !(is_last && corrected);
+    if (!result.converged) return result;
     if (!corrected && enough == 0) return result;
     enough = corrected ? loosely : 0;
   }

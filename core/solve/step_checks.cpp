@@ -24,11 +24,13 @@ int inverted_element(const SimulationState& s) {
   return found == s.bodies.elements.end() ? -1 : static_cast<int>(found - s.bodies.elements.begin());
 }
 
-std::span<const ContactDetector::MissedContact> missed_contacts(SimulationState& s) {
+bool may_look_again(const SimulationState& s) {
   const double longest = s.project.stages[s.clock.stage()].time_step;
-  if (!s.is_on(EffectKind::missed_contacts) || !s.dynamic() || !s.company.any() ||
-      s.context.length < s.tolerances.step.shortest_recheck * shortest_part(s, longest))
-    return {};
+  return s.dynamic() && s.context.length >= s.tolerances.step.shortest_recheck * shortest_part(s, longest);
+}
+
+std::span<const ContactDetector::MissedContact> missed_contacts(SimulationState& s) {
+  if (!s.is_on(EffectKind::missed_contacts) || !s.company.any() || !may_look_again(s)) return {};
   const double tolerance = s.penetration();
   const Stopwatch watch(s.detect_seconds);
   const EffectTimer timer(s.work_of(EffectKind::missed_contacts));

@@ -19,12 +19,9 @@ bool beside_the_body(const StepGeometry& step, int face, const Vec3& p) {
   const auto sides = step.features.sides(face);
   return std::any_of(sides.begin(), sides.end(), [&](int edge) {
     const ContactEdge& e = step.features.edges[edge];
-    if (!e.is_sharp) return false;
-    const Vec3 &n = step.normal(step.features.across(edge, face)), &on_edge = step.x[e.nodes[0]],
-               inwards = centre - on_edge;
-    const double below = -n.dot(inwards);
-    return below > step.cone_tolerance * inwards.norm() &&
-           n.dot(p - on_edge) > step.tolerances.outside_facet * 3 * below;
+    if (!e.is_sharp || !step.shapes.edge(edge).is_clearly_convex) return false;
+    const Vec3 &n = step.normal(step.features.across(edge, face)), &on_edge = step.x[e.nodes[0]];
+    return n.dot(p - on_edge) > step.tolerances.outside_facet * 3 * n.dot(on_edge - centre);
   });
 }
 

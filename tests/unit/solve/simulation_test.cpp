@@ -300,6 +300,22 @@ TEST(Simulation, TellsOfStepsThatUseAllRoundsOfCorrection) {
   }
 }
 
+TEST(Simulation, CutsStepsWhoseCorrectionsComeToNoEnd) {
+  Project project = scene(30, {{"drop", StageKind::dynamic, 0.01, 20, {}}});
+  project.solver.penetration_tolerance = 1e-9;
+  const BlockSystem system = blocks({test::box_block("ground", Vec3(0, 0, -1), Vec3(4, 4, 0), BodyKind::fixed),
+                                     test::box_block("B", Vec3(1.1, 1.2, 0.01), Vec3(2.3, 2.1, 1.3), BodyKind::rigid)});
+  for (const int limit : {StepTolerances{}.correction_limit, 0}) {
+    Tolerances tolerances;
+    tolerances.solver.step.correction_limit = limit;
+    Simulation simulation(project, system, tolerances);
+    int cuts = 0;
+    while (!simulation.finished()) cuts += simulation.step().cuts;
+    EXPECT_TRUE(simulation.converged()) << simulation.failure();
+    EXPECT_EQ(cuts > 0, limit == 0) << cuts;
+  }
+}
+
 TEST(Simulation, TellsOfStepsThatUseAllSweepsOfImpulses) {
   Project project = scene(30, {{"drop", StageKind::dynamic, 0.005, 60, {}}});
   project.joints[0].restitution = 0.5;

@@ -39,6 +39,29 @@ void expect_one(const ContactSet& contacts, const Vec3& normal, double gap, cons
   EXPECT_GT(p.normal_stiffness, 0);
 }
 
+/// A wedge that lies on the plane z = 0, its acute edge along y through the origin, and rises by a tenth.
+Shape acute_wedge() {
+  return {{{0, 0, 0}, {0, 4, 0}, {1, 0, 0}, {1, 4, 0}, {1, 0, 0.1}, {1, 4, 0.1}},
+          {{{0, 1, 3}, -1},
+           {{0, 3, 2}, -1},
+           {{0, 4, 5}, -1},
+           {{0, 5, 1}, -1},
+           {{2, 3, 5}, -1},
+           {{2, 5, 4}, -1},
+           {{0, 2, 4}, -1},
+           {{1, 5, 3}, -1}}};
+}
+
+TEST(VertexFaceSearch, ATipBelowAnAcuteEdgeIsNotBehindTheFaceAboveIt) {
+  const Mat3 r = rotation_onto(Vec3(1, 1, 1), Vec3(-std::cos(radians(30)), 0, std::sin(radians(30))));
+  const Vec3 diagonal = Vec3(1, 1, 1).normalized(), tip(0.002, 2, -0.004);
+  Scene scene;
+  scene.add(acute_wedge(), true);
+  scene.add(mapped(box({0, 0, 0}, {1, 1, 1}),
+                   [&](const Vec3& p) { return Vec3(r * (p + 2 * diagonal * diagonal.dot(p)) + tip); }));
+  for (const ContactPoint& p : scene.detect(reach).points) EXPECT_GT(p.gap, 0) << p.normal.transpose();
+}
+
 TEST(VertexFaceSearch, CornerOnAFaceTouchesOnceWhereverTheMeshRuns) {
   for (const Vec3& tip : {Vec3(1.9, 1.7, 0), Vec3(10.0 / 7, 4.0 / 6, 0), Vec3(10.0 / 7, 1.2, 0), Vec3(1.5, 1.5, 0)}) {
     for (double gap : {-0.02, -1e-6, 0.0, 0.009}) {
