@@ -157,10 +157,11 @@ void ContactDetector::State::go_on_from(const ContactMemory::TransferredHistory&
   p.shear_stiffness *= p.penalty_scaling;
   const double compression =
       std::min(past.spring_force / p.normal_stiffness, std::sqrt(2 * past.spring_energy / p.normal_stiffness));
-  const bool deforms = bodies[p.bodies[0]].deforms || bodies[p.bodies[1]].deforms;
+  const bool rebounds = bodies[p.bodies[0]].deforms || bodies[p.bodies[1]].deforms;
   const double change = std::abs(-f.gap - p.initial_interference - compression);
-  if (!past.same_spring || (deforms && change > settings.tolerances.same_compression * compression))
-    p.initial_interference = std::max(0.0, -f.gap - compression);
+  const bool is_measured_anew =
+      settings.model == ContactModel::area && rebounds && change > settings.tolerances.same_compression * compression;
+  if (!past.same_spring || is_measured_anew) p.initial_interference = std::max(0.0, -f.gap - compression);
   const double energy = shear_spring_energy(p, p.shear_start);
   if (energy > (1 + rounding_of_energy) * past.shear_energy) p.shear_start *= std::sqrt(past.shear_energy / energy);
 }

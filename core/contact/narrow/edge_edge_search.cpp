@@ -30,15 +30,19 @@ bool lies_between_faces(const StepGeometry& step, const ContactEdge& a, const Co
   return false;
 }
 
+/// Of what a point seems to be deep it is to be inside by so much at least: faces in contact overlap a little, too.
+constexpr double least_depth_inside = 0.1;
+
 /// Whether the edge e, which crosses a convex edge of another body at the fraction `at` of its length and `depth` [m]
-/// behind it, cuts through that body. It does if a point of e is inside it: as far to either side of the crossing as
-/// that is deep; or in the middle of the part of e that lies behind both faces adjacent to the convex edge; or of the
-/// part that lies behind all facets at the ends of the convex edge.
+/// behind it, against `outwards` (unit), cuts through that body. It does if a point of e is well inside it: as far to
+/// either side of the crossing as that is deep; or in the middle of the part of e that lies behind both faces adjacent
+/// to the convex edge; or of the part that lies behind all facets at the ends of the convex edge.
 bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactEdge& convex_edge, double at,
-                  double depth) {
+                  double depth, const Vec3& outwards) {
   const Vec3 &from = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - from;
   const int body = step.features.facets[convex_edge.facets[0]].body;
-  const auto is_inside = [&](double fraction) { return lies_inside(step, body, from + fraction * along); };
+  const Vec3 nearer = from + least_depth_inside * depth * outwards;
+  const auto is_inside = [&](double fraction) { return lies_inside(step, body, nearer + fraction * along); };
   const double aside = depth / along.norm();
   if (is_inside(at - aside) || is_inside(at + aside)) return true;
   double begin = 0, end = 1;
@@ -123,7 +127,7 @@ std::optional<Crossing> crossing_of(const StepGeometry& step, int edge_a, int ed
 /// Edges may cross beside the bodies, and still far behind each other along the normal: near the end of a convex edge,
 /// or where both are acute. What has come in is inside.
 bool passes_beside(const StepGeometry& step, const Crossing& c) {
-  return !(cuts_through(step, c.a, c.b, c.s, -c.gap) && cuts_through(step, c.b, c.a, c.t, -c.gap));
+  return !(cuts_through(step, c.a, c.b, c.s, -c.gap, c.normal) && cuts_through(step, c.b, c.a, c.t, -c.gap, -c.normal));
 }
 
 /// An end nearer to the other edge than `near` has the contact if it ends its body in this direction and was found
