@@ -198,11 +198,9 @@ void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, con
   if (lies_between_faces(step, c.a, c.b, c.normal)) return;
   const std::uint64_t key = edge_key(edge_a, edge_b);
   const double edge_tolerance = step.edge_tolerance(body_a, body_b);
-  const auto appears_deep = [&] {
-    return -c.gap > edge_tolerance && step.have_moved(body_a, body_b) && !step.memory.remembers(key);
-  };
+  const bool appears_deep = -c.gap > edge_tolerance && !step.memory.remembers(key);
   const bool are_convex = step.features.is_convex(body_a) && step.features.is_convex(body_b);
-  if (axis.refutes(step, body_a, body_b, c.gap) || (!are_convex && appears_deep() && passes_beside(step, c))) return;
+  if (axis.refutes(step, body_a, body_b, c.gap) || (!are_convex && appears_deep && passes_beside(step, c))) return;
   // An end is near where both are in one place, or nearer than the edge seems deep: then it came past that one.
   const double near = std::max(edge_tolerance, -c.gap);
   if (end_has_it(step, vertices, c.a, of_a, c.normal, c.b, near, are_convex)) return;
