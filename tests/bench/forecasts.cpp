@@ -1,9 +1,10 @@
 // What a run is foreseen to take against what it takes, on random scenes: a table and a chart of docs/accuracy.md.
 //   OPENBLAS_NUM_THREADS=1 build/release/tests/bench/bench_forecasts [--seed S] [--scenes N] [--picture FILE.png]
+//       [--least SECONDS] [--most SECONDS] [--budget SECONDS]
 // Seconds are the processor's; other jobs of the machine change them nevertheless, so that each run is made twice,
-// before its forecast and after it. Scenes come in turn from all families and are passed over where they take less than
-// 0.1 s. The others are made runs of some seconds to 40, as those are whose forecast is wanted, by shorter steps: how
-// many times shorter chance draws, too.
+// before its forecast and after it, but for runs of minutes (--least 30 and more). Scenes come in turn from all
+// families and are passed over where they take less than 0.1 s. The others are made runs of 2 to 40 s, or as --least
+// and --most say, by shorter steps: how many times shorter chance draws, too. --budget: what a forecast may spend.
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +26,9 @@
 namespace talus {
 namespace {
 
-constexpr double budget = 4;                          // s, as talus-cli info has it
-constexpr double shortest_drawn = 0.1;                // s
-constexpr double least_wanted = 2, most_wanted = 40;  // s
-constexpr double longest_run = 120;                   // s, after which it is given up
-constexpr double steady = 1.15;  // the same run twice: else the machine says more than the forecast
+constexpr double shortest_drawn = 0.1;  // s
+constexpr double longest_over = 3;      // times the longest wanted, after which a run is given up
+constexpr double steady = 1.15;         // the same run twice: else the machine says more than the forecast
 
 class Clock final : public RunObserver {
  public:
@@ -65,21 +64,28 @@ struct Measured {
   bool is_in_range() const { return said.fewest <= seconds && seconds <= said.most; }
 };
 
-std::optional<Measured> measure(const RandomSceneName& name) {
+/// What is asked of the command line; all in seconds of the processor.
+struct Wanted {
+  double least = 2, most = 40;  ///< that runs take
+  double budget = 4;            ///< of a forecast, as talus-cli info has it
+  bool twice() const { return least < 30; }
+};
+
+std::optional<Measured> measure(const RandomSceneName& name, const Wanted& wanted) {
   const HardCase drawn = random_scene(name);
   const CaseScene scene = drawn.build();
-  const auto as_drawn = seconds_of(scene.project, scene.system, most_wanted);
+  const auto as_drawn = seconds_of(scene.project, scene.system, wanted.most);
   if (!as_drawn || *as_drawn < shortest_drawn) return std::nullopt;
   SceneNumbers numbers(mixed_seed(name.seed, "seconds of " + name.family, name.number));
   Measured result{to_string(name)};
-  result.finer = std::max(1, static_cast<int>(std::lround(numbers.logarithmic(least_wanted, most_wanted) / *as_drawn)));
+  result.finer = std::max(1, static_cast<int>(std::lround(numbers.logarithmic(wanted.least, wanted.most) / *as_drawn)));
   Setting setting = own_setting(scene.project);
   setting.time_step = setting.static_step = 1.0 / result.finer;
   const Project project = under(setting, scene.project);
-  const auto before = seconds_of(project, scene.system, longest_run);
+  const auto before = seconds_of(project, scene.system, longest_over * wanted.most);
   NoProgress nobody;
-  result.said = forecast(project, scene.system, budget, nobody);
-  const auto after = seconds_of(project, scene.system, longest_run);
+  result.said = forecast(project, scene.system, wanted.budget, nobody);
+  const auto after = wanted.twice() ? seconds_of(project, scene.system, longest_over * wanted.most) : before;
   if (!before || !after) return std::nullopt;
   result.seconds = (*before + *after) / 2;
   result.apart = std::max(*before, *after) / std::min(*before, *after);
@@ -122,7 +128,7 @@ void draw(const std::vector<Measured>& all, std::uint64_t seed, const std::strin
   write_png(draw_forecast_chart(title, points, 1200, 1000), file);
 }
 
-void measure_all(std::uint64_t seed, std::size_t scenes, const std::string& picture) {
+void measure_all(std::uint64_t seed, std::size_t scenes, const Wanted& wanted, const std::string& picture) {
   std::printf(
       "| scene | steps, times | said, s | range | measured, s | said/measured | share seen | in range | again, times "
       "|\n"
@@ -131,7 +137,7 @@ void measure_all(std::uint64_t seed, std::size_t scenes, const std::string& pict
   for (std::uint64_t number = 1; all.size() < scenes; ++number)
     for (const RandomFamily& family : random_families()) {
       if (all.size() == scenes) break;
-      const auto one = measure({family.name, seed, number});
+      const auto one = measure({family.name, seed, number}, wanted);
       if (!one) continue;
       print(*one);
       all.push_back(*one);
@@ -147,10 +153,14 @@ int main(int count, char** words) {
   std::uint64_t seed = 1;
   std::size_t scenes = 40;
   std::string picture;
+  talus::Wanted wanted;
   for (int i = 1; i + 1 < count; i += 2) {
     if (!std::strcmp(words[i], "--seed")) seed = std::strtoull(words[i + 1], nullptr, 10);
     if (!std::strcmp(words[i], "--scenes")) scenes = std::strtoull(words[i + 1], nullptr, 10);
     if (!std::strcmp(words[i], "--picture")) picture = words[i + 1];
+    if (!std::strcmp(words[i], "--least")) wanted.least = std::atof(words[i + 1]);
+    if (!std::strcmp(words[i], "--most")) wanted.most = std::atof(words[i + 1]);
+    if (!std::strcmp(words[i], "--budget")) wanted.budget = std::atof(words[i + 1]);
   }
-  talus::measure_all(seed, scenes, picture);
+  talus::measure_all(seed, scenes, wanted, picture);
 }

@@ -16,6 +16,8 @@ namespace {
 
 /// Shares of the budget. Half as long steps are twice as many.
 constexpr double of_beginning = 0.4, of_outline = 0.2, of_finer = 0.4;
+/// Of a long run more is seen of the beginning than its share of the budget lasts for, and of the outline, too.
+constexpr double outline_of_beginning = of_outline / of_beginning;
 /// Of a run that was made itself, for the same in half steps: what is left.
 constexpr double of_doubling = of_outline + of_finer;
 /// What was not seen comes within this factor of what was foreseen, where the stage had begun, …
@@ -164,7 +166,8 @@ Forecast forecast(const Project& project, const BlockSystem& system, double budg
   const RunBeginning beginning = run_beginning(project, system, of_beginning * budget, first);
   result.memory = beginning.memory;
   result.failure = beginning.failure;
-  const RunOutline outline(project, system, 1, of_outline * budget, second);
+  const double for_outline = std::max(of_outline * budget, outline_of_beginning * beginning.seconds);
+  const RunOutline outline(project, system, 1, for_outline, second);
   add_up(project, beginning, outline, result);
   if (has_order_in_the_step(project)) {
     if (beginning.whole && cost_of_step_doubling * result.seconds < of_doubling * budget)

@@ -22,9 +22,9 @@ struct Forecast {
   double forecast_seconds = 0;  ///< of the processor, that the forecast took
 };
 
-/// Spends `budget` [s of the processor] at most, but for the last step of each of its parts and where the first steps
-/// alone take more: on the beginning of the run, solved and written as it will be (RunBeginning), and on the whole of
-/// it in outline (RunOutline). What remains of a stage is taken to cost what the last steps that were seen did: their
+/// Spends `budget` [s of the processor], of a long run up to three and a half times as much, and the last step of each
+/// of its parts: on the beginning of the run, solved and written as it will be (RunBeginning), and on the whole of it
+/// in outline (RunOutline). What remains of a stage is taken to cost what the last steps that were seen did: their
 /// search for contacts in proportion to the contacts in the outline, everything else to the unknowns awake there; where
 /// only first steps were seen, with no more iterations than there. What the steps leave out is said by the run in steps
 /// half as long where it is short enough to be made twice more (error_by_step_doubling), else by the outline in steps

@@ -15,10 +15,11 @@ namespace talus {
 namespace {
 
 constexpr double of_first_look = 0.05;  ///< share of the budget, to see what a step costs
-constexpr int least_steps = 2;     ///< the first step is unlike all others: so many are seen, whatever they cost …
-constexpr int few_steps = 4;       ///< … and so many, unless …
-constexpr double for_few = 2;      ///< … so many times the budget is spent
-constexpr double of_static = 0.5;  ///< share of the budget that all static stages may take, in …
+constexpr int least_steps = 2;        ///< the first step is unlike all others: so many are seen, whatever they cost …
+constexpr int few_steps = 4;          ///< … and so many, …
+constexpr double share_wanted = 0.1;  ///< … and this share of the run, unless …
+constexpr double for_long_runs = 5;   ///< … so many times the budget is spent
+constexpr double of_static = 0.5;     ///< share of the budget that all static stages may take, in …
 constexpr int fewest_static_steps = 10, most_static_steps = 100;  ///< … so many steps each
 constexpr int static_leaps = 2;                                   ///< through what is left of a static stage
 constexpr double worthwhile = 1.5;                ///< times as many steps: a stage of fewer is gone through as it is
@@ -71,11 +72,18 @@ Project with_stages(Project project, const std::vector<Part>& parts) {
   return project;
 }
 
-/// Times the steps until the budget is spent, or `most` where it lasts for a few steps only.
+/// What a look at the beginning may take.
+struct Look {
+  double budget = 0;  ///< s of the processor, …
+  double most = 0;    ///< … and s where that lasts for a few steps only, or for less than …
+  double share = 0;   ///< … this share of the model time
+};
+
+/// Times the steps until the look has taken what it may.
 class StepTimer final : public RunObserver {
  public:
-  StepTimer(const std::vector<Part>& parts, double budget, double most, Progress& progress)
-      : parts_(parts), budget_(budget), most_(most), progress_(progress) {}
+  StepTimer(const std::vector<Part>& parts, const Look& look, Progress& progress)
+      : parts_(parts), look_(look), progress_(progress) {}
 
   void on_step(const StepReport& step, const HistoryRow&, double fraction) override {
     const double now = processor_seconds_of_thread(), seconds = now - since_;
@@ -83,13 +91,16 @@ class StepTimer final : public RunObserver {
     if (part.counts) note(part, step, seconds);
     in_steps_ += seconds;
     ++steps_;
-    progress_.report(std::max(in_steps_ / budget_, fraction), "");
+    fraction_ = fraction;
+    const double enough = std::min(in_steps_ / look_.budget, look_.share > 0 ? fraction / look_.share : 1);
+    progress_.report(std::min(1.0, std::max(in_steps_ / look_.most, enough)), "");
     since_ = processor_seconds_of_thread();
   }
   void on_frame(std::shared_ptr<const Frame>) override {}
   bool go_on() override {
     if (in_steps_ == 0) since_ = processor_seconds_of_thread();
-    const bool goes_on = steps_ < least_steps || in_steps_ < (steps_ < few_steps ? most_ : budget_);
+    const bool saw_enough = steps_ >= few_steps && fraction_ >= look_.share;
+    const bool goes_on = steps_ < least_steps || in_steps_ < (saw_enough ? look_.budget : look_.most);
     return goes_on && !progress_.cancelled();
   }
 
@@ -112,20 +123,20 @@ class StepTimer final : public RunObserver {
   }
 
   const std::vector<Part>& parts_;
-  double budget_, most_;
+  const Look look_;
   Progress& progress_;
   int steps_ = 0;
-  double since_ = 0, in_steps_ = 0;
+  double fraction_ = 0, since_ = 0, in_steps_ = 0;
   std::vector<StageBeginning> stages_;
 };
 
-RunBeginning run_parts(const Project& project, const BlockSystem& system, int static_steps, double budget, double most,
+RunBeginning run_parts(const Project& project, const BlockSystem& system, int static_steps, const Look& look,
                        Progress& progress) {
   const std::vector<Part> parts = parts_of(project, static_steps);
   const Project beginning = with_stages(project, parts);
   const double begin = processor_seconds_of_thread();
   const TemporaryFolder folder;
-  StepTimer timer(parts, budget, most, progress);
+  StepTimer timer(parts, look, progress);
   const RunReport report = run(beginning, system, {folder.path() / "results", write_project(project), 1}, timer);
   if (progress.cancelled()) throw Cancelled{};
   const bool all_counts = std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.counts; });
@@ -170,13 +181,17 @@ Project beginning_of(const Project& project, int static_steps) {
 }
 
 RunBeginning run_beginning(const Project& project, const BlockSystem& system, double budget, Progress& progress) {
+  const double begin = processor_seconds_of_thread();
   const bool counts = count_resident_memory_anew();
   const double memory_before = resident_memory().now;  // what the first look leaves behind is held by the run, too
-  const double most = for_few * budget;
-  RunBeginning result = run_parts(project, system, most_static_steps, of_first_look * budget, most, progress);
-  if (!result.whole && seconds_in_steps(result) < budget)
-    result = run_parts(project, system, affordable_static_steps(project, result, budget), budget, most, progress);
+  const double most = for_long_runs * budget;
+  RunBeginning result = run_parts(project, system, most_static_steps, {of_first_look * budget, most, 0}, progress);
+  if (!result.whole && seconds_in_steps(result) < most / 2) {
+    const int static_steps = affordable_static_steps(project, result, budget);
+    result = run_parts(project, system, static_steps, {budget, most, share_wanted}, progress);
+  }
   const ResidentMemory memory = resident_memory();
+  result.seconds = processor_seconds_of_thread() - begin;
   result.memory = std::max(0.0, (counts ? memory.most : memory.now) - memory_before);
   return result;
 }

@@ -30,6 +30,7 @@ struct RunBeginning {
   std::vector<StageBeginning> stages;  ///< those that were reached
   double around = 0;                   ///< s of the processor, before the first step and after the last
   double memory = 0;                   ///< bytes that were held at most, beside the blocks
+  double seconds = 0;                  ///< of the processor, that looking took
   bool whole = false;                  ///< it is the run: nothing was left out
   std::string failure;                 ///< of the run, why it does not converge; empty: as far as was seen it does
 };
@@ -43,8 +44,8 @@ double steps_to_end(const Stage& stage, const StageBeginning& seen, double left)
 Project beginning_of(const Project& project, int static_steps);
 
 /// On one thread, into a folder that goes away again. `budget`: s of the processor; static stages get half of it at
-/// most. Where it lasts for fewer than four steps twice as much is spent; two are taken whatever they cost. Throws
-/// InputError as Simulation does, Cancelled.
+/// most. Where it lasts for fewer than four steps, or for less than a tenth of the run, up to five times as much is
+/// spent; two steps are taken whatever they cost. Throws InputError as Simulation does, Cancelled.
 RunBeginning run_beginning(const Project& project, const BlockSystem& system, double budget, Progress& progress);
 
 }  // namespace talus

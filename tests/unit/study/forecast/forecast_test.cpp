@@ -89,6 +89,22 @@ TEST(RunOutline, TellsWhenThereAreContacts) {
   EXPECT_NEAR(outline.displacements()[1].z(), -1.3, 0.05);
 }
 
+/// Of a run that takes minutes the budget would see the first steps alone.
+TEST(RunBeginning, SeesATenthOfALongRunOrSpendsFiveTimesItsBudget) {
+  NoProgress progress;
+  const double budget = 0.01;
+  const RunBeginning seen = run_beginning(sliding(20000), test::cube_on_slab(), budget, progress);
+  double steps = 0, seconds = 0;
+  for (const StageBeginning& stage : seen.stages)
+    for (const TimedStep& step : stage.steps) {
+      ++steps;
+      seconds += step.seconds;
+    }
+  EXPECT_FALSE(seen.whole);
+  EXPECT_TRUE(steps >= 2000 || seconds >= 5 * budget) << steps << " steps, " << seconds << " s";
+  EXPECT_GE(seen.seconds, seconds);
+}
+
 /// It slides without an iteration once its contacts are known.
 TEST(RunOutline, TellsHowManyIterationsStepsTake) {
   NoProgress progress;
