@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -47,11 +49,19 @@ class ElementSums {
   template <class StiffnessOf>
   void add_hessian(const std::vector<int>& elements, const StiffnessOf& stiffness_of, SymmetricBlocks& sum) const {
     compute(elements, stiffness_of, stiffness_);
+    add_known_hessian(
+        elements, [this](std::size_t i) -> const Stiffness& { return stiffness_[i]; }, sum);
+  }
+
+  /// Adds the stiffness of the elements, which `known` has by their places in the list [N/m].
+  template <class Known>
+  void add_known_hessian(const std::vector<int>& elements, const Known& known, SymmetricBlocks& sum) const {
+    find_slots(elements, sum.pattern());
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const std::array<int, 4>& dof_blocks = set_.elements[elements[i]].dof_blocks;
-      auto block = stiffness_[i].begin();
-      for (int a = 0; a < 4; ++a)
-        for (int b = 0; b <= a; ++b) sum.add(dof_blocks[a], dof_blocks[b], *block++);
+      const Stiffness& stiffness = known(i);
+      for (int a = 0, k = 0; a < 4; ++a)
+        for (int b = 0; b <= a; ++b, ++k) sum.add_at(slots_[i][k], dof_blocks[a], dof_blocks[b], stiffness[k]);
     }
   }
 
@@ -76,7 +86,22 @@ class ElementSums {
     });
   }
 
+  /// Where the pattern has the pairs of each element's corners. Elements that move or rest get other unknowns, and the
+  /// matrix another pattern.
+  void find_slots(const std::vector<int>& elements, const BlockPattern& pattern) const {
+    if (pattern.id() == pattern_ && slots_.size() == elements.size()) return;
+    pattern_ = pattern.id();
+    slots_.resize(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const std::array<int, 4>& dof_blocks = set_.elements[elements[i]].dof_blocks;
+      for (int a = 0, k = 0; a < 4; ++a)
+        for (int b = 0; b <= a; ++b, ++k) slots_[i][k] = pattern.slot(dof_blocks[a], dof_blocks[b]);
+    }
+  }
+
   const BodySet& set_;
+  mutable std::uint64_t pattern_ = 0;  ///< that slots_ are of
+  mutable std::vector<std::array<int, 10>> slots_;
   mutable std::vector<double> energies_;
   mutable std::vector<Forces> forces_;
   mutable std::vector<Stiffness> stiffness_;

@@ -100,9 +100,25 @@ ElementSums::Stiffness CorotationalElasticity::stiffness(int e, const Increment&
   return blocks;
 }
 
+const ElementSums::Stiffness& CorotationalElasticity::keep_stiffness(int e, const Increment& d) const {
+  const Element& element = set_.elements[e];
+  Kept& kept = kept_[element.number];
+  const Mat3 gradient = deformation_gradient(set_, element, set_.shapes[e], d);
+  if ((gradient - kept.gradient).squaredNorm() > tolerances_.stiffness_kept * tolerances_.stiffness_kept)
+    kept = {gradient, stiffness(e, d)};
+  return kept.stiffness;
+}
+
 void CorotationalElasticity::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  sums_.add_hessian(
-      set_.linear, [&](int e) { return stiffness(e, d); }, sum);
+  in_parallel(static_cast<int>(set_.linear.size()), ElementSums::grain, [&](int first, int last) {
+    for (int i = first; i < last; ++i) keep_stiffness(set_.linear[i], d);
+  });
+  sums_.add_known_hessian(
+      set_.linear,
+      [&](std::size_t i) -> const ElementSums::Stiffness& {
+        return kept_[set_.elements[set_.linear[i]].number].stiffness;
+      },
+      sum);
 }
 
 /// A way u of corner b turns the element by RᵀdR = ω̂, ω = (tr S I − S)⁻¹ g_b × Rᵀu, and strains it by
@@ -120,7 +136,7 @@ ElementSums::WholeStiffness CorotationalElasticity::rest_of_tangent(int e, const
     by_spin[a] = 2 * elastic.mu * times_cross(mean, stretch * g) - 0.5 * times_cross(r, stress * g);
     spin_of_corner[a] = times_cross(spin, g) * r.transpose();
   }
-  const ElementSums::Stiffness symmetric = stiffness(e, d);
+  const ElementSums::Stiffness& symmetric = keep_stiffness(e, d);
   ElementSums::WholeStiffness blocks;
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {

@@ -15,10 +15,11 @@ namespace talus {
 /// The Hessian is the exact one (dR from (tr S I − S)⁻¹; e.g. McAdams et al. 2011) but for the part of compressed
 /// elements that would be negative. The rest of the tangent of the mean rotation is the unsymmetric part, of elements
 /// that turn in the step: without it Newton's method leads nowhere where a stiff block spins.
+/// An element keeps its stiffness while its deformation gradient hardly changes: in a block that slides for ever.
 class CorotationalElasticity final : public Effect {
  public:
   explicit CorotationalElasticity(const BodySet& set, const EffectTolerances& tolerances = {})
-      : set_(set), tolerances_(tolerances), sums_(set) {}
+      : set_(set), tolerances_(tolerances), sums_(set), kept_(set.element_numbers) {}
   EffectKind kind() const override { return EffectKind::elasticity; }
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool quadratic() const override { return false; }
@@ -35,11 +36,20 @@ class CorotationalElasticity final : public Effect {
  private:
   ElementSums::Forces forces(int element, const Increment& d) const;
   ElementSums::Stiffness stiffness(int element, const Increment& d) const;
+  /// Its stiffness here, or where it was deformed nearly as now.
+  const ElementSums::Stiffness& keep_stiffness(int element, const Increment& d) const;
   ElementSums::WholeStiffness rest_of_tangent(int element, const Increment& d) const;
   double energy_of(int element, const Mat3& gradient) const;
+  /// What an element's stiffness was, and with which deformation gradient.
+  struct Kept {
+    Mat3 gradient = Mat3::Zero();
+    ElementSums::Stiffness stiffness;
+  };
+
   const BodySet& set_;
   EffectTolerances tolerances_;
   ElementSums sums_;
+  mutable std::vector<Kept> kept_;    ///< by the elements' numbers
   mutable std::vector<int> turning_;  ///< elements, in this iterate
   std::vector<Mat3> start_;  ///< R₀ of each element of linear rock, where the mean rotation is asked for; else none
 };

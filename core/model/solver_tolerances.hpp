@@ -316,6 +316,9 @@ struct EffectTolerances {
   /// rad. Linear rock that turns by less in a step has the symmetric tangent, whose stress does not act along the mean
   /// rotation. Chosen. Larger: more iterations where blocks spin. Smaller: unsymmetric equations where few turn.
   double negligible_turn = 1e-3;
+  /// –. Linear rock keeps its stiffness in Newton's method while no more of its deformation gradient changes: its
+  /// forces are always exact. Chosen. Larger: more iterations. Smaller: stiffness is computed more often.
+  double stiffness_kept = 1e-5;
   /// – (fraction). An element of neo-Hookean rock keeps this of its volume in an iteration. Chosen. Larger: more
   /// iterations of shorter increments. Smaller: elements nearly turned inside out on the way.
   double kept_volume = 0.1;

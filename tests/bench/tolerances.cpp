@@ -246,6 +246,7 @@ std::vector<Entry> entries() {
             {"constraint_stiffness", &G::constraint_stiffness},
             {"point_outside_block", &G::point_outside_block},
             {"negligible_turn", &G::negligible_turn},
+            {"stiffness_kept", &G::stiffness_kept},
             {"kept_volume", &G::kept_volume},
             {"slides_on", &G::slides_on},
             {"least_excess", &G::least_excess},

@@ -81,6 +81,15 @@ class Derivatives : public testing::Test {
   Increment d_;
 };
 
+Eigen::MatrixXd hessian_of(const Effect& effect, const BodySet& set, const Increment& d) {
+  SymmetricBlocks hessian;
+  std::vector<std::pair<int, int>> couplings;
+  effect.add_couplings(couplings);
+  hessian.set_pattern(set.nodes.movable, couplings);
+  effect.add_hessian(d, hessian);
+  return test::dense_matrix(hessian, d.size());
+}
+
 TEST_F(Derivatives, Elasticity) { test::expect_derivatives(Elasticity(set_), d_, 1e-4, 1e-8); }
 
 TEST_F(Derivatives, CorotationalElasticityOfTurnedAndStretchedBlocks) {
@@ -90,13 +99,14 @@ TEST_F(Derivatives, CorotationalElasticityOfTurnedAndStretchedBlocks) {
 
 TEST_F(Derivatives, CorotationalElasticityOfSqueezedBlocksLeavesOutWhatIsNegative) {
   turn_and_stretch(0.8);
+  EXPECT_TRUE(test::has_no_negative_eigenvalue(hessian_of(CorotationalElasticity(set_), set_, d_)));
+}
+
+TEST_F(Derivatives, CorotationalElasticityKeepsItsStiffnessWhileLittleChanges) {
   const CorotationalElasticity elasticity(set_);
-  SymmetricBlocks hessian;
-  std::vector<std::pair<int, int>> couplings;
-  elasticity.add_couplings(couplings);
-  hessian.set_pattern(set_.nodes.movable, couplings);
-  elasticity.add_hessian(d_, hessian);
-  EXPECT_TRUE(test::has_no_negative_eigenvalue(test::dense_matrix(hessian, d_.size())));
+  const Eigen::MatrixXd before = hessian_of(elasticity, set_, d_);
+  EXPECT_EQ(hessian_of(elasticity, set_, (1 + 1e-5) * d_), before);
+  EXPECT_EQ(hessian_of(elasticity, set_, 2 * d_), hessian_of(CorotationalElasticity(set_), set_, 2 * d_));
 }
 
 /// A step in which the blocks only turn, by 0.05 rad.
