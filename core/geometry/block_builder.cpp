@@ -61,6 +61,7 @@ MesherJob make_job(const Project& project, const std::filesystem::path& folder) 
   }
   for (const Merge& merge : project.merges) job.merges.push_back({merge.at, merge.with});
   job.splinter_thickness = project.splinters.thickness;
+  job.chip_volume = project.splinters.chip_volume;
   job.splinter_rule = project.splinters.rule;
   for (const MeshRefinement& refinement : project.mesh.refinements) job.refinements.push_back({refinement});
   return job;

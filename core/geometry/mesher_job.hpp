@@ -135,12 +135,13 @@ struct MesherJob {
   std::vector<MesherOverride> overrides;
   std::vector<MesherMerge> merges;
   std::optional<double> splinter_thickness;  ///< m; 1e-4 of the mesh size when absent
+  double chip_volume = 0;                    ///< over the median of a solid's blocks
   SplinterRule splinter_rule = SplinterRule::drop;
   std::vector<MesherRefinement> refinements;
 
   template <class Stream>
   void fields(Stream& stream) {
-    stream(solids, cuts, overrides, merges, splinter_thickness, splinter_rule, refinements);
+    stream(solids, cuts, overrides, merges, splinter_thickness, chip_volume, splinter_rule, refinements);
   }
 };
 

@@ -230,6 +230,7 @@ Merge read_item(const OrderedJson& value, Merge merge) {
 Splinters splinters_from(const OrderedJson& value) {
   Splinters splinters;
   read(value, "thickness", splinters.thickness);
+  read(value, "chip_volume", splinters.chip_volume);
   read_word(value, "rule", splinters.rule, {SplinterRule::refuse, SplinterRule::drop, SplinterRule::merge});
   return splinters;
 }

@@ -144,6 +144,7 @@ OrderedJson json_from(const Splinters& splinters) {
   OrderedJson json;
   write(json, "thickness", splinters.thickness);
   json["rule"] = to_string(splinters.rule);
+  json["chip_volume"] = splinters.chip_volume;
   return json;
 }
 

@@ -1123,6 +1123,30 @@
         <source>; no better setting can be told apart</source>
         <translation>; keine bessere Einstellung ist zu erkennen</translation>
     </message>
+    <message>
+        <source>What is expected, else displacements</source>
+        <translation>Was erwartet wird, sonst Verschiebungen</translation>
+    </message>
+    <message>
+        <source>Run-out of the farthest block</source>
+        <translation>Reichweite des weitesten Blocks</translation>
+    </message>
+    <message>
+        <source>Deposit: where the mass lies</source>
+        <translation>Ablagerung: wo die Masse liegt</translation>
+    </message>
+    <message>
+        <source>Start of the first block</source>
+        <translation>Beginn des ersten Blocks</translation>
+    </message>
+    <message>
+        <source>End: rest of the last block</source>
+        <translation>Ende: Ruhe des letzten Blocks</translation>
+    </message>
+    <message>
+        <source>Stress at monitors</source>
+        <translation>Spannung an Messpunkten</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -1728,10 +1752,6 @@
     <message>
         <source>Splinters</source>
         <translation>Splitter</translation>
-    </message>
-    <message>
-        <source>what becomes of thin pieces that the cuts leave</source>
-        <translation>was aus dünnen Stücken wird, die die Schnitte lassen</translation>
     </message>
     <message>
         <source>Thinner than</source>
@@ -3173,6 +3193,18 @@
         <source>Tetrahedra at most</source>
         <translation>Tetraeder höchstens</translation>
     </message>
+    <message>
+        <source>what becomes of thin or tiny pieces that the cuts leave</source>
+        <translation>was aus dünnen oder winzigen Stücken wird, die die Schnitte lassen</translation>
+    </message>
+    <message>
+        <source>Chip volume, of the median</source>
+        <translation>Volumen von Krümeln, vom Median</translation>
+    </message>
+    <message>
+        <source>a block of less than this share of the median volume of its solid&apos;s blocks is a splinter, too, unless blocks names it: 1e-6 when absent, 0: none is</source>
+        <translation>auch ein Block, dessen Volumen kleiner ist als dieser Anteil am Median der Blöcke seines Körpers, ist ein Splitter, wenn blocks ihn nicht nennt: 1e-6, wenn es fehlt, 0: keiner</translation>
+    </message>
 </context>
 <context>
     <name>talus::AccuracyChart</name>
@@ -3362,6 +3394,10 @@
     <message>
         <source>Open… shows another one; talus-cli study accuracy PROJECT makes one, too</source>
         <translation>Öffnen… zeigt eine andere; auch talus-cli study accuracy PROJEKT macht eine</translation>
+    </message>
+    <message>
+        <source>The study</source>
+        <translation>Die Studie</translation>
     </message>
 </context>
 <context>
@@ -5375,6 +5411,10 @@ Z %3</translation>
         <source>what has ended is kept</source>
         <translation>was fertig ist, bleibt</translation>
     </message>
+    <message>
+        <source>The study has all of these runs</source>
+        <translation>Die Studie hat alle diese Läufe</translation>
+    </message>
 </context>
 <context>
     <name>talus::ProjectTree</name>
@@ -7063,6 +7103,42 @@ Nr. %3</translation>
     <message>
         <source>Runs that have ended are kept; the study can go on later</source>
         <translation>Läufe, die fertig sind, bleiben; die Untersuchung kann später weitergehen</translation>
+    </message>
+    <message>
+        <source>What errors are of</source>
+        <translation>Wovon die Fehler sind</translation>
+    </message>
+    <message>
+        <source>Each from the finest run. No run is made again for another one</source>
+        <translation>Jeder gegen den feinsten Lauf. Kein Lauf wird für einen anderen wiederholt</translation>
+    </message>
+    <message>
+        <source>Runs of each setting</source>
+        <translation>Läufe je Einstellung</translation>
+    </message>
+    <message>
+        <source>Hardly changed from run to run: errors are of the means, and their scatter is told. Where blocks hit each other one run says little</source>
+        <translation>Von Lauf zu Lauf kaum verändert: Fehler sind die der Mittel, und ihre Streuung wird gesagt. Wo Blöcke aufeinander stoßen, sagt ein Lauf wenig</translation>
+    </message>
+    <message>
+        <source>Errors of</source>
+        <translation>Fehler von</translation>
+    </message>
+    <message>
+        <source>A whole number from %1 to %2</source>
+        <translation>Eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>More runs of each setting, or errors of something else:</source>
+        <translation>Mehr Läufe je Einstellung, oder Fehler von etwas anderem:</translation>
+    </message>
+    <message>
+        <source>The study was stopped before all of its runs had ended.</source>
+        <translation>Die Studie wurde angehalten, bevor alle ihre Läufe zu Ende waren.</translation>
+    </message>
+    <message>
+        <source>Study further</source>
+        <translation>Weiter untersuchen</translation>
     </message>
 </context>
 <context>

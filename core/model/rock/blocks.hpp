@@ -28,7 +28,7 @@ struct Merge {
   bool operator==(const Merge&) const = default;
 };
 
-/// What becomes of splinters, blocks thinner than `thickness`.
+/// What becomes of splinters.
 enum class SplinterRule { refuse, drop, merge };
 
 /// The word the project file uses.
@@ -44,9 +44,12 @@ constexpr std::string_view to_string(SplinterRule rule) {
   return "refuse";
 }
 
+/// Splinters are blocks thinner than `thickness`, and chips: those whose volume is less than `chip_volume` of the
+/// median of all blocks that their solid is cut into, but for those that the project names.
 struct Splinters {
   std::optional<double> thickness{};       ///< m; 1e-4 of the mesh size when absent
   SplinterRule rule = SplinterRule::drop;  ///< merge: with the neighbour that it shares most of its surface with
+  double chip_volume = 1e-6;               ///< that of what is a hundredth as long, wide and high
   bool operator==(const Splinters&) const = default;
 };
 

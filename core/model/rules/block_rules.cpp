@@ -16,6 +16,8 @@ void check(const Merge& merge, const Place& place) {
 
 void check(const Splinters& splinters, const Place& place) {
   if (splinters.thickness) require_positive(*splinters.thickness, place / "thickness", "thickness", "m");
+  require(splinters.chip_volume >= 0 && splinters.chip_volume < 1, place / "chip_volume",
+          "the volume of a chip is a share of that of other blocks", "give a number from 0 to less than 1");
 }
 
 void check(const MeshSettings& mesh, const Place& place) {

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "base/units.hpp"
 #include "geometry/splinters_found.hpp"
 #include "rock.hpp"
 
@@ -226,6 +227,33 @@ TEST(Splinters, ThatAMergeMakesPartOfABlockAreNone) {
   EXPECT_EQ(system.blocks.size(), 1u);
   EXPECT_TRUE(system.splinters.empty());
   expect_sound(system, 1000);
+}
+
+/// A corner of 9 cm, 1.2e-4 m³, is cut off a cube of 10 m that is cut in two: some 2e-7 of the median.
+Project cube_with_a_chip() {
+  Project p = project();
+  p.solids = {box("cube", {0, 0, 0}, {10, 10, 10}, 5)};
+  p.cuts = {cut("J1", 0, 0, {0, 0, 5}), cut("J2", degrees(std::acos(1 / std::sqrt(3.0))), 45, {10, 10, 9.91})};
+  return p;
+}
+
+TEST(Splinters, AreChipsThatAreSmallBesideTheBlocksOfTheirSolid) {
+  const BlockSystem system = build(cube_with_a_chip());
+  EXPECT_EQ(system.blocks.size(), 2u);
+  ASSERT_EQ(system.splinters.size(), 1u);
+  EXPECT_EQ(system.splinters[0].fate, Splinter::Fate::dropped);
+  EXPECT_NEAR(system.splinters[0].volume, std::pow(0.09, 3) / 6, 1e-9);
+  EXPECT_NEAR(sum_of(system) + system.splinters[0].volume, system.solids_volume, 1e-9);
+}
+
+TEST(Splinters, AreNoChipsThatTheProjectNamesOrAllows) {
+  Project p = cube_with_a_chip();
+  p.blocks = {at("chip", 0)};
+  p.blocks[0].at = {9.98, 9.98, 9.98};
+  EXPECT_NEAR(block(build(p), "chip").volume, std::pow(0.09, 3) / 6, 1e-9);
+  p = cube_with_a_chip();
+  p.splinters.chip_volume = 0;
+  EXPECT_EQ(build(p).blocks.size(), 3u);
 }
 
 TEST(Splinters, WithoutANeighbourAreDropped) {

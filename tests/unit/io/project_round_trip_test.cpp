@@ -60,7 +60,7 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   EXPECT_EQ(p.cuts[5], network);
   EXPECT_EQ(p.origin, Vec3(2600000, 1200000.5, 400));
   EXPECT_EQ(p.merges, (std::vector{Merge{{1, 1, 1}, {2, 1, 1}}}));
-  EXPECT_EQ(p.splinters, (Splinters{0.01, SplinterRule::merge}));
+  EXPECT_EQ(p.splinters, (Splinters{0.01, SplinterRule::merge, 1e-5}));
   EXPECT_EQ(
       p.mesh,
       (MeshSettings{1.25,

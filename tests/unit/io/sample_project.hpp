@@ -61,7 +61,7 @@ inline const std::string full_project = R"(// A slope above a road.
     {"name": "dug out", "at": [9, 9, 9], "removed": true}
   ],
   "merges": [{"at": [1, 1, 1], "with": [2, 1, 1]}],
-  "splinters": {"thickness": 0.01, "rule": "merge"},
+  "splinters": {"thickness": 0.01, "rule": "merge", "chip_volume": 1e-05},
   "mesh": {"size": 1.25, "most_tetrahedra": 200000,
            "refinements": [{"at": [5, 5, 10], "radius": 2, "size": 0.2},
                            {"face": [[0, 0, 10], [4, 0, 10], [4, 4, 10]], "radius": 1, "size": 0.25}]},

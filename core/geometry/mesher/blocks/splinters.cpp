@@ -9,10 +9,32 @@
 namespace talus {
 namespace {
 
-bool is_splinter(const CutBlock& block, const MesherJob& job, const ImportedModel& model) {
-  const auto solid = static_cast<std::size_t>(block.solid);
-  return block.thickness() < job.splinter_thickness.value_or(least_thickness(job.solids[solid], model.solids[solid]));
-}
+/// What is too thin or too small to be a block, by its solid.
+class SplinterLimits {
+ public:
+  SplinterLimits(const std::vector<NamedBlock>& blocks, const MesherJob& job, const ImportedModel& model) {
+    std::vector<std::vector<double>> volumes(job.solids.size());
+    for (const NamedBlock& block : blocks)
+      volumes[static_cast<std::size_t>(block.shape.solid)].push_back(block.shape.volume);
+    for (std::size_t s = 0; s < job.solids.size(); ++s) {
+      thickness_.push_back(job.splinter_thickness.value_or(least_thickness(job.solids[s], model.solids[s])));
+      volume_.push_back(volumes[s].empty() ? 0 : job.chip_volume * median(volumes[s]));
+    }
+  }
+  bool are_undercut_by(const NamedBlock& block) const {
+    const auto solid = static_cast<std::size_t>(block.shape.solid);
+    const bool is_named = block.block_override >= 0;
+    return block.shape.thickness() < thickness_[solid] || (!is_named && block.shape.volume < volume_[solid]);
+  }
+
+ private:
+  static double median(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+  std::vector<double> thickness_, volume_;  // m, m³
+};
 
 MesherSplinter told(const CutBlock& block, const Vec3& origin) {
   MesherSplinter splinter;
@@ -30,10 +52,11 @@ std::string described(const Splinter& splinter) {
   return text.str();
 }
 
-void refuse_splinters(const std::vector<NamedBlock>& blocks, const MesherJob& job, const ImportedModel& model) {
+void refuse_splinters(const std::vector<NamedBlock>& blocks, const SplinterLimits& limits, const MesherJob& job,
+                      const Vec3& origin) {
   std::vector<Splinter> splinters;
   for (const NamedBlock& block : blocks)
-    if (is_splinter(block.shape, job, model)) splinters.push_back(told(block.shape, model.origin));
+    if (limits.are_undercut_by(block)) splinters.push_back(told(block.shape, origin));
   if (splinters.empty()) return;
   const int solid = splinters.front().solid;
   const bool one_solid = std::all_of(splinters.begin(), splinters.end(),
@@ -49,10 +72,10 @@ void refuse_splinters(const std::vector<NamedBlock>& blocks, const MesherJob& jo
 
 using Position = std::vector<NamedBlock>::iterator;
 
-Position thinnest_splinter(std::vector<NamedBlock>& blocks, const MesherJob& job, const ImportedModel& model) {
+Position thinnest_splinter(std::vector<NamedBlock>& blocks, const SplinterLimits& limits) {
   Position thinnest = blocks.end();
   for (Position block = blocks.begin(); block != blocks.end(); ++block) {
-    if (!is_splinter(block->shape, job, model)) continue;
+    if (!limits.are_undercut_by(*block)) continue;
     if (thinnest == blocks.end() || block->shape.thickness() < thinnest->shape.thickness()) thinnest = block;
   }
   return thinnest;
@@ -82,10 +105,11 @@ std::string coordinates(const Vec3& point) {
 
 std::vector<MesherSplinter> treat_splinters(std::vector<NamedBlock>& blocks, const MesherJob& job,
                                             const ImportedModel& model) {
-  if (job.splinter_rule == SplinterRule::refuse) refuse_splinters(blocks, job, model);
+  const SplinterLimits limits(blocks, job, model);
+  if (job.splinter_rule == SplinterRule::refuse) refuse_splinters(blocks, limits, job, model.origin);
   std::vector<MesherSplinter> splinters;
   for (;;) {
-    const Position thinnest = thinnest_splinter(blocks, job, model);
+    const Position thinnest = thinnest_splinter(blocks, limits);
     if (thinnest == blocks.end()) return splinters;
     MesherSplinter splinter = told(thinnest->shape, model.origin);
     const Position neighbour =

@@ -149,6 +149,8 @@ const std::vector<BadProject> bad_values{
      "is used here but not defined", "joints"},
     {"splinters of no thickness", [](Project& p) { p.splinters.thickness = 0; }, "/splinters/thickness",
      "greater than 0", " m"},
+    {"chips as large as blocks", [](Project& p) { p.splinters.chip_volume = 1; }, "/splinters/chip_volume",
+     "share of that of other blocks", "less than 1"},
     {"refined to nothing",
      [](Project& p) {
        p.mesh.refinements = {{{0, 0, 0}, 1, 0}};

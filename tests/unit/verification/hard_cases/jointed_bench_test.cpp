@@ -54,7 +54,10 @@ TEST(JointedBench, HasMoreBlocksThanTheSquareOfItsPlanesAndFewerThanTheCube) {
 TEST(JointedBench, BlocksHaveItsVolume) {
   for (const BodyKind body : {BodyKind::rigid, BodyKind::tetrahedra}) {
     double sum = 0;
-    for (const Block& block : blocks_of({.seed = 9, .body = body}).blocks) {
+    const BlockSystem system = blocks_of({.seed = 9, .body = body});
+    for (const Splinter& splinter : system.splinters) sum += splinter.volume;
+    EXPECT_LT(sum, 1e-8 * bench_volume);
+    for (const Block& block : system.blocks) {
       EXPECT_EQ(block.body, block.name == "bedrock" ? BodyKind::fixed : body);
       if (block.body != BodyKind::fixed) sum += block.volume;
     }
