@@ -54,6 +54,14 @@ int perform(const Invocation& invocation) {
   }
 }
 
+/// What was printed must have arrived: a script would take half of it for all.
+int with_output(int code) {
+  std::cout.flush();
+  if (std::cout) return code;
+  complain("standard output cannot be written; is the disk full?");
+  return code == done ? bad_input : code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -71,5 +79,5 @@ int main(int argc, char** argv) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
     return usage_error(program, error, argc > 1 ? argv[1] : "");
   }
-  return perform(invocation);
+  return with_output(perform(invocation));
 }

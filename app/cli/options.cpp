@@ -74,6 +74,7 @@ int frame_index(const ResultReader& results, const FrameChoice& choice) {
   const int count = static_cast<int>(times.size());
   if (count == 0) throw InputError("frames", "the results hold no frame yet", "wait for the run to write one");
   if (choice.time) {
+    if (!std::isfinite(*choice.time)) throw InputError("--time", "this is no time", "give seconds of the model");
     const auto nearest = std::min_element(times.begin(), times.end(), [&](double a, double b) {
       return std::abs(a - *choice.time) < std::abs(b - *choice.time);
     });

@@ -62,9 +62,11 @@ class ReplacementFile {
 
 std::string read_whole_file(const std::filesystem::path& file) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
+  const auto status = std::filesystem::status(file, error);
+  if (std::filesystem::is_directory(status))
     throw InputError("cannot be read", "it is a folder", "name the .talus file in it");
-  }
+  if (std::filesystem::is_other(status))  // it may never end, or never begin
+    throw InputError("cannot be read", "it is a pipe or a device", "write it into a file");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::string bytes;

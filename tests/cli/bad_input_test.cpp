@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+#include <sys/wait.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "process.hpp"
@@ -53,6 +57,23 @@ class BadInput : public testing::Test {
   Folder folder_;
   Json project_ = good_project();
 };
+
+TEST_F(BadInput, APipeOrADeviceIsNoProject) {
+  const std::string pipe = (folder_ / "pipe.talus").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& file : {pipe, std::string("/dev/zero")}) {
+    const Ending ending = talus_cli({"info", file});
+    EXPECT_EQ(ending.exit_code, 2);
+    EXPECT_EQ(ending.err, "talus-cli: " + file + ": cannot be read: it is a pipe or a device; write it into a file\n");
+  }
+}
+
+TEST_F(BadInput, StandardOutputThatIsFullIsTold) {
+  const auto err = folder_ / "err";
+  const std::string command = TALUS_CLI " verify --list > /dev/full 2> " + err.string();
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
+  EXPECT_EQ(text_of(err), "talus-cli: standard output cannot be written; is the disk full?\n");
+}
 
 TEST_F(BadInput, TheProjectItselfIsGood) {
   write_text(folder_ / "good.talus", project_.dump());

@@ -276,6 +276,13 @@ TEST_F(Commands, RenderShowsWhatItIsAskedFor) {
     EXPECT_NE(last, draw(other)) << other[0];
 }
 
+TEST_F(Commands, PicturesArePng) {
+  const Ending ending = talus_cli({"render", results(), "--out", place("p.xyz"), "--size", "32x24"});
+  EXPECT_EQ(ending.exit_code, 2);
+  EXPECT_THAT(ending.err, HasSubstr("p.xyz: pictures are written as PNG; let the name end in .png"));
+  EXPECT_FALSE(std::filesystem::exists(place("p.xyz")));
+}
+
 TEST_F(Commands, RenderRefusesWhatIsNotThere) {
   const auto refused = [&](std::vector<std::string> more, const std::string& what) {
     std::vector<std::string> words{"render", results(), "--out", place("none.png")};
@@ -287,6 +294,7 @@ TEST_F(Commands, RenderRefusesWhatIsNotThere) {
     EXPECT_FALSE(std::filesystem::exists(place("none.png")));
   };
   refused({"--frame", "21"}, "frames 0 to 20");
+  refused({"--time", "nan"}, "this is no time");
   refused({"--field", "temperature"}, "temperature");
   refused({"--view", "below"}, "below");
   refused({"--size", "4x4"}, "4");

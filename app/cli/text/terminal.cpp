@@ -52,6 +52,7 @@ std::string shortened(const std::string& text, int width) {
 void catch_interrupts() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup asks for
 }
 
 bool interrupted() { return interrupt_count != 0; }

@@ -10,6 +10,8 @@
 namespace talus {
 
 void write_png(const Image& image, const std::filesystem::path& path) {
+  if (path.extension() != ".png" && path.extension() != ".PNG")
+    throw InputError(path.string(), "pictures are written as PNG", "let the name end in .png");
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(image.width);
