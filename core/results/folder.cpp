@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 9> our_files = {"results.h5",    "results.xdmf",  "history.csv",
-                                                       "steps.csv",     "checkpoint.h5", "log.txt",
-                                                       "project.talus", "summary.json",  "summary.json.new"};
+constexpr std::array<std::string_view, 12> our_files = {
+    "results.h5", "results.xdmf",  "frames.h5",    "history.csv",      "steps.csv",        "checkpoint.h5",
+    "log.txt",    "project.talus", "summary.json", "summary.json.new", "results.xdmf.new", "frames.h5.new"};
 
 bool is_ours(const fs::path& entry) { return std::ranges::count(our_files, entry.filename().string()) > 0; }
 

@@ -103,6 +103,7 @@ void ResultWriter::log(const std::string& line) {
 }
 
 void ResultWriter::finish(const RunReport& report) {
+  state_->index.finish();
   replace_file(state_->folder / "summary.json", summary_json(report));
 }
 

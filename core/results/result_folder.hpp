@@ -14,7 +14,7 @@
 namespace talus {
 
 /// Writes a results folder as the run goes: results.h5, results.xdmf, history.csv, steps.csv, log.txt, project.talus
-/// and at the end summary.json. After every call what was written so far is readable, also after a kill.
+/// and at the end frames.h5 and summary.json. After every call what was written so far is readable, also after a kill.
 class ResultWriter {
  public:
   /// Makes the folder, or takes earlier results out of it; refuses (InputError) one that holds files but no results.

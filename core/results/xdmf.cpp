@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "model/number_text.hpp"
+#include "results/folder.hpp"
+#include "results/hdf5.hpp"
 #include "results/xml_text.hpp"
 
 namespace talus {
@@ -49,40 +51,116 @@ std::string rows_of_frame(std::uint64_t frame, std::uint64_t rows, std::uint64_t
          " Format=\"HDF\">results.h5:" + dataset + "</DataItem></DataItem>";
 }
 
+/// A whole dataset.
+std::string whole_table(std::uint64_t rows, std::uint64_t width, const char* type, const std::string& place) {
+  return "<DataItem Dimensions=\"" + std::to_string(rows) + ' ' + std::to_string(width) + "\" " + type +
+         " Format=\"HDF\">" + place + "</DataItem>";
+}
+
 /// Stress is a "Matrix" of six columns: XDMF's Tensor6 would have them in the order xx xy xz yy yz zz.
 std::string attribute(const char* name, const char* kind, const char* centre, const std::string& data) {
   return std::string("    <Attribute Name=\"") + name + "\" AttributeType=\"" + kind + "\" Center=\"" + centre + "\">" +
          data + "</Attribute>\n";
 }
 
+/// A table of results.h5 with so many rows a frame.
+struct FrameTable {
+  const char* name;
+  const char* dataset;
+  hid_t type;
+  hsize_t rows, width;
+};
+
+void add_view(hid_t group, const FrameTable& of, hsize_t frame, hsize_t frames) {
+  const hsize_t whole[] = {frames * of.rows, of.width}, part[] = {of.rows, of.width}, start[] = {frame * of.rows, 0};
+  const std::string what = std::string("cannot describe ") + of.name;
+  const hdf5::Handle source(hdf5::check(H5Screate_simple(2, whole, nullptr), what));
+  hdf5::check(H5Sselect_hyperslab(source, H5S_SELECT_SET, start, nullptr, part, nullptr), what);
+  const hdf5::Handle space(hdf5::check(H5Screate_simple(2, part, nullptr), what));
+  const hdf5::Handle layout(hdf5::check(H5Pcreate(H5P_DATASET_CREATE), what));
+  hdf5::check(H5Pset_virtual(layout, space, "results.h5", of.dataset, source), what);
+  const hdf5::Handle view(
+      hdf5::check(H5Dcreate2(group, of.name, of.type, space, H5P_DEFAULT, layout, H5P_DEFAULT), what));
+}
+
+/// Virtual datasets (HDF5 1.10), some hundred bytes each, that read their numbers from results.h5: /0/points,
+/// /0/displacement, /0/velocity, /0/stress, /1/…
+void write_views(const std::filesystem::path& file, hsize_t frames, hsize_t nodes, hsize_t tetrahedra) {
+  const FrameTable tables[] = {
+      {"points", "/VTKHDF/Points", H5T_NATIVE_DOUBLE, nodes, 3},
+      {"displacement", "/VTKHDF/PointData/displacement", H5T_NATIVE_DOUBLE, nodes, 3},
+      {"velocity", "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE, nodes, 3},
+      {"stress", "/VTKHDF/CellData/stress", H5T_NATIVE_FLOAT, tetrahedra, 6},
+  };
+  const hdf5::Handle access(hdf5::check(H5Pcreate(H5P_FILE_ACCESS), "cannot describe a file"));
+  hdf5::check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_LATEST), "cannot describe a file");
+  const hdf5::Handle views(
+      hdf5::check(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "cannot be written"));
+  for (hsize_t frame = 0; frame < frames; ++frame) {
+    const hdf5::Handle group = hdf5::create_group(views, "/" + std::to_string(frame));
+    for (const FrameTable& table : tables) add_view(group, table, frame, frames);
+  }
+  hdf5::check(H5Fflush(views, H5F_SCOPE_GLOBAL), "cannot be written; is the disk full?");
+}
+
 }  // namespace
 
 XdmfIndex::XdmfIndex(std::filesystem::path file, const std::string& name, std::uint64_t nodes, std::uint64_t tetrahedra)
     : path_(std::move(file)),
+      name_(name),
       descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
       nodes_(nodes),
       tetrahedra_(tetrahedra) {
-  insert("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n  <Grid Name=\"" +
-         xml_text(name) + "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
+  insert(beginning());
 }
 
 XdmfIndex::~XdmfIndex() { ::close(descriptor_); }
 
 void XdmfIndex::add_frame(double time) {
-  insert(grid(time));
-  ++frames_;
+  times_.push_back(time);
+  insert(grid(times_.size() - 1, Frames::rows_of_tables));
 }
 
-std::string XdmfIndex::grid(double time) const {
-  const auto of_nodes = [&](const char* dataset) { return rows_of_frame(frames_, nodes_, 3, float64, dataset); };
-  return "   <Grid Name=\"frame " + std::to_string(frames_) + "\" GridType=\"Uniform\">\n    <Time Value=\"" +
-         number_text(time) + "\"/>\n    <Topology TopologyType=\"Tetrahedron\" NumberOfElements=\"" +
-         std::to_string(tetrahedra_) + "\">" + wrapped_column(4 * tetrahedra_, integer64, "/VTKHDF/Connectivity") +
-         "</Topology>\n    <Geometry GeometryType=\"XYZ\">" + of_nodes("/VTKHDF/Points") + "</Geometry>\n" +
-         attribute("displacement", "Vector", "Node", of_nodes("/VTKHDF/PointData/displacement")) +
-         attribute("velocity", "Vector", "Node", of_nodes("/VTKHDF/PointData/velocity")) +
-         attribute("stress", "Matrix", "Cell",
-                   rows_of_frame(frames_, tetrahedra_, 6, float32, "/VTKHDF/CellData/stress")) +
+void XdmfIndex::finish() {
+  write_whole_frames();
+  std::string text = beginning();
+  for (std::size_t frame = 0; frame < times_.size(); ++frame) text += grid(frame, Frames::whole);
+  replace_file(path_, text + closing_tags);
+}
+
+void XdmfIndex::write_whole_frames() const {
+  const std::filesystem::path file = path_.parent_path() / "frames.h5", fresh = file.string() + ".new";
+  try {
+    const std::lock_guard lock(hdf5::library_mutex());
+    write_views(fresh, times_.size(), nodes_, tetrahedra_);
+  } catch (const hdf5::Error& error) {
+    throw std::runtime_error(fresh.string() + ": " + error.what());
+  }
+  std::filesystem::rename(fresh, file);
+}
+
+std::string XdmfIndex::beginning() const {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n  <Grid Name=\"" +
+         xml_text(name_) + "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+}
+
+std::string XdmfIndex::grid(std::size_t frame, Frames as) const {
+  const bool whole = as == Frames::whole;
+  const auto table = [&](const char* view, std::uint64_t rows, std::uint64_t width, const char* type,
+                         const char* dataset) {
+    return whole ? whole_table(rows, width, type, "frames.h5:/" + std::to_string(frame) + "/" + view)
+                 : rows_of_frame(frame, rows, width, type, dataset);
+  };
+  const std::string corners = whole ? whole_table(tetrahedra_, 4, integer64, "results.h5:/VTKHDF/Connectivity")
+                                    : wrapped_column(4 * tetrahedra_, integer64, "/VTKHDF/Connectivity");
+  return "   <Grid Name=\"frame " + std::to_string(frame) + "\" GridType=\"Uniform\">\n    <Time Value=\"" +
+         number_text(times_[frame]) + "\"/>\n    <Topology TopologyType=\"Tetrahedron\" NumberOfElements=\"" +
+         std::to_string(tetrahedra_) + "\">" + corners + "</Topology>\n    <Geometry GeometryType=\"XYZ\">" +
+         table("points", nodes_, 3, float64, "/VTKHDF/Points") + "</Geometry>\n" +
+         attribute("displacement", "Vector", "Node",
+                   table("displacement", nodes_, 3, float64, "/VTKHDF/PointData/displacement")) +
+         attribute("velocity", "Vector", "Node", table("velocity", nodes_, 3, float64, "/VTKHDF/PointData/velocity")) +
+         attribute("stress", "Matrix", "Cell", table("stress", tetrahedra_, 6, float32, "/VTKHDF/CellData/stress")) +
          attribute("block", "Scalar", "Cell", column(tetrahedra_, integer32, "/VTKHDF/CellData/block")) +
          attribute("material", "Scalar", "Cell", column(tetrahedra_, integer32, "/VTKHDF/CellData/material")) +
          "   </Grid>\n";

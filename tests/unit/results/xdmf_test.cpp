@@ -1,0 +1,80 @@
+#include "results/xdmf.hpp"
+
+#include <gmock/gmock.h>
+
+#include "example_results.hpp"
+#include "results/hdf5.hpp"
+#include "results/result_folder.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<double> flat(const std::vector<Vec3>& vectors) {
+  std::vector<double> numbers;
+  for (const Vec3& vector : vectors) numbers.insert(numbers.end(), vector.data(), vector.data() + 3);
+  return numbers;
+}
+
+/// In single precision, as it is stored.
+std::vector<float> flat(const std::vector<Voigt>& stresses) {
+  std::vector<float> numbers;
+  for (const Voigt& stress : stresses)
+    for (const double number : stress) numbers.push_back(static_cast<float>(number));
+  return numbers;
+}
+
+std::vector<float> stress_in(hid_t file, const std::string& path) {
+  const hdf5::Handle dataset = hdf5::open_dataset(file, path);
+  const hsize_t rows = hdf5::row_count(dataset, path);
+  std::vector<float> numbers(6 * rows);
+  hdf5::read_rows(dataset, path, H5T_NATIVE_FLOAT, numbers.data(), 0, rows);
+  return numbers;
+}
+
+/// Frames 0, 1 and 2 of a run that is over.
+void write_results(const fs::path& folder, const BlockSystem& system) {
+  ResultWriter writer(folder, example_project(), system, "{}");
+  for (int i = 0; i < 3; ++i) writer.add_frame(example_frame(system, i));
+  writer.finish({});
+}
+
+TEST(XdmfIndex, HasTheRowsOfEachFrameInADatasetOfTheirOwn) {
+  const TemporaryFolder folder;
+  const BlockSystem system = example_system();
+  write_results(folder.path / "results", system);
+  // Where it stands does not matter, as long as results.h5 is beside it.
+  fs::rename(folder.path / "results", folder.path / "moved");
+  const hdf5::Handle views(H5Fopen((folder.path / "moved" / "frames.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  for (int i = 0; i < 3; ++i) {
+    const Frame frame = example_frame(system, i);
+    const std::string group = "/" + std::to_string(i);
+    EXPECT_EQ(hdf5::read_all<double>(views, group + "/displacement"), flat(frame.displacement));
+    EXPECT_EQ(hdf5::read_all<double>(views, group + "/velocity"), flat(frame.velocity));
+    EXPECT_EQ(stress_in(views, group + "/stress"), flat(frame.stress));
+    EXPECT_EQ(hdf5::read_all<double>(views, group + "/points").size(), 3 * frame.displacement.size());
+  }
+}
+
+TEST(XdmfIndex, OfARunThatIsOverHasWholeDatasets) {
+  const TemporaryFolder folder;
+  const BlockSystem system = example_system();
+  write_results(folder.path, system);
+  const std::string index = text_of(folder.path / "results.xdmf");
+  EXPECT_THAT(index, testing::HasSubstr("frames.h5:/2/stress</DataItem>"));
+  EXPECT_THAT(index, testing::Not(testing::HasSubstr("HyperSlab"))) << "ParaView's Xdmf3 readers show nothing of it";
+  EXPECT_THAT(index, testing::EndsWith("</Xdmf>\n"));
+}
+
+TEST(XdmfIndex, GoesWithTheResultsOfAnEarlierRun) {
+  const TemporaryFolder folder;
+  const BlockSystem system = example_system();
+  write_results(folder.path, system);
+  const ResultWriter next(folder.path, example_project(), system, "{}");
+  EXPECT_FALSE(fs::exists(folder.path / "frames.h5"));
+  EXPECT_THAT(text_of(folder.path / "results.xdmf"), testing::Not(testing::HasSubstr("frames.h5")));
+}
+
+}  // namespace
+}  // namespace talus
