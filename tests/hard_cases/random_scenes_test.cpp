@@ -45,7 +45,8 @@ TEST(RandomScenesThatOnceDidNot, Hold) {
                  {"collisions", 2024, 28},
                  {"arches", 27182, 39},
                  {"terrain", 3141, 51},
-                 {"voronoi", 161803, 9}},
+                 {"voronoi", 161803, 9},
+                 {"voronoi", 80221, 18}},
                 {}, progress,
                 [](const HardCase&, const Trial& trial) { EXPECT_THAT(faults(trial), IsEmpty()) << trial.name; });
 }

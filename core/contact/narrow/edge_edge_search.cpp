@@ -30,7 +30,8 @@ bool lies_between_faces(const StepGeometry& step, const ContactEdge& a, const Co
   return false;
 }
 
-/// Of what a point seems to be deep it is to be inside by so much at least: faces in contact overlap a little, too.
+/// Of what a point seems to be deep it is to be inside by so much at least, along the normal and against it: faces in
+/// contact overlap a little, too, whichever way they look.
 constexpr double least_depth_inside = 0.1;
 
 /// Whether the edge e, which crosses a convex edge of another body at the fraction `at` of its length and `depth` [m]
@@ -41,8 +42,11 @@ bool cuts_through(const StepGeometry& step, const ContactEdge& e, const ContactE
                   double depth, const Vec3& outwards) {
   const Vec3 &from = step.x[e.nodes[0]], along = step.x[e.nodes[1]] - from;
   const int body = step.features.facets[convex_edge.facets[0]].body;
-  const Vec3 nearer = from + least_depth_inside * depth * outwards;
-  const auto is_inside = [&](double fraction) { return lies_inside(step, body, nearer + fraction * along); };
+  const Vec3 margin = least_depth_inside * depth * outwards;
+  const auto is_inside = [&](double fraction) {
+    const Vec3 point = from + fraction * along;
+    return lies_inside(step, body, point + margin) && lies_inside(step, body, point - margin);
+  };
   const double aside = depth / along.norm();
   if (is_inside(at - aside) || is_inside(at + aside)) return true;
   double begin = 0, end = 1;
