@@ -5,9 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/error.hpp"
 #include "command.hpp"
+#include "io/project_change.hpp"
+#include "model/number_text.hpp"
 #include "options.hpp"
 #include "project_choice.hpp"
+#include "results/checkpoint.hpp"
 #include "results/summary.hpp"
 #include "run/run.hpp"
 #include "text/effect_text.hpp"
@@ -22,6 +26,8 @@ struct SolveOptions {
   ProjectChoice project;
   std::filesystem::path out;
   int threads = 1;
+  bool resume = false;
+  double checkpoint_every = RunOptions{}.checkpoint_every;  ///< s
 };
 
 double duration(const Project& project) {
@@ -65,14 +71,31 @@ std::filesystem::path results_folder(const SolveOptions& options) {
   return options.out.empty() ? std::filesystem::path(options.project.file).replace_extension(".results") : options.out;
 }
 
+/// Whether the run that the results folder holds can go on as the project, which is `text` now. Throws InputError where
+/// it cannot.
+void check_resumable(const SolveOptions& options, const std::string& text) {
+  const auto last = read_checkpoint_label(results_folder(options) / "checkpoint.h5");
+  if (!last) {
+    std::cerr << "No checkpoint in " << results_folder(options).string() << ": the run begins at the start\n";
+    return;
+  }
+  if (const auto change = change_since_run(last->project_text, text))
+    throw InputError(options.project.file.string() + ": " + *change, "is not what it was when the run began",
+                     "take the change back, or run without --resume; only stages may last longer or follow");
+  std::cerr << "Goes on at t = " << number_text(last->time) << " s\n";
+}
+
 /// The project is read and meshed before the results folder is touched: a faulty one leaves nothing behind.
 RunReport solve(const SolveOptions& options) {
   const Project project = read(options.project);
+  const std::string text = text_of(options.project.file);
+  if (options.resume) check_resumable(options, text);
   const BlockSystem system = build(project, options.project);
   std::cerr << switched_effects_text(project);
   Watch watch(project);
   return about(options.project.file, [&] {
-    return run(project, system, {results_folder(options), text_of(options.project.file), options.threads}, watch);
+    return run(project, system,
+               {results_folder(options), text, options.threads, options.resume, options.checkpoint_every}, watch);
   });
 }
 
@@ -101,6 +124,14 @@ void add_solve(CLI::App& program, Invocation& invocation) {
   add_project(*command, options->project);
   command->add_option("--out", options->out, "Results folder (default: NAME.results beside the project NAME.talus)")
       ->type_name("DIR");
+  command->add_flag("--resume", options->resume,
+                    "Go on from the last checkpoint in the results folder, to the same numbers as an undisturbed run; "
+                    "from the start where there is none");
+  command
+      ->add_option("--checkpoint-every", options->checkpoint_every,
+                   "Seconds of computing between checkpoints; each stage has one before its end (60)")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
   add_threads(*command, options->threads);
   command->callback([&invocation, options] {
     invocation.run = [&invocation, options] { return solve_and_tell(*options, invocation.json); };

@@ -10,6 +10,8 @@ struct BlockMotion {
   Vec3 displacement = Vec3::Zero();  ///< m, of the centroid
   Vec3 velocity = Vec3::Zero();      ///< m/s, of the centroid
   double rotation = 0;               ///< rad, of the nearest rotation to the mean deformation gradient
+
+  void archive(auto& state) { state(relative_volume_change, displacement, velocity, rotation); }
 };
 
 BlockMotion block_motion(const BodySet& set, int body);

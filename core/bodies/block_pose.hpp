@@ -9,6 +9,8 @@ namespace talus {
 struct BlockPose {
   Vec3 centroid = Vec3::Zero();      ///< m
   Mat3 rotation = Mat3::Identity();  ///< since the start of the run
+
+  void archive(auto& state) { state(centroid, rotation); }
 };
 
 /// Fits poses to the nodes of all blocks, whatever they may do: the rotation is that of least squares (Kabsch 1976).

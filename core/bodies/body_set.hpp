@@ -56,6 +56,9 @@ struct Body {
   double largest_displacement = 0;     ///< m, of a node, when the body moved last
   bool constant_acceleration = false;  ///< it begins this step with the acceleration that it ends with
 
+  /// What changes from step to step, beside who is held.
+  void archive(auto& state) { state(largest_displacement, constant_acceleration); }
+
   double mass() const { return density * reference_volume; }  ///< kg
   bool built_fixed() const { return kind == BodyKind::fixed; }
   bool single_body() const { return kind == BodyKind::rigid || kind == BodyKind::affine; }
@@ -117,6 +120,12 @@ struct BodySet {
   /// No node moves faster than this [m/s]. Bodies that are `left_out`, a flag each, do not count.
   double top_speed(std::span<const char> left_out = {}) const;
 
+  /// What changes from step to step, of bodies of which the same are held.
+  void archive(auto& state) {
+    state(nodes.position, nodes.velocity, nodes.acceleration, nodes.prescribed, nodes.any_prescribed);
+    state(bodies, shapes, stress, rigid, held_);
+  }
+
   /// Stress of the tetrahedra of a body that is held, in their order [Pa]; none where it was built fixed.
   std::vector<Voigt> stress_of_held(int body) const;
   /// The elements of a body that was built to deform, also while it is held.
@@ -127,6 +136,8 @@ struct BodySet {
     Element element;
     ElementShape shape;
     Voigt stress;
+
+    void archive(auto& state) { state(shape, stress); }
   };
   std::span<const HeldElement> held_of(int body) const;
   void add_tetrahedra(const Block& block, int index);

@@ -20,6 +20,9 @@ struct RigidBody {
 
   bool touches = false;  ///< may touch another one that moves, in this step
 
+  /// What changes from step to step.
+  void archive(auto& state) { state(rotation, angular_momentum, moment, touches); }
+
   /// θ of an increment, whose unknowns are radius·θ.
   Vec3 theta(const Eigen::VectorXd& d) const { return d.segment<3>(3 * rotation_dof_block) / radius; }
   Mat3 inertia_now() const { return rotation * inertia * rotation.transpose(); }

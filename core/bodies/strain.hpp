@@ -13,6 +13,8 @@ using Corners = std::array<Vec3, 4>;
 struct ElementShape {
   std::array<Vec3, 4> gradient;
   double volume = 0;
+
+  void archive(auto& state) { state(gradient, volume); }
 };
 
 /// Shape of the tetrahedron with these corners [m]. The volume of an inverted element is negative.

@@ -29,6 +29,8 @@ struct TimeIntegration {
   /// Fraction of the increment at which smooth forces are taken.
   double smooth_fraction() const { return 1 - alpha_f; }
   bool operator==(const TimeIntegration&) const = default;
+
+  void archive(auto& state) { state(beta, gamma, alpha_m, alpha_f); }
 };
 
 }  // namespace talus

@@ -54,6 +54,12 @@ struct ContactPoint {
   int stencil_begin = 0, stencil_end = 0;  ///< range in ContactSet's nodes and weights
   // Of the current iterate; begins as what it was at the end of the last step.
   ContactMode mode = ContactMode::open;
+
+  void archive(auto& state) {
+    state(key, bodies, smooth_faces, joint, position, normal, gap, initial_interference, size, area);
+    state(normal_stiffness, shear_stiffness, penalty_scaling, restitution, friction, cohesion, tension, bonded);
+    state(is_new, stiffened, let_go, shear_start, slip_start, multiplier, stencil_begin, stencil_end, mode);
+  }
 };
 
 inline std::pair<int, int> bodies_of(const ContactPoint& point) { return {point.bodies[0], point.bodies[1]}; }
@@ -71,6 +77,11 @@ struct ContactSet {
   void clear();
   /// Fills the lists from the points. For what detect() gives this has been done.
   void sort_out();
+
+  void archive(auto& state) {
+    state(points, nodes, weights);
+    if (state.reads()) sort_out();
+  }
 };
 
 /// What is remembered of a contact of two bodies at rest, as it was in the last step that they took part in.

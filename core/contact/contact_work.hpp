@@ -11,6 +11,10 @@ struct ContactWork {
   long points = 0;                ///< contact points handed out
   long unfinished_planes = 0;     ///< common planes that were still improving when their iterations were used up
   long edges_left_out = 0;        ///< sharp edges beside an overlap that found no place in its list
+
+  void archive(auto& state) {
+    state(body_pairs, searches, facet_pairs_searched, facet_pairs, points, unfinished_planes, edges_left_out);
+  }
 };
 
 }  // namespace talus

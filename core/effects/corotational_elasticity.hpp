@@ -30,6 +30,7 @@ class CorotationalElasticity final : public Effect {
   void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
   void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
+  void archive(StateArchive& state) override { state(kept_); }
   double stored_energy() const override;
   void add_stress(std::vector<Voigt>& stress) const override;
 
@@ -44,6 +45,8 @@ class CorotationalElasticity final : public Effect {
   struct Kept {
     Mat3 gradient = Mat3::Zero();
     ElementSums::Stiffness stiffness;
+
+    void archive(auto& state) { state(gradient, stiffness); }
   };
 
   const BodySet& set_;

@@ -2,6 +2,7 @@
 
 #include <utility>
 #include <vector>
+#include "base/state_archive.hpp"
 
 #include "bodies/body_set.hpp"
 #include "bodies/step_context.hpp"
@@ -43,6 +44,9 @@ class Effect {
   virtual double longest_step_fraction(const Increment&, const Increment& /*change*/) const { return 1; }
   /// The step is taken; the bodies' positions have not moved yet.
   virtual void accept(const Increment&) {}
+
+  /// What it remembers from step to step, beside the bodies and their contacts.
+  virtual void archive(StateArchive&) {}
 
   // For the ledger.
   virtual double stored_energy() const { return 0; }                 ///< J, of the present state

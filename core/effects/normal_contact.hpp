@@ -39,6 +39,7 @@ class NormalContact final : public Effect {
   /// own, 0 to 1, of `change`.
   void join_touching(const Increment& d, const Eigen::VectorXd& change, DisjointSets& together) const;
   void accept(const Increment& d) override;
+  void archive(StateArchive& state) override { state(stored_); }
   double stored_energy() const override { return stored_; }
   double work_on_held(const Increment& d) const override;
 

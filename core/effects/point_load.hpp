@@ -26,6 +26,7 @@ class PointLoads final : public Effect {
   void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override { potential_ += energy(d); }
+  void archive(StateArchive& state) override { state(potential_); }
   double stored_energy() const override { return potential_; }  ///< minus the work done since the start
 
  private:

@@ -43,6 +43,7 @@ class ShearContact final : public Effect {
   ContactMode mode(int point, const Increment& d) const;
   void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
+  void archive(StateArchive& state) override { state(strength_, slides_on_, stored_); }
   double stored_energy() const override { return stored_; }
   double dissipated(const Increment& d) const override;
   double work_on_held(const Increment& d) const override;

@@ -48,6 +48,11 @@ class BlockPattern {
     return column_begin_ == other.column_begin_ && rows_ == other.rows_;
   }
 
+  void archive(auto& state) {
+    state(column_begin_, rows_);
+    if (state.reads()) id_ = new_id();
+  }
+
  private:
   static std::uint64_t new_id();
   std::uint64_t id_ = 0;

@@ -14,6 +14,7 @@ struct Cholesky::State {
   cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;
   std::vector<int> column_begin, rows;  ///< scalar lower triangle, column by column
   std::vector<double> values;
+  bool has_values = false;  ///< those of a matrix that was factored
 
   State() {
     cholmod_start(&common);
@@ -58,6 +59,13 @@ struct Cholesky::State {
         column_begin.push_back(static_cast<int>(rows.size()));
       }
     values.resize(rows.size());
+    has_values = false;
+  }
+
+  void factorize() {
+    cholmod_sparse matrix = sparse();
+    cholmod_factorize(&matrix, factor, &common);
+    has_values = true;
   }
 
   void set_values(const SymmetricBlocks& matrix) {
@@ -85,11 +93,15 @@ double Cholesky::entries() const { return state_->common.lnz; }
 
 void Cholesky::factor(const SymmetricBlocks& matrix) {
   state_->set_values(matrix);
-  cholmod_sparse sparse = state_->sparse();
-  cholmod_factorize(&sparse, state_->factor, &state_->common);
+  state_->factorize();
   const cholmod_factor& result = *state_->factor;
   if (state_->common.status == CHOLMOD_OK && result.minor == result.n) return;
   throw NotPositiveDefinite(static_cast<const int*>(result.Perm)[std::min(result.minor, result.n - 1)] / 3);
+}
+
+void Cholesky::archive(StateArchive& state) {
+  state(state_->has_values, state_->values);
+  if (state.reads() && state_->has_values) state_->factorize();
 }
 
 void Cholesky::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "base/state_archive.hpp"
 #include "linear/not_positive_definite.hpp"
 #include "linear/symmetric_blocks.hpp"
 
@@ -23,6 +24,9 @@ class Cholesky {
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
   double flops() const;    ///< of a factorisation of the analysed pattern
   double entries() const;  ///< of its factor
+
+  /// The factor, with the pattern that was analysed: by the matrix that it is made of.
+  void archive(StateArchive& state);
 
  private:
   struct State;

@@ -66,6 +66,15 @@ void IndependentSystem::solve(const SymmetricBlocks& whole, const LinearSettings
   for (int i = 0; i < size(); ++i) x.segment<3>(3 * nodes_[i]) = solution_.segment<3>(3 * i);
 }
 
+/// Factors are made again, of the same matrix. That of a dense system with an unsymmetric part is not used again.
+void IndependentSystem::archive(StateArchive& state) {
+  state(matrix_, current_, solved_before_, outdated_, symmetric_);
+  if (sparse_)
+    state(sparse_->factor, sparse_->iterations);
+  else if (state.reads() && current_ && symmetric_)
+    dense_.factor(matrix_, {}, own_);
+}
+
 void IndependentSystem::solve_densely(LinearWork& work) {
   const Stopwatch watch(work.solve_seconds);
   if (!current_ || !symmetric_ || !unsymmetric_.empty()) {

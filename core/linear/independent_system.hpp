@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/state_archive.hpp"
 #include "linear/coupled_parts.hpp"
 #include "linear/dense_solver.hpp"
 #include "linear/linear_work.hpp"
@@ -39,6 +40,9 @@ class IndependentSystem {
   /// larger than `negligible`. Throws NotPositiveDefinite with the global node.
   void solve(const SymmetricBlocks& whole, const LinearSettings& settings, double negligible, LinearWork& work,
              Eigen::VectorXd& x);
+
+  /// What it remembers from one solution to the next, with the nodes and the pattern that it has.
+  void archive(StateArchive& state);
 
  private:
   struct Sparse {

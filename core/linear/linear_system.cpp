@@ -5,6 +5,7 @@
 namespace talus {
 
 void LinearSystem::set_pattern(const BlockPattern& pattern) {
+  pattern_ = pattern;
   std::vector<IndependentSystem> before = std::move(systems_);
   systems_.clear();
   system_of_.resize(pattern.nodes());

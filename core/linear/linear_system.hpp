@@ -27,8 +27,20 @@ class LinearSystem {
              std::span<const double> negligible, Eigen::VectorXd& x);
   const LinearWork& work() const { return work_; }
 
+  const BlockPattern& pattern() const { return pattern_; }
+
+  /// What it remembers from one solution to the next.
+  void archive(auto& state) {
+    BlockPattern pattern = pattern_;
+    state(pattern);
+    if (state.reads()) set_pattern(pattern);
+    for (IndependentSystem& system : systems_) system.archive(state);
+    state(work_);
+  }
+
  private:
   LinearSettings settings_;
+  BlockPattern pattern_;
   std::vector<int> system_of_, number_in_system_;  ///< of each node
   std::vector<IndependentSystem> systems_;         ///< by their first nodes
   std::vector<double> sizes_;                      ///< norm of each system's right-hand side

@@ -10,6 +10,11 @@ struct LinearWork {
   long gmres_limits = 0;  ///< solves in which GMRES used all its iterations, with a factor of the present matrix
   int systems = 0, largest_system = 0;  ///< independent ones of the present pattern, and the nodes of the largest
   double factor_seconds = 0, solve_seconds = 0;  ///< wall time; dense ones count as solve
+
+  void archive(auto& state) {
+    state(factorisations, dense_factorisations, solves, gmres_iterations, gmres_limits, systems, largest_system);
+    state(factor_seconds, solve_seconds);
+  }
 };
 
 }  // namespace talus

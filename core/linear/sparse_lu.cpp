@@ -110,6 +110,11 @@ bool SparseLu::factor(const SymmetricBlocks& matrix, std::span<const Unsymmetric
                             nullptr) == UMFPACK_OK;
 }
 
+void SparseLu::archive(StateArchive& state) {
+  state(pattern_, present_);
+  if (state.reads()) lay_out();
+}
+
 bool SparseLu::analyse() {
   if (analysis_) return true;
   const auto control = nearly_symmetric();

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "base/state_archive.hpp"
 #include "linear/symmetric_blocks.hpp"
 #include "linear/unsymmetric_blocks.hpp"
 
@@ -23,6 +24,9 @@ class SparseLu {
   bool factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric);
   /// x = A⁻¹ b with the last factor, which there must be.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+
+  /// What the next analysis hangs on.
+  void archive(StateArchive& state);
 
  private:
   void forget_analysis();

@@ -49,6 +49,9 @@ class SymmetricBlocks {
   const BlockPattern& pattern() const { return pattern_; }
   const Mat3& value(int slot) const { return values_[slot]; }
 
+  /// Its values, with the pattern that it has.
+  void archive(auto& state) { state(values_); }
+
  private:
   BlockPattern pattern_;
   std::vector<Mat3> values_;  ///< of each slot

@@ -30,6 +30,9 @@ class TangentFactor {
   int solve(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric,
             const Eigen::VectorXd& b, const LinearSettings& settings, Eigen::VectorXd& x);
 
+  /// The factor, with the pattern that was analysed.
+  void archive(StateArchive& state) { cholesky_.archive(state); }
+
  private:
   Cholesky cholesky_;
   Gmres gmres_;

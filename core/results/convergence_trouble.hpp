@@ -49,6 +49,11 @@ struct ConvergenceTrouble {
   int cuts = 0;                     ///< how often the step was cut because of it
   bool ended_run = false;           ///< no shorter step was left to try: the run has not converged
   std::string advice{};             ///< what to change
+
+  void archive(auto& state) {
+    state(cause, blocks, joint, position, rest_position, time, step, relative_penetration, iterations);
+    state(most_iterations, cuts, ended_run, advice);
+  }
 };
 
 /// "base – cube", "block cube"; empty where no place can be told.
@@ -65,6 +70,8 @@ class TroubleList {
   bool empty() const { return places_.empty(); }
   /// The hardest first: where the run ended, then by steps cut, then by iterations; at most `most`.
   std::vector<ConvergenceTrouble> hardest(std::size_t most = 5) const;
+
+  void archive(auto& state) { state(places_); }
 
  private:
   std::vector<ConvergenceTrouble> places_;

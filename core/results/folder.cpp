@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "base/error.hpp"
@@ -19,9 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 12> our_files = {
-    "results.h5", "results.xdmf",  "frames.h5",    "history.csv",      "steps.csv",        "checkpoint.h5",
-    "log.txt",    "project.talus", "summary.json", "summary.json.new", "results.xdmf.new", "frames.h5.new"};
+constexpr std::array<std::string_view, 13> our_files = {
+    "results.h5",       "results.xdmf",  "frames.h5",        "history.csv",  "steps.csv",
+    "checkpoint.h5",    "log.txt",       "project.talus",    "summary.json", "summary.json.new",
+    "results.xdmf.new", "frames.h5.new", "checkpoint.h5.new"};
 
 bool is_ours(const fs::path& entry) { return std::ranges::count(our_files, entry.filename().string()) > 0; }
 
@@ -53,6 +56,8 @@ void prepare_results_folder(const fs::path& folder) {
   }
 }
 
+WriteError::WriteError(const fs::path& file) : WriteError(file, std::generic_category().message(errno)) {}
+
 FolderLock::FolderLock(const fs::path& folder) : descriptor_(::open(folder.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -61,13 +66,34 @@ FolderLock::FolderLock(const fs::path& folder) : descriptor_(::open(folder.c_str
 
 FolderLock::~FolderLock() { ::close(descriptor_); }
 
+void cut_off(const fs::path& file, std::uint64_t size) {
+  std::error_code problem;
+  const std::uint64_t present = fs::file_size(file, problem);
+  if (problem || present < size) throw std::runtime_error(file.string() + ": is missing or has been cut off");
+  fs::resize_file(file, size);
+}
+
+void flush_to_disk(const fs::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw WriteError(file);
+  const bool is_there = ::fsync(descriptor) == 0;
+  ::close(descriptor);
+  if (!is_there) throw WriteError(file);
+}
+
+void rename_file(const fs::path& fresh, const fs::path& file) {
+  std::error_code problem;
+  fs::rename(fresh, file, problem);
+  if (problem) throw WriteError(file, problem.message());
+}
+
 void replace_file(const fs::path& file, std::string_view text) {
   const fs::path fresh = file.string() + ".new";
   std::ofstream stream(fresh, std::ios::binary | std::ios::trunc);
   stream << text;
   stream.close();
-  if (!stream) throw std::runtime_error(fresh.string() + ": cannot be written; is the disk full?");
-  fs::rename(fresh, file);
+  if (!stream) throw WriteError(fresh);
+  rename_file(fresh, file);
 }
 
 }  // namespace talus

@@ -1,9 +1,21 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
+#include "base/error.hpp"
+
 namespace talus {
+
+/// A file of the results cannot be written: the disk is full, or the folder has gone.
+struct WriteError : InputError {
+  WriteError(const std::filesystem::path& file, const std::string& reason)
+      : InputError(file.string(), "cannot be written: " + reason, "make room on the disk, or choose another --out") {}
+  /// For the reason that the system gives.
+  explicit WriteError(const std::filesystem::path& file);
+};
 
 /// Makes the folder, or removes earlier results from one that holds them; other files there, pictures for example,
 /// stay. Throws InputError when it holds files but no results, is a file, cannot be made, or when a run still writes
@@ -23,8 +35,18 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
+/// Cuts a file off behind its first `size` bytes. Throws std::runtime_error, with the path, where it has fewer.
+void cut_off(const std::filesystem::path& file, std::uint64_t size);
+
+/// Has the file on the disk when it returns: what lies in the system's memory only goes with its power. Throws
+/// WriteError.
+void flush_to_disk(const std::filesystem::path& file);
+
+/// Puts a file that is whole into the place of another one. Throws WriteError.
+void rename_file(const std::filesystem::path& fresh, const std::filesystem::path& file);
+
 /// Writes a file so that its old content, if any, stays until all of the new is there.
-/// Throws std::runtime_error with the path.
+/// Throws WriteError.
 void replace_file(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace talus

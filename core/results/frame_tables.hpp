@@ -1,7 +1,6 @@
 #pragma once
 
-#include "results/stored_contact.hpp"
-#include "results/stored_motion.hpp"
+#include "results/stored_rows.hpp"
 
 namespace talus {
 

@@ -37,7 +37,11 @@ Handle text_type() {
 
 }  // namespace
 
+/// Files are closed where they are used. What HDF5 does at the end of the program to one that could not be written, as
+/// the disk was full, crashes (1.10).
 std::mutex& library_mutex() {
+  static const bool nothing_at_exit = H5dont_atexit() >= 0;
+  static_cast<void>(nothing_at_exit);
   static std::mutex mutex;
   return mutex;
 }
@@ -45,6 +49,11 @@ std::mutex& library_mutex() {
 void fail(const std::string& what) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_description, &reason);
+  const std::string begin = "error message = '";  // of the system, in a long list
+  if (const auto at = reason.find(begin); at != std::string::npos) {
+    reason = reason.substr(at + begin.size());
+    throw Error(reason.substr(0, reason.find('\'')));
+  }
   throw Error(reason.empty() ? what : what + " (" + reason + ")");
 }
 
@@ -95,6 +104,7 @@ void write_fixed(hid_t parent, const std::string& path, hid_t type, const void* 
   const Handle set(check(H5Dcreate2(parent, path.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          "cannot make " + path));
   if (rows > 0) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "cannot write " + path);
+  check(H5Dflush(set), "cannot write " + path);  // what only its closing would write is lost there without a word
 }
 
 void write_strings(hid_t parent, const std::string& path, const std::vector<std::string>& strings) {
@@ -208,13 +218,19 @@ void Table::refresh() {
   const Handle space(check(H5Dget_space(dataset_), "cannot read the size of " + path_));
   hsize_t size[2] = {0, 0};
   check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path_);
-  rows_ = size[0];
+  rows_ = extent_ = size[0];
   width_ = size[1];
+}
+
+void Table::go_back_to(hsize_t rows) {
+  if (rows > extent_) throw Error(path_ + " has fewer rows than it should");
+  rows_ = rows;
 }
 
 void Table::append(const void* data, hsize_t rows) {
   if (rows == 0) return;
-  const hsize_t size[] = {rows_ + rows, width_};
+  extent_ = std::max(extent_, rows_ + rows);
+  const hsize_t size[] = {extent_, width_};
   check(H5Dset_extent(dataset_, size), "cannot extend " + path_);
   const Handle file_space = selected_rows(dataset_, path_, rows_, rows);
   const Handle memory_space = simple_space(rows, width_, false);

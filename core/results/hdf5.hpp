@@ -99,6 +99,9 @@ class Table {
   /// may have the dataset open.
   void refresh();
   void append(const void* data, hsize_t rows);
+  /// What is appended from now on follows so many rows, and is written over those behind. Throws Error where there are
+  /// fewer.
+  void go_back_to(hsize_t rows);
   void read(void* data, hsize_t first, hsize_t count) const;
   hsize_t rows() const { return rows_; }
 
@@ -107,6 +110,7 @@ class Table {
   Handle dataset_;
   hid_t type_ = H5I_INVALID_HID;
   hsize_t rows_ = 0, width_ = 0;
+  hsize_t extent_ = 0;  // rows that there are, those to be written over among them
 };
 
 }  // namespace talus::hdf5

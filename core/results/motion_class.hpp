@@ -39,6 +39,8 @@ struct MotionClass {
   Vec3 axis = Vec3::Zero();            ///< unit, that the block turns about, right-handed
   double rotation_share = 0;           ///< 0 … 1, of the travel that turning makes beside sliding
   bool operator==(const MotionClass&) const = default;
+
+  void archive(auto& state) { state(mode, came_to_rest, joints, against, direction, line, axis, rotation_share); }
 };
 
 /// Both name a plane by its joint and by the block on the other side.

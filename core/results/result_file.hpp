@@ -20,12 +20,16 @@ class ResultFileWriter {
  public:
   /// Creates the file with everything that does not change. Throws std::runtime_error with the path.
   ResultFileWriter(const std::filesystem::path& file, const Project& project, const BlockSystem& system);
+  /// Goes on in a file of the same blocks behind so many of its frames; later ones are written over. Throws
+  /// std::runtime_error with the path.
+  ResultFileWriter(const std::filesystem::path& file, const BlockSystem& system, int frames);
   ~ResultFileWriter();
   ResultFileWriter(const ResultFileWriter&) = delete;
   ResultFileWriter& operator=(const ResultFileWriter&) = delete;
 
-  /// Sizes of the frame must be those of the system (std::invalid_argument). Throws std::runtime_error with the path.
+  /// Sizes of the frame must be those of the system (std::invalid_argument). Throws WriteError.
   void add_frame(const Frame& frame);
+  std::vector<double> frame_times() const;  ///< s, of those written so far
 
  private:
   struct State;

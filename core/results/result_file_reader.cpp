@@ -11,7 +11,7 @@
 #include "results/frame_tables.hpp"
 #include "results/hdf5.hpp"
 #include "results/result_file.hpp"
-#include "results/stored_contact.hpp"
+#include "results/stored_rows.hpp"
 
 namespace talus {
 

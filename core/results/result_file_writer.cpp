@@ -4,10 +4,11 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "results/folder.hpp"
 #include "results/frame_tables.hpp"
 #include "results/hdf5.hpp"
 #include "results/result_file.hpp"
-#include "results/stored_contact.hpp"
+#include "results/stored_rows.hpp"
 #include "results/superblock.hpp"
 #include "results/vtu.hpp"
 
@@ -179,10 +180,21 @@ void append_list(const std::vector<Thing>& things, Table& table, Table& ends, st
   ends.append(&end, 1);
 }
 
-Handle create_file(const std::filesystem::path& path) {
+/// Of the newest format, which single-writer–multiple-readers mode asks for.
+Handle newest_format() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
-  const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "cannot be made"));
+  Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "cannot be made"));
   check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "cannot be made");
+  return access;
+}
+
+Handle reopen_file(const std::filesystem::path& path) {
+  const Handle access = newest_format();
+  return Handle(check(H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access), "cannot be opened"));
+}
+
+Handle create_file(const std::filesystem::path& path) {
+  const Handle access = newest_format();
   // A kill may tear a write between two pages of the system's file cache; with pages of that size in the file, no
   // small piece of HDF5's own data lies across two.
   const Handle creation(check(H5Pcreate(H5P_FILE_CREATE), "cannot be made"));
@@ -203,6 +215,7 @@ struct ResultFileWriter::State : FrameTables {
   std::vector<Table> offsets;
 
   void open_growing();
+  void go_back_to(std::int64_t frame_count);
   void append(const Frame& frame);
   void announce(double time);
   void flush();
@@ -217,6 +230,22 @@ void ResultFileWriter::State::open_growing() {
     offsets.emplace_back(file, std::string("/VTKHDF/Steps/") + table.name, H5T_NATIVE_INT64);
   steps = Handle(check(H5Gopen2(file, "/VTKHDF/Steps", H5P_DEFAULT), "cannot open Steps"));
   step_count = Handle(check(H5Aopen(steps, "NSteps", H5P_DEFAULT), "cannot open NSteps"));
+}
+
+/// Of the same frames again the same is written: who reads them meanwhile sees no other.
+void ResultFileWriter::State::go_back_to(std::int64_t frame_count) {
+  frames = frame_count;
+  const auto rows = static_cast<hsize_t>(frames);
+  for (Table* table : {&parts, &times, &index, &stage, &contact_ends, &motion_ends}) table->go_back_to(rows);
+  for (Table& table : offsets) table.go_back_to(rows);
+  if (frames > 0) {
+    contact_ends.read(&contact_end, rows - 1, 1);
+    motion_ends.read(&motion_end, rows - 1, 1);
+  }
+  contacts.go_back_to(static_cast<hsize_t>(contact_end));
+  motions.go_back_to(static_cast<hsize_t>(motion_end));
+  for (Table* table : {&points, &displacement, &velocity}) table->go_back_to(rows * node_count);
+  stress.go_back_to(rows * tetrahedron_count);
 }
 
 void ResultFileWriter::State::append(const Frame& frame) {
@@ -275,9 +304,35 @@ ResultFileWriter::ResultFileWriter(const std::filesystem::path& file, const Proj
   }
 }
 
+ResultFileWriter::ResultFileWriter(const std::filesystem::path& file, const BlockSystem& system, int frames)
+    : state_(std::make_unique<State>()) {
+  const std::lock_guard lock(hdf5::library_mutex());
+  try {
+    FlatMesh flat = flatten(system);
+    state_->path = file;
+    state_->node_count = flat.nodes.size() / 3;
+    state_->tetrahedron_count = flat.tetrahedra.size() / 4;
+    state_->nodes = std::move(flat.nodes);
+    mark_closed(file);
+    state_->file = reopen_file(file);
+    state_->open_growing();
+    state_->go_back_to(frames);
+    mark_closed(file);
+  } catch (const hdf5::Error& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
+  }
+}
+
 ResultFileWriter::~ResultFileWriter() {
   const std::lock_guard lock(hdf5::library_mutex());
   state_.reset();
+}
+
+std::vector<double> ResultFileWriter::frame_times() const {
+  const std::lock_guard lock(hdf5::library_mutex());
+  std::vector<double> times(static_cast<std::size_t>(state_->frames));
+  state_->times.read(times.data(), 0, times.size());
+  return times;
 }
 
 void ResultFileWriter::add_frame(const Frame& frame) {
@@ -289,7 +344,7 @@ void ResultFileWriter::add_frame(const Frame& frame) {
     state_->append(frame);
     state_->announce(frame.time);
   } catch (const hdf5::Error& error) {
-    throw std::runtime_error(state_->path.string() + ": " + error.what());
+    throw WriteError(state_->path, error.what());
   }
 }
 

@@ -65,6 +65,20 @@ struct ResultWriter::State {
         history(folder / "history.csv", history_header(monitors_of(project))),
         steps(folder / "steps.csv", steps_header()),
         log(folder / "log.txt") {}
+  State(const fs::path& results_folder, const Project& project, const BlockSystem& system,
+        const WrittenResults& written)
+      : folder(results_folder),
+        lock(folder),
+        file(folder / "results.h5", system, written.frames),
+        index(folder / "results.xdmf", project.name, node_count(system), tetrahedron_count(system)),
+        history(folder / "history.csv", written.history),
+        steps(folder / "steps.csv", written.steps),
+        frames(written.frames) {
+    for (const double time : file.frame_times()) index.add_frame(time);
+    cut_off(folder / "log.txt", written.log);
+    log.open(folder / "log.txt", std::ios::app);
+    fs::remove(folder / "summary.json");
+  }
 
   fs::path folder;
   FolderLock lock;
@@ -72,13 +86,15 @@ struct ResultWriter::State {
   XdmfIndex index;
   TextTableWriter history, steps;
   std::ofstream log;
+  int frames = 0;
 };
 
-ResultWriter::ResultWriter(const fs::path& folder, const Project& project, const BlockSystem& system,
-                           const std::string& project_text) {
+namespace {
+
+/// Makes what a writer needs; whatever is wrong with the folder is said of the folder.
+auto in_folder(const fs::path& folder, const auto& make) {
   try {
-    state_ = std::make_unique<State>(folder, project, system);
-    replace_file(folder / "project.talus", project_text);
+    return make();
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -86,11 +102,38 @@ ResultWriter::ResultWriter(const fs::path& folder, const Project& project, const
   }
 }
 
+}  // namespace
+
+ResultWriter::ResultWriter(const fs::path& folder, const Project& project, const BlockSystem& system,
+                           const std::string& project_text) {
+  in_folder(folder, [&] {
+    state_ = std::make_unique<State>(folder, project, system);
+    replace_file(folder / "project.talus", project_text);
+  });
+}
+
+ResultWriter::ResultWriter(const fs::path& folder, const Project& project, const BlockSystem& system,
+                           const std::string& project_text, const WrittenResults& written) {
+  in_folder(folder, [&] {
+    state_ = std::make_unique<State>(folder, project, system, written);
+    replace_file(folder / "project.talus", project_text);
+  });
+}
+
+int ResultWriter::frames() const { return state_->frames; }
+
+WrittenResults ResultWriter::written() const {
+  for (const char* file : {"results.h5", "history.csv", "steps.csv", "log.txt"}) flush_to_disk(state_->folder / file);
+  return {state_->frames, fs::file_size(state_->folder / "history.csv"), fs::file_size(state_->folder / "steps.csv"),
+          fs::file_size(state_->folder / "log.txt")};
+}
+
 ResultWriter::~ResultWriter() = default;
 
 void ResultWriter::add_frame(const Frame& frame) {
   state_->file.add_frame(frame);
   state_->index.add_frame(frame.time);
+  ++state_->frames;
 }
 
 void ResultWriter::add_step(const StepReport& step) { state_->steps.add(to_columns(step)); }
@@ -99,7 +142,7 @@ void ResultWriter::add_history(const HistoryRow& row) { state_->history.add(to_c
 
 void ResultWriter::log(const std::string& line) {
   state_->log << line + '\n' << std::flush;
-  if (!state_->log) throw std::runtime_error((state_->folder / "log.txt").string() + ": cannot be written");
+  if (!state_->log) throw WriteError(state_->folder / "log.txt");
 }
 
 void ResultWriter::finish(const RunReport& report) {

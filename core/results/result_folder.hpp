@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,6 +14,14 @@
 
 namespace talus {
 
+/// How much of a results folder a run has written at some moment.
+struct WrittenResults {
+  std::int32_t frames = 0;
+  std::uint64_t history = 0, steps = 0, log = 0;  ///< bytes of history.csv, steps.csv and log.txt
+
+  void archive(auto& state) { state(frames, history, steps, log); }
+};
+
 /// Writes a results folder as the run goes: results.h5, results.xdmf, history.csv, steps.csv, log.txt, project.talus
 /// and at the end frames.h5 and summary.json. After every call what was written so far is readable, also after a kill.
 class ResultWriter {
@@ -21,6 +30,10 @@ class ResultWriter {
   /// `project_text` is kept beside the results as project.talus.
   ResultWriter(const std::filesystem::path& folder, const Project& project, const BlockSystem& system,
                const std::string& project_text);
+  /// Goes on in a folder where a run has left off, behind what it had `written` at some moment; what it wrote later is
+  /// written again. Throws InputError where less is there.
+  ResultWriter(const std::filesystem::path& folder, const Project& project, const BlockSystem& system,
+               const std::string& project_text, const WrittenResults& written);
   ~ResultWriter();
   ResultWriter(const ResultWriter&) = delete;
   ResultWriter& operator=(const ResultWriter&) = delete;
@@ -29,6 +42,9 @@ class ResultWriter {
   void add_step(const StepReport& step);
   void add_history(const HistoryRow& row);
   void log(const std::string& line);
+  int frames() const;  ///< written so far
+  /// What has been written so far; it is on the disk.
+  WrittenResults written() const;
   void finish(const RunReport& report);
 
  private:

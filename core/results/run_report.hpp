@@ -16,6 +16,8 @@ namespace talus {
 /// Wall time of the parts of a step, s.
 struct Phases {
   double detect = 0, assemble = 0, factor = 0, solve = 0, update = 0, write = 0;
+
+  void archive(auto& state) { state(detect, assemble, factor, solve, update, write); }
 };
 
 /// Energies in J: stored in effects, dissipated, and lost to time integration. Their sum, less the work of constraints,
@@ -27,6 +29,11 @@ struct EnergyLedger {
   double friction_dissipated = 0, damping_dissipated = 0, constraint_work = 0, integration_loss = 0;
   double remainder = 0;
   double integration_reserve = 0;  ///< beyond what the accelerations have brought with which stages began
+
+  void archive(auto& state) {
+    state(kinetic, elastic, potential, contact, friction_dissipated, damping_dissipated, constraint_work);
+    state(integration_loss, remainder, integration_reserve);
+  }
 };
 
 /// A row of steps.csv.
@@ -47,6 +54,12 @@ struct StepReport {
   bool equilibrium = false;                         ///< a static stage ended because nothing moves any more
   Phases phases;
   EnergyLedger energy;
+
+  void archive(auto& state) {
+    state(step, stage, time, time_step, iterations, cuts, contacts, open, stick, slip, asleep, max_penetration);
+    state(max_relative_penetration, max_displacement, unbalanced_force, time_error, out_of_balance, equilibrium);
+    state(phases, energy);
+  }
 };
 
 /// One monitor at one moment.
@@ -66,10 +79,15 @@ struct HistoryRow {
 struct Event {
   double time = 0;
   std::string what;
+
+  void archive(auto& state) { state(time, what); }
 };
 
 /// `interpenetrating`: blocks came to lie in each other, and what follows would be no motion of theirs.
 enum class RunStatus { completed, stopped, not_converged, interpenetrating };
+
+/// The reason of a run that was stopped on purpose.
+inline constexpr const char* stopped_by_user = "stopped by the user";
 
 /// The word summary.json uses.
 constexpr std::string_view to_string(RunStatus status) {

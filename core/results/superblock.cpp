@@ -8,6 +8,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "results/folder.hpp"
+
 namespace talus {
 
 namespace {
@@ -65,7 +67,7 @@ void mark_closed(const std::filesystem::path& file) {
   std::memcpy(&block[checksum_at], &checksum, sizeof checksum);
   stream.seekp(0);
   stream.write(reinterpret_cast<const char*>(block.data()), block.size());
-  if (!stream.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+  if (!stream.flush()) throw WriteError(file);
 }
 
 bool is_marked_open(const std::filesystem::path& file) {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "results/folder.hpp"
+
 namespace talus {
 
 namespace {
@@ -38,11 +40,16 @@ TextTableWriter::TextTableWriter(std::filesystem::path file, const std::vector<s
   write(line);
 }
 
+TextTableWriter::TextTableWriter(std::filesystem::path file, std::uint64_t size) : path_(std::move(file)) {
+  cut_off(path_, size);
+  stream_.open(path_, std::ios::binary | std::ios::app);
+}
+
 void TextTableWriter::add(const std::vector<double>& row) { write(csv_line(row)); }
 
 void TextTableWriter::write(const std::string& line) {
   stream_ << line + '\n' << std::flush;
-  if (!stream_) throw std::runtime_error(path_.string() + ": cannot be written; is the disk full?");
+  if (!stream_) throw WriteError(path_);
 }
 
 std::vector<std::vector<double>> read_text_table(const std::filesystem::path& file, std::size_t columns) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -11,8 +12,10 @@ namespace talus {
 /// A CSV file that grows line by line. Each line leaves the program whole, so a kill costs none that was written.
 class TextTableWriter {
  public:
-  /// Makes the file with its header. Throws std::runtime_error with the path, as `add` does.
+  /// Makes the file with its header. Throws WriteError, as `add` does.
   TextTableWriter(std::filesystem::path file, const std::vector<std::string>& header);
+  /// Goes on in a file behind its first `size` bytes, which end a line; what follows them is cut off.
+  TextTableWriter(std::filesystem::path file, std::uint64_t size);
   void add(const std::vector<double>& row);
 
  private:

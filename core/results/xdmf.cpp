@@ -100,7 +100,7 @@ void write_views(const std::filesystem::path& file, hsize_t frames, hsize_t node
     const hdf5::Handle group = hdf5::create_group(views, "/" + std::to_string(frame));
     for (const FrameTable& table : tables) add_view(group, table, frame, frames);
   }
-  hdf5::check(H5Fflush(views, H5F_SCOPE_GLOBAL), "cannot be written; is the disk full?");
+  hdf5::check(H5Fflush(views, H5F_SCOPE_GLOBAL), "cannot be written");
 }
 
 }  // namespace
@@ -134,9 +134,9 @@ void XdmfIndex::write_whole_frames() const {
     const std::lock_guard lock(hdf5::library_mutex());
     write_views(fresh, times_.size(), nodes_, tetrahedra_);
   } catch (const hdf5::Error& error) {
-    throw std::runtime_error(fresh.string() + ": " + error.what());
+    throw WriteError(fresh, error.what());
   }
-  std::filesystem::rename(fresh, file);
+  rename_file(fresh, file);
 }
 
 std::string XdmfIndex::beginning() const {
@@ -193,7 +193,7 @@ void XdmfIndex::move_closing_tags_to_next_page() {
 
 void XdmfIndex::write(std::uint64_t at, const std::string& text) {
   if (::pwrite(descriptor_, text.data(), text.size(), static_cast<off_t>(at)) != static_cast<ssize_t>(text.size()))
-    throw std::runtime_error(path_.string() + ": cannot be written; is the disk full?");
+    throw WriteError(path_);
 }
 
 }  // namespace talus

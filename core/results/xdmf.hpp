@@ -14,7 +14,7 @@ namespace talus {
 /// datasets of frames.h5, the rows of each frame: ParaView's Xdmf3 readers, its default, take no part of a dataset.
 class XdmfIndex {
  public:
-  /// Makes the file with no frame. `name` is the project's. Throws std::runtime_error with the path, as all others do.
+  /// Makes the file with no frame. `name` is the project's. Throws WriteError, as all others do.
   XdmfIndex(std::filesystem::path file, const std::string& name, std::uint64_t nodes, std::uint64_t tetrahedra);
   ~XdmfIndex();
   XdmfIndex(const XdmfIndex&) = delete;

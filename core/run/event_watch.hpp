@@ -25,17 +25,24 @@ class EventWatch {
   /// In order of time.
   std::vector<Event> events() const;
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(joints_, joints_of_, flights_, motions_, toppled_, last_look_, events_); }
+
  private:
   struct Joint {
     int blocks[2];
     int joint;
     bool closed = true, told = false;
     Vec3 apart_at_opening = Vec3::Zero();  ///< m, difference of the blocks' displacements when the last contact opened
+
+    void archive(auto& state) { state(blocks, joint, closed, told, apart_at_opening); }
   };
   struct Flight {
     bool touched = false, touches = false, told = false;
     double since = 0;      ///< s
     double looked_at = 0;  ///< s
+
+    void archive(auto& state) { state(touched, touches, told, since, looked_at); }
   };
   void mark_closed(const ContactSample& contact);
   void look_at(Joint& joint, double time);

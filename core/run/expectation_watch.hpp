@@ -23,6 +23,9 @@ class ExpectationWatch {
   void look(const Simulation& simulation, const HistoryRow& row);
   std::vector<ExpectationOutcome> outcomes() const;
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(watched_, last_time_); }
+
  private:
   struct Watched {
     Expectation expectation;
@@ -30,6 +33,8 @@ class ExpectationWatch {
     int monitor = -1, block = -1;  ///< one of them is given
     FieldValue last;
     std::optional<FieldValue> start, end;
+
+    void archive(auto& state) { state(last, start, end); }
   };
   void follow(Watched& watched, const FieldValue& value, double time);
 

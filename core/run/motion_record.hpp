@@ -15,9 +15,13 @@ struct CarriedLoad {
     int block, joint;
     Vec3 normal, moment;  ///< N·s, N·s·m
     double impulse;       ///< N·s
+
+    void archive(auto& state) { state(block, joint, normal, moment, impulse); }
   };
   std::vector<Face> faces;
   double free_time = 0;  ///< s, in which it moved and bore on nothing
+
+  void archive(auto& state) { state(faces, free_time); }
 
   void add(const Face& face);
   void add(const CarriedLoad& later);
@@ -47,12 +51,17 @@ class MotionRecord {
   /// What a block did between two spans' ends, `from` = −1 for the stage's start, `from` < `to`.
   MotionWindow window(int block, int from, int to) const;
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(time_, begin_, length_, stage_begins_, grows_, start_, ends_, tracks_, passing_); }
+
  private:
   /// A span in which a block moved: where it was at the end, and what it bore on.
   struct Passage {
     int span;
     BlockPose pose;
     CarriedLoad load;
+
+    void archive(auto& state) { state(span, pose, load); }
   };
   using Track = std::vector<Passage>;  ///< of a block, in order of time
   void begin_stage(double time);

@@ -22,12 +22,17 @@ class MotionWatch {
   /// EventWatch's.
   const std::vector<Event>& events() const { return events_; }
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(record_, classes_, followed_, stage_begins_, news_, events_); }
+
  private:
   /// What a block was last known to do, the last event that told of it, and what it will be once that has lasted.
   struct News {
     MotionClass known, told, next;
     double since = 0;  ///< s
     BlockPose from;    ///< when `next` began
+
+    void archive(auto& state) { state(known, told, next, since, from); }
   };
   MotionClass class_of(int block) const;
   double travel(int block, const BlockPose& from, const BlockPose& to) const;

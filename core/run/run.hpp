@@ -38,6 +38,10 @@ struct RunOptions {
   std::filesystem::path out;  ///< results folder
   std::string project_text;   ///< kept beside the results
   int threads = 1;            ///< at most; their number changes no bit of the results
+  /// Goes on from the checkpoint in the folder, to the same bits as a run that was not disturbed; the project is that
+  /// of the run, or one that change_since_run() allows. Begins at the start where there is none.
+  bool resume = false;
+  double checkpoint_every = 60;  ///< s of wall time; before the last step of a stage there is one too
 };
 
 /// Runs all stages of the project on its blocks and writes the results folder.

@@ -61,6 +61,12 @@ class Company {
   std::size_t never_met(const BodySet& bodies) const;     ///< bodies that were built to move and were alone so far
   double travelled(int body) const { return travelled_[body]; }  ///< m, since the last look
 
+  /// What it remembers from step to step.
+  void archive(auto& state) {
+    state(alone_, met_, given_, travelled_, at_least_, gone_, speeds_, least_left_, steps_, in_company_, movable_);
+    state(looks_);
+  }
+
  private:
   void find_speeds(const BodySet& bodies);
   std::vector<Box> give_boxes(const BodySet& bodies, double time, double reach);

@@ -29,10 +29,15 @@ class EnergyBalance {
                                  const ImpactEnergy& by_impacts, double springs_at_rest, double reserve);
   const EnergyLedger& ledger() const { return ledger_; }  ///< as of the last step
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(ledger_, entries_, given_, reserve_, reserve_of_given_, springs_at_rest_); }
+
  private:
   struct Entry {
     EffectKind kind;
     double stored = 0;  ///< J
+
+    void archive(auto& state) { state(stored); }
   };
   double& column(EnergyAccount account);
   EnergyLedger ledger_;

@@ -13,6 +13,7 @@
 
 namespace talus {
 
+class StateArchive;
 struct SimulationState;
 
 /// A scene in motion. One call of `step` takes one step of the stage; nothing is written.
@@ -24,6 +25,7 @@ class Simulation {
 
   bool finished() const;     ///< all stages are done, or the last step did not converge
   bool stage_ended() const;  ///< the last step was the last of its stage
+  bool stage_ends() const;   ///< the next step will be, by the time of the stage
   bool converged() const;    ///< the last step did
   /// What went wrong in the last step, when, where and what to change; empty where the run has converged.
   std::string failure() const;
@@ -41,6 +43,10 @@ class Simulation {
   /// Contact points within reach of the next step, as that step would find them; takes none. They hold until the next
   /// call. With every block fixed there are none.
   const ContactSet& look_for_contacts();
+
+  /// Writes down where it stands between two steps; or goes on from where another one of the same project and blocks
+  /// stood, with the same bits. Throws std::runtime_error where what it reads is too short.
+  void archive(StateArchive& state);
 
   Frame frame(int index) const;
   HistoryRow history() const;

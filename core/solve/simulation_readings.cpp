@@ -16,6 +16,11 @@ Simulation::~Simulation() = default;
 
 bool Simulation::finished() const { return !converged() || state_->clock.finished(); }
 bool Simulation::stage_ended() const { return state_->clock.stage_ended(); }
+bool Simulation::stage_ends() const {
+  const SimulationState& s = *state_;
+  if (finished()) return false;
+  return s.adaptive() ? s.control.length() >= s.clock.left() : s.clock.is_last();
+}
 bool Simulation::converged() const { return !state_->troubles.run_ended(); }
 std::string Simulation::failure() const { return converged() ? "" : failure_text(troubles().back()); }
 const std::vector<ConvergenceTrouble>& Simulation::troubles() const { return state_->troubles.all(); }

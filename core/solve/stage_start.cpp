@@ -64,9 +64,9 @@ double body_residual(const SimulationState& s, const Stage& stage) {
   return t.static_residual / t.dynamic_residual * of_rest;
 }
 
-void compose_effects(SimulationState& s, int stage) {
+void compose_effects(SimulationState& s, int stage, bool with_contact) {
   s.open_close.end_stage();
-  s.composition = compose(s.project, s.system, stage, s.bodies, s.links, s.tolerances.effects, s.company.any());
+  s.composition = compose(s.project, s.system, stage, s.bodies, s.links, s.tolerances.effects, with_contact);
   s.open_close.begin_stage(s.composition, body_residual(s, s.project.stages[stage]));
   s.expect_impacts();
   s.energy.begin_stage(s.composition);
@@ -108,7 +108,7 @@ void begin_stage(SimulationState& s) {
   s.detector.set_laws(joint_laws(now));
   s.company.begin_stage(pulls_on_blocks(now, s.system), standing_bodies(s));
   look_for_company(s, 0);
-  compose_effects(s, number);
+  compose_effects(s, number, s.company.any());
   s.motion.emplace(now, s.system);
   forget_steps(s, stage.time_step);
   set_time_integration(s, stage.kind);
@@ -121,6 +121,22 @@ void begin_stage(SimulationState& s) {
     look_for_company(s, 0);
     let_touch(s);
   }
+}
+
+void set_up_stage(SimulationState& s, int number, bool with_contact, const std::vector<char>& asleep) {
+  const Stage& stage = s.project.stages[number];
+  const Project now = project_in_stage(s.project, number);
+  hold_bodies_of_stage(s, number);
+  s.detector.set_laws(joint_laws(now));
+  std::vector<bool> held = s.held;
+  for (std::size_t b = 0; b < held.size(); ++b) held[b] = held[b] || asleep[b];
+  s.bodies.hold(held);
+  s.detector.set_asleep(asleep);
+  s.company.begin_stage(pulls_on_blocks(now, s.system), standing_bodies(s));
+  compose_effects(s, number, with_contact);
+  s.motion.emplace(now, s.system);
+  forget_steps(s, stage.time_step);
+  set_time_integration(s, stage.kind);
 }
 
 }  // namespace talus

@@ -21,6 +21,9 @@ class StressRecovery {
 
   long count() const { return count_; }  ///< bodies whose stress was computed
 
+  /// What it has done so far.
+  void archive(auto& state) { state(count_); }
+
  private:
   const BodySet& bodies_;
   const Composition& composition_;

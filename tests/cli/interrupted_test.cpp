@@ -8,7 +8,7 @@
 
 #include "process.hpp"
 
-// Runs that do not come to their end: Ctrl-C stops after the step, and a kill leaves readable results.
+// Runs that do not come to their end: Ctrl-C stops after the step, a kill leaves readable results, and both go on.
 namespace talus::test {
 namespace {
 
@@ -53,6 +53,43 @@ TEST_F(Interrupted, CtrlCStopsAfterTheStepAndSaysSo) {
   EXPECT_EQ(summary["status"], "stopped");
   EXPECT_GE(summary["steps"], 50);
   EXPECT_EQ(Json::parse(text_of(folder_ / "r/summary.json"))["status"], "stopped");
+}
+
+TEST_F(Interrupted, AKilledRunGoesOnToTheSameNumbers) {
+  Json project = Json::parse(text_of(folder_ / "endless.talus"));
+  const auto file = (folder_ / "fall.talus").string();
+  const auto set_duration = [&](double duration) {
+    project["stages"][0]["duration"] = duration;
+    write_text(file, project.dump());
+  };
+  set_duration(20);
+  const auto whole = (folder_ / "whole").string();
+  ASSERT_EQ(talus_cli({"solve", file, "--out", whole}).exit_code, 0);
+
+  set_duration(19);
+  Cli cli({"solve", file, "--out", results(), "--checkpoint-every", "0.01"});
+  ASSERT_NO_FATAL_FAILURE(start_and_wait(cli, 50));
+  cli.send(SIGKILL);
+  cli.wait();
+  const Ending resumed = talus_cli({"solve", file, "--out", results(), "--resume"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_THAT(resumed.err, HasSubstr("Goes on at t = "));
+  set_duration(20);
+  EXPECT_EQ(talus_cli({"solve", file, "--out", results(), "--resume"}).exit_code, 0);
+  EXPECT_EQ(text_of(folder_ / "r/history.csv"), text_of(folder_ / "whole/history.csv"));
+
+  project["stages"][0]["time_step"] = 0.5;
+  write_text(file, project.dump());
+  const Ending refused = talus_cli({"solve", file, "--out", results(), "--resume"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("fall.talus: stages/0/time_step: is not what it was when the run began"));
+  EXPECT_EQ(text_of(folder_ / "r/history.csv"), text_of(folder_ / "whole/history.csv")) << "nothing is touched";
+}
+
+TEST_F(Interrupted, ARunWithoutACheckpointBeginsAtTheStart) {
+  const Ending ending = talus_cli({"solve", sample("free_fall"), "--out", results(), "--resume"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(ending.err, HasSubstr("No checkpoint in " + results()));
 }
 
 TEST_F(Interrupted, AKilledRunLeavesWhatItHadReadable) {

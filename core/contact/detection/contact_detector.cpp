@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/parallel.hpp"
+#include "base/state_archive.hpp"
 #include "contact/body_width.hpp"
 #include "contact/broad/broad_phase.hpp"
 #include "contact/contact_features.hpp"
@@ -403,6 +404,12 @@ std::vector<RestingContact> ContactDetector::resting() const {
 }
 
 double ContactDetector::spring_energy_at_rest() const { return state_->memory.resting().spring_energy(); }
+
+void ContactDetector::archive(StateArchive& state) {
+  State& s = *state_;
+  state(s.memory, s.coupling, s.search, s.penetration, s.widths, s.first_areas, s.pressed, s.moved, s.all_have_moved);
+  state(s.work);
+}
 
 const ContactWork& ContactDetector::work() const { return state_->work; }
 

@@ -16,6 +16,8 @@
 
 namespace talus {
 
+class StateArchive;
+
 /// Finds the contact points of all bodies and remembers them from step to step (docs/contact.md).
 class ContactDetector {
  public:
@@ -99,6 +101,9 @@ class ContactDetector {
   /// Contacts of bodies that are at rest, one of them asleep: those that detect() does not give. Sorted by bodies.
   std::vector<RestingContact> resting() const;
   double spring_energy_at_rest() const;  ///< J, of contacts of bodies that both rest, as of their last step
+
+  /// What it remembers from step to step, with the same bodies fixed and asleep. Bodies are where they were.
+  void archive(StateArchive& state);
 
   /// What has been looked at so far, in all.
   const ContactWork& work() const;

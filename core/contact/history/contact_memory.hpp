@@ -83,6 +83,11 @@ class ContactMemory {
   const std::vector<ContactHistory>& histories() const { return histories_; }
   const RestingContacts& resting() const { return resting_; }
 
+  void archive(auto& state) {
+    state(any_bonded_, resting_, histories_, keys_, broken_);
+    if (state.reads()) sort_by_body();
+  }
+
  private:
   using History = ContactHistory;
   /// What a body was held by: all that is asked of it in every search, side by side.

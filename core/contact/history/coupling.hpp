@@ -27,6 +27,12 @@ class Coupling {
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
   std::uint64_t generation() const { return generation_; }
 
+  void archive(auto& state) {
+    if (state.reads()) forget_rows();
+    state(pairs_, planned_, kept_, generation_);
+    if (state.reads()) index_rows();
+  }
+
  private:
   bool holds(int i, int j) const;
   bool holds(const FoundPoints& found);

@@ -27,6 +27,11 @@ struct ContactHistory {
   ContactMode mode;
   bool bonded;
   bool continues;  ///< a point of this step has its key
+
+  void archive(auto& state) {
+    state(key, family, bodies, joint, position, normal, shear, gap, size, area, normal_force, multiplier);
+    state(spring_energy, shear_energy, slip, initial_interference, penalty_scaling, mode, bonded, continues);
+  }
 };
 
 /// Histories of pairs of bodies at rest, put aside until one of the two moves again.
@@ -51,6 +56,8 @@ class RestingContacts {
 
   /// Appends what is remembered of pairs that `are_wanted`, sorted by bodies and then by keys.
   void list(const std::function<bool(int body_a, int body_b)>& are_wanted, std::vector<RestingContact>& rows) const;
+
+  void archive(auto& state) { state(pairs_, partners_, deepest_, bonded_, spring_energy_); }
 
  private:
   void measure(int body);

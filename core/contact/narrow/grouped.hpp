@@ -35,10 +35,14 @@ class Grouped {
     return find(number, holds) != nullptr;
   }
 
+  void archive(auto& state) { state(items_, links_, first_); }
+
  private:
   static constexpr int none = -1;
   struct Link {
     int number, next;
+
+    void archive(auto& state) { state(number, next); }
   };
   std::vector<Item> items_;
   std::vector<Link> links_;

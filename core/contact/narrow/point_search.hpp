@@ -37,6 +37,9 @@ class PointSearch {
   /// The step was accepted whose features find() saw last.
   void accept() { std::swap(former_, seen_); }
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(former_); }
+
  private:
   struct Part {
     explicit Part(const ContactTolerances& tolerances) : found(tolerances.least_stencil_weight) {}

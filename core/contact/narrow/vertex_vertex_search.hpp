@@ -18,6 +18,8 @@ struct Sight {
   std::uint64_t key;
   Vec3 from_feature;
   bool is_solid;
+
+  void archive(auto& state) { state(key, from_feature, is_solid); }
 };
 using Sights = Grouped<Sight>;  ///< by a feature
 

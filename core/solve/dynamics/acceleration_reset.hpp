@@ -55,15 +55,22 @@ class AccelerationReset {
   /// step [s].
   void end_step(const BodySet& set, double length, const FreeFlight& free_flight);
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(forces_, before_, pasts_, touches_, was_hit_, goes_on_); }
+
  private:
   /// Of a rigid body, and of its rotation.
   struct Pair {
     Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+
+    void archive(auto& state) { state(linear, angular); }
   };
   struct Past {
     Pair start;                        // velocity [m/s] and angular momentum [kg m²/s] at the start of the step
     std::optional<Pair> acceleration;  // mean of the last step, with impacts [m/s², N m]
     std::optional<Pair> change;        // of that to the one before
+
+    void archive(auto& state) { state(start, acceleration, change); }
   };
   /// Which bodies have a contact that is open by no more than `touching`, of the mesh size. `gap`: of a point [m].
   void note_touching(const BodySet& set, const ContactSet& contacts, const std::function<double(int)>& gap,

@@ -33,6 +33,9 @@ class FreeFlight {
   /// Whether nothing but weight acts on a body, by the last step.
   bool flies(int body) const { return flies_[body]; }
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(flies_); }
+
  private:
   /// Of some bodies: mass [kg], and about a point near them Σ m r [kg m], Σ m v [N s], Σ r × m v [N m s] and
   /// Σ m r rᵀ [kg m²].

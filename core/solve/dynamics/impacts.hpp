@@ -51,6 +51,9 @@ class Impacts {
     return sweep_limits_;
   }  ///< groups of a step whose impulses were not found within the sweep limit
 
+  /// What it has done so far.
+  void archive(auto& state) { state(seconds_, evaluations_, restitutions_, sweep_limits_); }
+
  private:
   /// Speeds of parting that are left as they are [m/s].
   struct Range {

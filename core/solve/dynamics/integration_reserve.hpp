@@ -37,6 +37,9 @@ class IntegrationReserve {
 
   double total() const;  ///< J, all that is held
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(held_, at_start_, at_end_, begun_with_, any_limited_, length_); }
+
  private:
   /// R of each body that moves, with its present acceleration [J].
   void measure(const StepContext& step, std::vector<double>& reserves) const;

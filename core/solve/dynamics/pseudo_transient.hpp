@@ -27,6 +27,9 @@ class PseudoTransientContinuation {
   /// (StepResidual::static_residual).
   void accept(double displacement, double static_residual);
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(fraction_, wanted_, last_static_residual_, longest_displacement_); }
+
  private:
   /// With which a step like this one would have led just as far as it may.
   double fraction_for(double displacement) const;

@@ -29,6 +29,9 @@ class Sleep {
   int count() const { return count_; }                         ///< bodies that sleep now
   long wakings() const { return wakings_; }                    ///< bodies that woke by touch so far
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(asleep_, restless_, slow_for_, group_, kept_awake_, waited_, count_, wakings_); }
+
  private:
   int group_of(int body);
   void join(const BodySet& bodies, const ContactSet& contacts);

@@ -17,8 +17,10 @@ StageClock::StageClock(const std::vector<Stage>& stages, double rounding) : roun
 
 double StageClock::next_length() const {
   const Span& span = spans_[stage_];
-  return step_ + 1 == span.steps ? span.last : span.length;
+  return is_last() ? span.last : span.length;
 }
+
+bool StageClock::is_last() const { return step_ + 1 == spans_[stage_].steps; }
 
 double StageClock::left() const { return start_ + spans_[stage_].duration - time_; }
 

@@ -20,6 +20,7 @@ class StageClock {
   double time() const { return time_; }                       ///< s, at the start of the next step
   double next_length() const;  ///< s, of a fixed step; the last step of a duration may be shorter
   double left() const;         ///< s, of the stage
+  bool is_last() const;        ///< the next step, if its length is fixed, is the last of its stage
   double end() const;          ///< s, of the whole run, if no stage ends before its time
   long total_steps() const;    ///< of fixed length, in all stages
 
@@ -29,6 +30,9 @@ class StageClock {
   void advance_by(double length);
   /// The stage has come to its end before its time.
   void end_stage();
+
+  /// Where it stands.
+  void archive(auto& state) { state(stage_, begins_, step_, time_, start_); }
 
  private:
   struct Span {

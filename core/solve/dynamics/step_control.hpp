@@ -31,6 +31,9 @@ class StepControl {
   /// A step of this length [s] was refused: the next is shorter, even if it was the shortest allowed.
   void refuse(const StepMeasure& measure, double length);
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(longest_, length_); }
+
  private:
   double factor(const StepMeasure& measure) const;
 

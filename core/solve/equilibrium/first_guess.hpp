@@ -21,6 +21,9 @@ class FirstGuess {
   /// Between OpenClose::begin_step and converge.
   void choose(OpenClose& open_close, const BodySet& bodies, const StepContext& step, Increment& d);
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(last_, earlier_, last_length_, earlier_length_); }
+
  private:
   /// Systems that a guess leaves a clearly smaller residual begin there.
   void offer(const Increment& guess, OpenClose& open_close, double better, Increment& d);

@@ -39,6 +39,9 @@ class InteriorPoint {
   long failed_factorisations() const { return failed_factorisations_; }
   const SolveTimes& times() const { return times_; }
 
+  /// What it remembers from step to step.
+  void archive(auto& state) { state(lu_, failed_factorisations_, times_); }
+
  private:
   /// Evaluates gradient and matrix at D and chooses where contacts begin. False: without contacts the matrix has no
   /// factor.

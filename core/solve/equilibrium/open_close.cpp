@@ -56,11 +56,24 @@ SolveTimes OpenClose::times() const {
 void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
   const Stopwatch watch(pattern_seconds_);
   residual_.set_pattern(nodes, std::move(couplings));
+  linear_.set_pattern(residual_.matrix().pattern());
+  follow_pattern();
+}
+
+void OpenClose::follow_pattern() {
   const BlockPattern& pattern = residual_.matrix().pattern();
   unsymmetric_.set_pattern(pattern);
-  linear_.set_pattern(pattern);
-  search_.set_size(nodes);
-  zero_.setZero(3 * nodes);
+  search_.set_size(pattern.nodes());
+  zero_.setZero(3 * pattern.nodes());
+}
+
+void OpenClose::archive(StateArchive& state, bool pattern_holds) {
+  state(linear_);
+  if (state.reads() && pattern_holds) {
+    residual_.set_pattern(linear_.pattern());
+    follow_pattern();
+  }
+  state(residual_, interior_, interior_point_first_, pattern_seconds_, elimination_seconds_, alone_);
 }
 
 void OpenClose::begin_step(const StepContext& step) {

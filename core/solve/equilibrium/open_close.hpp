@@ -78,8 +78,13 @@ class OpenClose {
   const InteriorPoint& interior_point() const { return interior_; }
   const StepResidual::EffectWork& work_alone() const { return alone_; }  ///< of balancing bodies by themselves
 
+  /// What it remembers from step to step, with the effects that it has. `pattern_holds`: that of the last step still
+  /// does; else one has to be set before the next.
+  void archive(StateArchive& state, bool pattern_holds);
+
  private:
   using Friction = StepResidual::Friction;
+  void follow_pattern();
   /// Assembles the tangent and measures what rounding it makes.
   void assemble(const Increment& d, double touching);
   /// Newton's direction from D of the parts that are pending, no longer than bodies may go in an iteration.

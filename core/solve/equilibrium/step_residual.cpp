@@ -44,13 +44,16 @@ void StepResidual::put_in(const PutIn& where) {
   step_.length = 0;
 }
 
-void StepResidual::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
+void StepResidual::set_pattern(int dof_blocks, std::vector<std::pair<int, int>> couplings) {
   for (const auto& effect : composition_->effects) effect->add_couplings(couplings);
-  const BlockPattern pattern(nodes, std::move(couplings));
+  set_pattern(BlockPattern(dof_blocks, std::move(couplings)));
+}
+
+void StepResidual::set_pattern(const BlockPattern& pattern) {
   constant_.set_pattern(pattern);
   of_step_.set_pattern(pattern);
   matrix_.set_pattern(pattern);
-  zero_.setZero(3 * nodes);
+  zero_.setZero(3 * pattern.nodes());
   pattern_changed_ = true;
   rounding_ = rounding_of_positions_ = 0;
   const BodySet& bodies = *composition_->bodies;

@@ -26,7 +26,9 @@ class StepResidual {
   /// Effects were put into the composition of the stage; a pattern is to be set.
   void put_in(const PutIn& where);
   /// The couplings of contacts have changed.
-  void set_pattern(int nodes, std::vector<std::pair<int, int>> contact_couplings);
+  void set_pattern(int dof_blocks, std::vector<std::pair<int, int>> contact_couplings);
+  /// One that was set before, couplings of effects and contacts.
+  void set_pattern(const BlockPattern& pattern);
   /// Assembles what is constant through a step, where it has changed; called once after Effect::begin_step. Whether
   /// length or integration differ from those of the step before: then an old factor is no good preconditioner.
   bool begin_step(const StepContext& step);
@@ -96,9 +98,17 @@ class StepResidual {
   struct EffectWork {
     double seconds = 0;  ///< wall time
     long built = 0, evaluations = 0, assemblies = 0;
+
+    void archive(auto& state) { state(seconds, built, evaluations, assemblies); }
   };
   std::map<EffectKind, EffectWork> effect_work() const;
   const SolveTimes& times() const { return times_; }
+
+  /// What it remembers from step to step, with the effects and the pattern that it has.
+  void archive(auto& state) {
+    state(constant_accelerations_, step_.length, step_.integration, rounding_, rounding_of_positions_);
+    state(body_roundings_, times_, effect_work_, earlier_work_);
+  }
 
  private:
   enum class Contacts { included, left_out };

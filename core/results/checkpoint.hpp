@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace talus {
+
+/// What a checkpoint is of.
+struct CheckpointLabel {
+  std::string version;       ///< of the program that wrote it: only that one reads the state
+  std::string project_text;  ///< of the project file
+  double time = 0;           ///< s
+};
+
+/// checkpoint.h5 of a results folder: all that a run needs to go on from some moment with the same bits.
+struct Checkpoint {
+  CheckpointLabel label;
+  std::string state;  ///< bytes of a StateArchive
+};
+
+/// Writes the file whole or not at all, and has it on the disk before the old one goes. Throws WriteError.
+void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
+
+/// None where there is no file. Throws InputError where it is none of ours or damaged.
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file);
+std::optional<CheckpointLabel> read_checkpoint_label(const std::filesystem::path& file);
+
+}  // namespace talus
