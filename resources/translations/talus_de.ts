@@ -3788,6 +3788,10 @@
         <source>the run was not brought to its end</source>
         <translation>der Lauf kam nicht zu seinem Ende</translation>
     </message>
+    <message>
+        <source>run goes on from %1 s</source>
+        <translation>Lauf geht weiter ab %1 s</translation>
+    </message>
 </context>
 <context>
     <name>talus::CurveEditor</name>
@@ -6077,6 +6081,14 @@ Diese Datei gibt es nicht mehr</translation>
     <message>
         <source>from results</source>
         <translation>aus Ergebnissen</translation>
+    </message>
+    <message>
+        <source>Takes the run up where it was stopped, to the same numbers as if it had never been</source>
+        <translation>Setzt den Lauf dort fort, wo er angehalten wurde, mit denselben Zahlen wie ohne Unterbrechung</translation>
+    </message>
+    <message>
+        <source>Go on from %1 s</source>
+        <translation>Weiter ab %1 s</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QImage>
 #include <QLabel>
+#include <QPushButton>
 #include <QTest>
 
 #include "driven_window.hpp"
@@ -67,6 +68,38 @@ TEST_F(DrivenWindow, OpensASampleRunsPausesResumesStopsScrubsAndSaves) {
   ASSERT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
   EXPECT_GT(std::filesystem::file_size(folder / "film.mp4"), 2000u);
   EXPECT_TRUE(session->run.whyNotSolve().isEmpty());
+  EXPECT_TRUE(session->messages.problems().empty());
+}
+
+TEST_F(DrivenWindow, GoesOnWithAStoppedRunWhereItWasStopped) {
+  openAndMesh(slidingCube());
+  auto* goOn = window->findChild<QPushButton*>("goOn");
+  EXPECT_TRUE(goOn->isHidden());
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->run.steps().size() >= 20; }));
+  session->run.job().stop();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy() && session->run.checkpoint(); }));
+  const std::vector<StepReport> before = session->run.steps();
+  EXPECT_NEAR(*session->run.checkpoint(), before.back().time, 1e-9);
+  ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
+
+  Project longer = session->project.document().project();
+  longer.stages.back().time_step *= 2;
+  session->project.document().change(longer, QStringLiteral("longer steps"));
+  EXPECT_FALSE(session->run.checkpoint()) << "another project";
+  session->project.document().undoStack().undo();
+  ASSERT_TRUE(session->run.checkpoint());
+
+  session->display.goTo(WorkflowPage::solve);
+  ASSERT_TRUE(wait([&] { return goOn->isVisible(); }));
+  QTest::mouseClick(goOn, Qt::LeftButton);
+  ASSERT_TRUE(wait([&] { return session->run.steps().size() > before.size() + 20; }));
+  EXPECT_TRUE(goOn->isHidden()) << "it goes on";
+  for (std::size_t i = 0; i < session->run.steps().size(); ++i)
+    ASSERT_EQ(session->run.steps()[i].step, static_cast<int>(i) + 1);
+  session->run.job().stop();
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy() && session->playback.frame(); }));
+  ASSERT_TRUE(wait([&] { return session->playback.times().front() == 0; })) << "all frames, those of before too";
   EXPECT_TRUE(session->messages.problems().empty());
 }
 

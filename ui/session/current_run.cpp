@@ -3,11 +3,14 @@
 #include <algorithm>
 
 #include "document/schema.hpp"
+#include "io/project_change.hpp"
 #include "io/project_file.hpp"
 #include "jobs/results_loader.hpp"
 #include "jobs/solver_job.hpp"
 #include "mesh/volume_sum.hpp"
 #include "render/paint/numbers.hpp"
+#include "results/checkpoint.hpp"
+#include "results/summary.hpp"
 #include "session/current_project.hpp"
 #include "session/messages.hpp"
 #include "session/playback.hpp"
@@ -76,6 +79,19 @@ QString shortfallOf(const RunReport& report) {
   return QObject::tr("%1 of %2 expected values missed").arg(missed).arg(report.expect.size());
 }
 
+/// The moment of the checkpoint in a results folder from which a run of the project can go on [s]: of one that was
+/// stopped or killed, or that has more to come now.
+std::optional<double> checkpointToGoOnFrom(const std::filesystem::path& folder, const Project& project) {
+  const std::optional<CheckpointLabel> label = read_checkpoint_label(folder / "checkpoint.h5");
+  const std::string text = write_project(project);
+  if (!label || change_since_run(label->project_text, text)) return std::nullopt;
+  const std::optional<RunReport> report = read_summary(folder / "summary.json");
+  const bool hasMoreToCome = change_since_run(text, label->project_text).has_value();
+  const bool wasOver = report && report->status != RunStatus::stopped;
+  if (wasOver && !(report->status == RunStatus::completed && hasMoreToCome)) return std::nullopt;
+  return label->time;
+}
+
 /// "1 block", "12 300 blocks".
 QString countOf(const BlockSystem& system) {
   const std::size_t count = system.blocks.size();
@@ -95,6 +111,7 @@ CurrentRun::CurrentRun(CurrentProject& project, Playback& playback, Messages& me
     emit effectsChanged();
   });
   connect(&project_.document(), &Document::projectChanged, this, &CurrentRun::effectsChanged);
+  connect(&project_.document(), &Document::projectChanged, this, &CurrentRun::lookForCheckpoint);
 }
 
 CurrentRun::~CurrentRun() = default;
@@ -118,11 +135,15 @@ QString CurrentRun::whyNotSolve() const {
 }
 
 void CurrentRun::mesh() {
-  if (whyNotMesh().isEmpty()) start(false);
+  if (whyNotMesh().isEmpty()) start(Start::meshing);
 }
 
 void CurrentRun::solve() {
-  if (whyNotSolve().isEmpty() && !project_.document().file().empty()) start(true);
+  if (whyNotSolve().isEmpty() && !project_.document().file().empty()) start(Start::run);
+}
+
+void CurrentRun::goOn() {
+  if (checkpoint_ && whyNotSolve().isEmpty()) start(Start::runFromCheckpoint);
 }
 
 void CurrentRun::clear() {
@@ -144,7 +165,8 @@ void CurrentRun::clear() {
   emit effectsChanged();
 }
 
-void CurrentRun::start(bool solve) {
+void CurrentRun::start(Start what) {
+  const bool solve = what != Start::meshing;
   playback_.clear();
   clear();
   messages_.settle(Problem::Of::run);
@@ -156,10 +178,19 @@ void CurrentRun::start(bool solve) {
   task.folder = document.folder();
   task.options.out = document.resultsFolder();
   task.options.project_text = write_project(document.project());
+  task.options.resume = what == Start::runFromCheckpoint;
   task.system = project_.system();
   task.solve = solve;
+  if (task.options.resume) {
+    const ResultsIndex before = read_results_index(task.options.out);
+    steps_ = before.steps;
+    history_ = before.history;
+    emit historyChanged();
+  }
   if (solve) playback_.beginRun();
-  messages_.log(solve ? tr("run started") : tr("cutting and meshing"));
+  messages_.log(task.options.resume ? tr("run goes on from %1 s").arg(number(*checkpoint_))
+                : solve             ? tr("run started")
+                                    : tr("cutting and meshing"));
   job_->start(std::move(task));
 }
 
@@ -177,11 +208,33 @@ void CurrentRun::takeNews(const JobNews& news) {
   if (!news.troubles.empty()) takeTroubles(news.troubles);
   if (!news.frames.empty()) playback_.add(news.frames);
   if (!news.steps.empty()) {
+    keepStepsBefore(news);
     steps_.insert(steps_.end(), news.steps.begin(), news.steps.end());
     history_.insert(history_.end(), news.history.begin(), news.history.end());
     emit historyChanged();
   }
   emit progressed();
+}
+
+/// A run that goes on from its checkpoint takes the steps behind it again.
+void CurrentRun::keepStepsBefore(const JobNews& news) {
+  std::erase_if(steps_, [&](const StepReport& step) { return step.step >= news.steps.front().step; });
+  std::erase_if(history_, [&](const HistoryRow& row) { return row.time >= news.history.front().time; });
+}
+
+void CurrentRun::lookForCheckpoint() {
+  std::optional<double> found;
+  const Document& document = project_.document();
+  if (document.isOpen() && !document.file().empty() && !job_->isBusy()) {
+    try {
+      found = checkpointToGoOnFrom(document.resultsFolder(), document.project());
+    } catch (const InputError&) {
+      // Damaged, or of a project that cannot be read any more: nothing goes on from there.
+    }
+  }
+  if (found == checkpoint_) return;
+  checkpoint_ = found;
+  emit checkpointChanged();
 }
 
 void CurrentRun::takeEnd(const JobEnd& end) {
@@ -194,6 +247,7 @@ void CurrentRun::takeEnd(const JobEnd& end) {
       break;
     case JobEnd::Kind::stopped:
       messages_.log(tr("run stopped; its results stay"));
+      if (end.report->reason != stopped_by_user) messages_.add(problemOf(*end.report));
       break;
     case JobEnd::Kind::cancelled:
       messages_.log(tr("cancelled"));
@@ -211,6 +265,7 @@ void CurrentRun::takeEnd(const JobEnd& end) {
   }
   if (end.report) takeReport(*end.report);
   if (!end.results.empty()) playback_.endRun(end.results);
+  lookForCheckpoint();
   emit progressed();
 }
 

@@ -36,6 +36,11 @@ class CurrentRun : public QObject {
   void mesh();
   /// Of a project that has a file: its results lie beside it.
   void solve();
+  /// Where a run of the project as it is now, or of one with less to come, was stopped or killed and can go on: the
+  /// moment of its checkpoint [s]. None: there is no such run.
+  const std::optional<double>& checkpoint() const { return checkpoint_; }
+  /// From there, where solve() may.
+  void goOn();
   /// Nothing is known of a run; one of the project as it is now may begin.
   void clear();
 
@@ -67,9 +72,13 @@ class CurrentRun : public QObject {
   void reportChanged();
   void effectsChanged();  ///< what they will cost, or cost
   void troublesChanged();
+  void checkpointChanged();
 
  private:
-  void start(bool solve);
+  enum class Start { meshing, run, runFromCheckpoint };
+  void start(Start what);
+  void lookForCheckpoint();
+  void keepStepsBefore(const JobNews& news);
   void takeNews(const JobNews& news);
   void takeEnd(const JobEnd& end);
   void takeReport(const RunReport& report);
@@ -82,7 +91,8 @@ class CurrentRun : public QObject {
   std::unique_ptr<SolverJob> job_;
   double fraction_ = 0;
   QString activity_;
-  std::optional<SceneSize> size_;  ///< of the project's blocks
+  std::optional<SceneSize> size_;     ///< of the project's blocks
+  std::optional<double> checkpoint_;  ///< s
   std::vector<StepReport> steps_;
   std::vector<HistoryRow> history_;
   std::vector<Event> events_;

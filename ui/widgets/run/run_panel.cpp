@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QProgressBar>
+#include <QPushButton>
 
 #include <algorithm>
 
@@ -80,6 +81,11 @@ RunPanel::RunPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study
   bar_->setAccessibleName(tr("Share of the run that is done"));
   inner->addWidget(bar_);
 
+  goOn_ = makeButton({});
+  goOn_->setObjectName(QStringLiteral("goOn"));
+  goOn_->setToolTip(tr("Takes the run up where it was stopped, to the same numbers as if it had never been"));
+  inner->addWidget(goOn_);
+
   inner->addWidget(new StepFacts(project_, run_));
   auto* whole = new QWidget;
   auto* sections = new QVBoxLayout(whole);
@@ -101,6 +107,8 @@ RunPanel::RunPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study
   connect(&run_, &CurrentRun::historyChanged, this, &RunPanel::refresh);
   connect(&run_.job(), &SolverJob::stateChanged, this, &RunPanel::refresh);
   connect(&run_, &CurrentRun::reportChanged, this, &RunPanel::refresh);
+  connect(&run_, &CurrentRun::checkpointChanged, this, &RunPanel::refresh);
+  connect(goOn_, &QPushButton::clicked, &run_, &CurrentRun::goOn);
   refresh();
 }
 
@@ -115,6 +123,8 @@ void RunPanel::refresh() {
   percent_->setText(busy || report ? tr("%1 %").arg(static_cast<int>(100 * fraction)) : QStringLiteral("–"));
   if (!busy && report && report->status != RunStatus::completed) percent_->setText(endWords(report->status));
   showShare(*bar_, fraction);
+  goOn_->setVisible(!busy && run_.checkpoint() && run_.whyNotSolve().isEmpty());
+  if (run_.checkpoint()) goOn_->setText(tr("Go on from %1 s").arg(QString::number(*run_.checkpoint(), 'g', 4)));
   const auto left = job.timeLeft().seconds();
   if (busy) {
     left_->setText(left && job.state() != JobState::paused ? tr("%1 left").arg(numbers::duration(*left)) : QString());

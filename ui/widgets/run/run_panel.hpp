@@ -5,6 +5,7 @@
 #include "widgets/kit/parts.hpp"
 
 class QProgressBar;
+class QPushButton;
 
 namespace talus {
 
@@ -28,6 +29,7 @@ class RunPanel : public QWidget {
   PanelHeader* header_;
   QLabel *percent_, *left_, *spent_;
   QProgressBar* bar_;
+  QPushButton* goOn_;
 };
 
 }  // namespace talus
