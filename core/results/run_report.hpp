@@ -157,6 +157,8 @@ struct ExpectationOutcome {
 
 /// summary.json.
 struct RunReport {
+  std::string version;   ///< of the program
+  std::string finished;  ///< when, in UTC, as ISO 8601 has it: "2026-03-01T17:04:00Z"
   RunStatus status = RunStatus::completed;
   std::string
       reason;  ///< why it stopped, did not converge or lies in itself: contact, place, joint; empty when completed

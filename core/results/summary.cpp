@@ -158,7 +158,8 @@ Json json_of_contacts(const RunReport& report) {
 
 /// Reads what is there and of the right kind; the rest stays as it is.
 template <class Value>
-void take(const Json& object, const char* name, Value& value) {
+requires(std::is_arithmetic_v<Value> || std::same_as<Value, std::string>) void take(const Json& object,
+                                                                                    const char* name, Value& value) {
   const auto found = object.find(name);
   if (found == object.end()) return;
   const bool right = std::same_as<Value, std::string> ? found->is_string()
@@ -194,6 +195,12 @@ void for_each_item(const Json& object, const char* name, int most, const auto& t
     if (number < most) take_item(number++, item);
 }
 
+void take(const Json& object, const char* name, Vec3& vector) {
+  for_each_item(object, name, 3, [&](int i, const Json& number) {
+    if (number.is_number()) vector[i] = number;
+  });
+}
+
 void take(const Json& object, ConvergenceTrouble& trouble) {
   for_each_plain_field(trouble, [&](const char* name, auto& value) { take(object, name, value); });
   std::string word;
@@ -206,18 +213,40 @@ void take(const Json& object, ConvergenceTrouble& trouble) {
   for_each_item(object, "blocks", 2, [&](int i, const Json& block) {
     if (block.is_string()) trouble.blocks[static_cast<std::size_t>(i)] = block;
   });
-  for (const auto& [name, place] :
-       {std::pair("position", &trouble.position), std::pair("rest_position", &trouble.rest_position)})
-    for_each_item(object, name, 3, [place = place](int i, const Json& number) {
-      if (number.is_number()) (*place)[i] = number;
-    });
+  take(object, "position", trouble.position);
+  take(object, "rest_position", trouble.rest_position);
 }
 
-void take(const Json& object, const char* name, std::vector<ConvergenceTrouble>& troubles) {
+void take(const Json& object, ExpectationOutcome& outcome) {
+  Expectation& expectation = outcome.expectation;
+  take(object, "quantity", expectation.quantity);
+  take(object, "time", expectation.time);
+  take(object, "value", expectation.value);
+  take(object, "tolerance", expectation.tolerance);
+  take(object, "source", expectation.source);
+  const auto computed = object.find("computed");
+  outcome.reached = computed != object.end() && computed->is_number();
+  take(object, "computed", outcome.computed);
+  take(object, "error", outcome.error);
+  take(object, "passed", outcome.passed);
+}
+
+template <class Thing>
+requires(!Listed<Thing>) void take(const Json& object, const char* name, std::vector<Thing>& things) {
   const auto found = object.find(name);
   if (found == object.end() || !found->is_array()) return;
   for (const Json& entry : *found)
-    if (entry.is_object()) take(entry, troubles.emplace_back());
+    if (entry.is_object()) take(entry, things.emplace_back());
+}
+
+void take_contacts(const Json& summary, RunReport& report) {
+  const auto found = summary.find("contacts");
+  if (found == summary.end() || !found->is_object()) return;
+  take(*found, "max_penetration", report.max_penetration);
+  take(*found, "max_relative_penetration", report.max_relative_penetration);
+  take(*found, "open", report.last_step.open);
+  take(*found, "stick", report.last_step.stick);
+  take(*found, "slip", report.last_step.slip);
 }
 
 std::optional<RunStatus> status_named(const Json& summary) {
@@ -232,7 +261,9 @@ std::optional<RunStatus> status_named(const Json& summary) {
 }  // namespace
 
 std::string summary_json(const RunReport& report) {
-  const Json summary = {{"status", to_string(report.status)},
+  const Json summary = {{"version", report.version},
+                        {"finished", report.finished},
+                        {"status", to_string(report.status)},
                         {"reason", report.reason},
                         {"time", report.time},
                         {"steps", report.steps},
@@ -261,6 +292,8 @@ std::optional<RunReport> read_summary(const std::filesystem::path& file) {
   if (!status) return {};
   RunReport report;
   report.status = *status;
+  take(summary, "version", report.version);
+  take(summary, "finished", report.finished);
   take(summary, "reason", report.reason);
   take(summary, "time", report.time);
   take(summary, "steps", report.steps);
@@ -270,11 +303,14 @@ std::optional<RunReport> read_summary(const std::filesystem::path& file) {
   take(summary, "wall_seconds", report.wall_seconds);
   take(summary, "threads", report.threads);
   take(summary, "tolerance", report.tolerance);
+  take_contacts(summary, report);
+  take(summary, "energy", report.last_step.energy);
   take(summary, "effects", report.effects);
   take(summary, "work", report.work);
   take(summary, "phases", report.phases);
   take(summary, summary.contains("struggles") ? "struggles" : "convergence_trouble", report.troubles);  // the old name
   take(summary, "events", report.events);
+  take(summary, "expect", report.expect);
   return report;
 }
 

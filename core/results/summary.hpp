@@ -12,10 +12,9 @@ namespace talus {
 /// was computed for an expectation the run did not reach, are null.
 std::string summary_json(const RunReport& report);
 
-/// What a summary.json says of the run as a whole: how it ended, what its effects were and cost, its work, where it was
-/// hard and its events. Blocks, the last step, penetrations and expectations stay as they are in an empty report. What
-/// the file does not hold (an older Talus wrote it) is zero. None when there is no such file or it cannot be
-/// understood.
+/// What a summary.json says of the run as a whole. Blocks stay out: where they are and how they move is in the last
+/// frame; of the last step there are energies and contacts. What an older Talus did not write is zero or empty.
+/// None when there is no such file or it cannot be understood.
 std::optional<RunReport> read_summary(const std::filesystem::path& file);
 
 }  // namespace talus

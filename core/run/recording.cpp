@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <stdexcept>
 
 #include "base/error.hpp"
@@ -51,6 +52,15 @@ std::vector<Event> merged(std::vector<Event> events, const std::vector<Event>& m
   events.insert(events.end(), more.begin(), more.end());
   std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
   return events;
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
 }
 
 std::string describe(const StepReport& step) {
@@ -200,6 +210,8 @@ RunReport Recording::break_off(const WriteError& error) {
 }
 
 void Recording::gather_report() {
+  report_.version = TALUS_VERSION;
+  report_.finished = utc_now();
   report_.time = simulation_.time();
   report_.blocks = block_outcomes(system_, simulation_.bodies(), motions_.classes(simulation_.bodies()));
   report_.names = motion_names(system_);
