@@ -4,8 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "io/whole_file.hpp"
 #include "options.hpp"
 #include "render/charts/charts.hpp"
+#include "render/paint/pdf_pages.hpp"
+#include "render/paint/svg_painter.hpp"
 #include "text/report_text.hpp"
 
 namespace talus::cli {
@@ -23,8 +26,11 @@ struct PlotOptions {
 
 struct Chart {
   std::string name;
-  Image image;
+  HistoryPlot plot;
 };
+
+/// A row a monitor, a chart a field.
+using Charts = std::vector<std::vector<Chart>>;
 
 /// The monitors to plot, as indices into the results' own; all where none is named.
 std::vector<int> chosen_monitors(const PlotOptions& options, const ResultReader& results) {
@@ -65,11 +71,9 @@ const char* ending_of(Quantity::Field field) {
   return field == Quantity::Field::velocity ? "-velocity" : "-stress";
 }
 
-/// A row a monitor, a chart a field.
-std::vector<std::vector<Chart>> draw_all(const PlotOptions& options, const ResultReader& results,
-                                         const std::vector<int>& monitors, const std::vector<HistoryRow>& history,
-                                         const std::vector<EventMark>& marks) {
-  std::vector<std::vector<Chart>> rows;
+Charts all_charts(const PlotOptions& options, const ResultReader& results, const std::vector<int>& monitors,
+                  const std::vector<HistoryRow>& history, const std::vector<EventMark>& marks) {
+  Charts rows;
   for (const int index : monitors) {
     const HistoryMonitor& monitor = results.history_monitors()[static_cast<std::size_t>(index)];
     std::vector<Chart>& row = rows.emplace_back();
@@ -77,17 +81,23 @@ std::vector<std::vector<Chart>> draw_all(const PlotOptions& options, const Resul
       HistoryPlot plot = monitor_plot(monitor.name, index, history, field);
       plot.marks = marks;
       plot.theme = options.theme;
-      row.push_back({monitor.name + ending_of(field), draw_chart(plot, options.size.width, options.size.height)});
+      row.push_back({monitor.name + ending_of(field), std::move(plot)});
     }
   }
   return rows;
 }
 
-/// All charts on one sheet, paper where a row is shorter than others.
-Image sheet_of(const std::vector<std::vector<Chart>>& rows, const Rgb& paper) {
+std::size_t columns_of(const Charts& rows) {
   std::size_t columns = 0;
   for (const auto& row : rows) columns = std::max(columns, row.size());
-  const int width = rows.front().front().image.width, height = rows.front().front().image.height;
+  return columns;
+}
+
+/// All charts on one sheet, paper where a row is shorter than others.
+Image sheet_of(const Charts& rows, const PlotOptions& options) {
+  const Rgb paper = colours(options.theme).surface;
+  const std::size_t columns = columns_of(rows);
+  const auto [width, height] = options.size;
   Image sheet(static_cast<int>(columns) * width, static_cast<int>(rows.size()) * height);
   for (std::size_t i = 0; i < sheet.rgb.size(); i += 3) {
     sheet.rgb[i] = paper.red;
@@ -97,32 +107,67 @@ Image sheet_of(const std::vector<std::vector<Chart>>& rows, const Rgb& paper) {
   const auto row_bytes = static_cast<std::size_t>(width) * 3;
   const auto lines = static_cast<std::size_t>(height);
   for (std::size_t r = 0; r < rows.size(); ++r)
-    for (std::size_t c = 0; c < rows[r].size(); ++c)
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      const Image chart = draw_chart(rows[r][c].plot, width, height);
       for (std::size_t y = 0; y < lines; ++y)
-        std::copy_n(rows[r][c].image.rgb.begin() + static_cast<std::ptrdiff_t>(y * row_bytes), row_bytes,
+        std::copy_n(chart.rgb.begin() + static_cast<std::ptrdiff_t>(y * row_bytes), row_bytes,
                     sheet.rgb.begin() + static_cast<std::ptrdiff_t>(((r * lines + y) * columns + c) * row_bytes));
+    }
   return sheet;
 }
 
-std::vector<std::string> write_all(const PlotOptions& options, const std::vector<std::vector<Chart>>& rows) {
-  const std::filesystem::path& out = options.out;
-  if (out.extension() == ".png") {
-    write_png(sheet_of(rows, colours(options.theme).surface), out);
-    return {out.string()};
-  }
+/// The same sheet, whose lines stay lines.
+std::string svg_sheet_of(const Charts& rows, const PlotOptions& options) {
+  const double width = options.size.width, height = options.size.height;
+  std::string charts;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      SvgPainter painter(width, height, colours(options.theme).surface);
+      chart_painting(rows[r][c].plot)(painter, width, height);
+      charts += painter.element(static_cast<double>(c) * width, static_cast<double>(r) * height);
+    }
+  return svg_document(static_cast<double>(columns_of(rows)) * width, static_cast<double>(rows.size()) * height, charts);
+}
+
+/// A chart a page.
+std::string pdf_sheets_of(const Charts& rows, const PlotOptions& options, const std::string& title) {
+  std::vector<Painting> pages;
+  for (const auto& row : rows)
+    for (const Chart& chart : row)
+      pages.push_back([&chart](Painter& painter, double width, double height) {
+        painter.fill(PixelRect{0, 0, width, height}, colours(chart.plot.theme).surface);
+        chart_painting(chart.plot)(painter, width, height);
+      });
+  return pdf_of(options.size.width, options.size.height, title, pages);
+}
+
+std::vector<std::string> write_into_folder(const Charts& rows, const PlotOptions& options) {
   std::error_code failure;
-  std::filesystem::create_directories(out, failure);
-  if (failure) throw InputError(out.string(), "cannot be made: " + failure.message(), "choose another folder");
+  std::filesystem::create_directories(options.out, failure);
+  if (failure) throw InputError(options.out.string(), "cannot be made: " + failure.message(), "choose another folder");
   std::vector<std::string> files;
   for (const auto& row : rows) {
     for (const Chart& chart : row) {
       std::string name = chart.name + ".png";
       std::replace(name.begin(), name.end(), '/', '_');
-      write_png(chart.image, out / name);
-      files.push_back((out / name).string());
+      write_png(draw_chart(chart.plot, options.size.width, options.size.height), options.out / name);
+      files.push_back((options.out / name).string());
     }
   }
   return files;
+}
+
+std::vector<std::string> write_all(const PlotOptions& options, const Charts& rows, const std::string& title) {
+  const std::string ending = options.out.extension();
+  if (ending == ".png")
+    write_png(sheet_of(rows, options), options.out);
+  else if (ending == ".svg")
+    about(options.out, [&] { replace_whole_file(options.out, svg_sheet_of(rows, options)); });
+  else if (ending == ".pdf")
+    about(options.out, [&] { replace_whole_file(options.out, pdf_sheets_of(rows, options, title)); });
+  else
+    return write_into_folder(rows, options);
+  return {options.out.string()};
 }
 
 Json json_of(const std::vector<EventComparison>& comparisons) {
@@ -144,8 +189,8 @@ ExitCode plot(const PlotOptions& options, bool json) {
   std::vector<EventComparison> comparisons;
   if (!options.events.empty())
     comparisons = compare_events(read_reference_events(options.events), results.monitor_names(), history);
-  const auto files = write_all(options, draw_all(options, results, monitors, history,
-                                                 marks_of(comparisons, results.report().value_or(RunReport{}).events)));
+  const auto marks = marks_of(comparisons, results.report().value_or(RunReport{}).events);
+  const auto files = write_all(options, all_charts(options, results, monitors, history, marks), results.project_name());
 
   if (json) {
     const Json result = {{"pictures", files},
@@ -162,12 +207,14 @@ ExitCode plot(const PlotOptions& options, bool json) {
 }  // namespace
 
 void add_plot(CLI::App& program, Invocation& invocation) {
-  auto* command = program.add_subcommand("plot", "Draw the histories of monitors as PNG");
+  auto* command = program.add_subcommand("plot", "Draw the histories of monitors as PNG, SVG or PDF");
   auto options = std::make_shared<PlotOptions>();
   add_results(*command, options->results);
-  command->add_option("--out", options->out, "Folder for a chart of each, or one picture with all of them")
+  command
+      ->add_option("--out", options->out,
+                   "Folder for a PNG of each chart; one sheet of all as PNG or SVG; or a PDF of a page for each")
       ->required()
-      ->type_name("DIR|P.png");
+      ->type_name("DIR|P.png|P.svg|P.pdf");
   command->add_option("--monitor", options->monitors, "Only this monitor; may be given again (default: all)")
       ->allow_extra_args(false)
       ->type_name("NAME");

@@ -5,10 +5,10 @@
 
 #include <stdexcept>
 
+#include "base/xml_text.hpp"
 #include "model/number_text.hpp"
 #include "results/folder.hpp"
 #include "results/hdf5.hpp"
-#include "results/xml_text.hpp"
 
 namespace talus {
 

@@ -95,8 +95,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
      {"ui/widgets/begin", "ui/widgets/geometry", "ui/widgets/project", "ui/widgets/setup", "ui/widgets/actions",
       "ui/widgets/results", "ui/widgets/orientation", "ui/widgets/joints", "ui/widgets/verification"}},
     {"app/cli/text", {"core/study/forecast", "core/verification", "core/orientation", "ui/render/charts"}},
-    {"app/cli",
-     {"app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/render/charts",
+    {"app/cli", {"app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/render/charts",
       "ui/render/stereonet"}},
     {"app/window", {"ui/widgets/window"}},
 };
@@ -117,6 +116,7 @@ const std::vector<Fence> fences = {
     {"FFmpeg", std::regex("lib(av|sw)\\w+/.*"), std::regex("ui/render/.*\\.cpp")},
     {"giflib", std::regex("gif_lib\\.h"), std::regex("ui/render/.*\\.cpp")},
     {"libpng", std::regex("png\\.h"), std::regex("ui/render/.*\\.cpp")},
+    {"Cairo and Pango", std::regex("(cairo|pango).*"), std::regex("ui/(render/paint|report)/.*\\.cpp")},
     {"gmsh", std::regex("gmsh.*\\.h(_cwrap)?"), std::regex("core/geometry/mesher/.*\\.cpp")},
     {"CGAL", std::regex("CGAL/.*"), std::regex("core/geometry/mesher/.*\\.cpp")},
     {"GDAL", std::regex("(gdal|ogr|cpl)\\w*\\.h"), std::regex("core/geometry/mesher/.*\\.cpp")},

@@ -237,10 +237,13 @@ Heading heading_of(Quantity::Field field) {
 
 }  // namespace
 
-Image draw_chart(const HistoryPlot& plot, int width, int height) {
+Painting chart_painting(const HistoryPlot& plot) {
   check(plot);
-  return painted_image(width, height, colours(plot.theme).surface,
-                       [&](Painter& painter, double w, double h) { Chart(plot, w, h).paint(painter); });
+  return [plot](Painter& painter, double width, double height) { Chart(plot, width, height).paint(painter); };
+}
+
+Image draw_chart(const HistoryPlot& plot, int width, int height) {
+  return painted_image(width, height, colours(plot.theme).surface, chart_painting(plot));
 }
 
 HistoryPlot monitor_plot(const std::string& monitor, int monitor_index, std::span<const HistoryRow> history,

@@ -7,6 +7,7 @@
 
 #include "model/quantity.hpp"
 #include "render/paint/image.hpp"
+#include "render/paint/painter.hpp"
 #include "render/paint/theme.hpp"
 #include "results/run_report.hpp"
 
@@ -35,8 +36,11 @@ struct HistoryPlot {
   Theme theme = Theme::light;
 };
 
-/// Throws std::invalid_argument when series are missing, too many or of unequal lengths, InputError for sizes
-/// outside 320…8192.
+/// The curves with all that belongs to them, without paper. Throws std::invalid_argument when series are missing, too
+/// many or of unequal lengths.
+Painting chart_painting(const HistoryPlot& plot);
+
+/// The same as an image; throws InputError for sizes outside 320…8192.
 Image draw_chart(const HistoryPlot& plot, int width = 1600, int height = 1000);
 
 /// The components of a monitor's displacement, velocity or stress over time, from history.csv's rows. A stress that was

@@ -26,8 +26,7 @@ int supersampling(int width, int height) {
 
 }  // namespace
 
-Image painted_image(int width, int height, Rgb paper,
-                    const std::function<void(Painter&, double width, double height)>& paint) {
+Image painted_image(int width, int height, Rgb paper, const Painting& paint) {
   for (const int side : {width, height})
     if (side < smallest_chart || side > largest_chart)
       throw InputError("plot size " + std::to_string(width) + "x" + std::to_string(height), "cannot be drawn",

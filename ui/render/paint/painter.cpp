@@ -92,19 +92,19 @@ std::vector<std::string> wrapped(std::string_view text, double width, double hei
   return lines;
 }
 
-void Painter::set_brush(Rgb colour, double opacity) {
+void ContextPainter::set_brush(Rgb colour, double opacity) {
   context_.GetPen()->SetLineType(vtkPen::NO_PEN);
   context_.GetBrush()->SetColor(colour.red, colour.green, colour.blue,
                                 static_cast<unsigned char>(std::lround(255 * opacity)));
 }
 
-void Painter::fill(const PixelRect& rect, Rgb colour, double opacity) {
+void ContextPainter::draw_rectangle(const PixelRect& rect, Rgb colour, double opacity) {
   set_brush(colour, opacity);
   context_.DrawRect(static_cast<float>(rect.left), static_cast<float>(rect.bottom), static_cast<float>(rect.width()),
                     static_cast<float>(rect.height()));
 }
 
-void Painter::fill(std::span<const PixelPoint> convex, Rgb colour, double opacity) {
+void ContextPainter::draw_polygon(std::span<const PixelPoint> convex, Rgb colour, double opacity) {
   set_brush(colour, opacity);
   std::vector<float> points;
   for (const PixelPoint& p : convex) points.insert(points.end(), {static_cast<float>(p.x), static_cast<float>(p.y)});
@@ -128,7 +128,7 @@ void Painter::card(const PixelRect& rect, double radius, Rgb inside, double fill
   line(outline, line_width, frame);
 }
 
-void Painter::line(std::span<const PixelPoint> points, double width, Rgb colour, double opacity) {
+void ContextPainter::draw_line(std::span<const PixelPoint> points, double width, Rgb colour, double opacity) {
   // Quads and, where it bends, discs: VTK's own wide lines leave notches at the joins.
   const double half = width / 2;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -153,12 +153,12 @@ void Painter::dashed(PixelPoint a, PixelPoint b, double width, double dash, Rgb 
   for (double s = 0; s < length; s += 2 * dash) line(at(s), at(std::min(s + dash, length)), width, colour);
 }
 
-void Painter::disc(PixelPoint centre, double radius, Rgb colour) {
+void ContextPainter::draw_disc(PixelPoint centre, double radius, Rgb colour) {
   const auto outline = arc(centre, radius, 0, 2 * std::numbers::pi);
   fill(outline, colour);
 }
 
-void Painter::text(PixelPoint at, std::string_view text, const TextStyle& style) {
+void ContextPainter::draw_text(PixelPoint at, std::string_view text, const TextStyle& style) {
   vtkNew<vtkTextProperty> property;
   apply(style, *property);
   const std::lock_guard one_thread(lettering());
@@ -169,7 +169,7 @@ void Painter::text(PixelPoint at, std::string_view text, const TextStyle& style)
 }
 
 bool PainterItem::Paint(vtkContext2D* context) {
-  Painter painter(*context);
+  ContextPainter painter(*context);
   if (paint) paint(painter);
   return true;
 }

@@ -192,9 +192,8 @@ class Key {
 
 }  // namespace
 
-Image draw_stereonet(const Stereonet& net, const std::string& title, int width, int height) {
-  const DrawnNet drawn = draw_net(net);
-  return painted_image(width, height, colours(net.theme).surface, [&](Painter& painter, double w, double h) {
+Painting stereonet_painting(const Stereonet& net, const std::string& title) {
+  return [net, title, drawn = draw_net(net)](Painter& painter, double w, double h) {
     const ThemeColours& c = colours(net.theme);
     const double em = std::max(11.0, std::min(h / 44, w / 66)), edge = 1.2 * em;
     const double key_width = std::min(24 * em, 0.4 * w);
@@ -212,7 +211,11 @@ Image draw_stereonet(const Stereonet& net, const std::string& title, int width, 
                      (net.joints.size() == 1 ? " pole" : " poles"),
                  {.height = 0.85 * em, .colour = c.muted});
     Key(painter, net, {w - edge - key_width, h - edge - title_height + 0.7 * em}, key_width, em).paint(drawn);
-  });
+  };
+}
+
+Image draw_stereonet(const Stereonet& net, const std::string& title, int width, int height) {
+  return painted_image(width, height, colours(net.theme).surface, stereonet_painting(net, title));
 }
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-#include "results/xml_text.hpp"
+#include "base/xml_text.hpp"
 
 namespace talus {
 
