@@ -26,21 +26,30 @@ PoseFit::PoseFit(const BlockSystem& system) {
 }
 
 BlockPose PoseFit::pose(const BodySet& set, int block) const {
-  const Body& body = set.bodies[block];
+  const int first = set.bodies[block].first_node;
+  return pose(block, set.nodes.reference.data() + first, set.nodes.position.data() + first);
+}
+
+BlockPose PoseFit::pose(int block, const Vec3* reference, const Vec3* position) const {
   const Shape& shape = shapes_[block];
-  const Vec3* reference = set.nodes.reference.data() + body.first_node;
-  const Vec3* position = set.nodes.position.data() + body.first_node;
   BlockPose pose;
   if (shape.fixed || shape.weight.empty()) {
     pose.centroid = shape.moments.centroid + position[0] - reference[0];
     return pose;
   }
-  for (std::size_t n = 0; n < shape.weight.size(); ++n) pose.centroid += shape.weight[n] * position[n];
+  pose.centroid = mean(block, position);
   Mat3 covariance = Mat3::Zero();
   for (std::size_t n = 0; n < shape.weight.size(); ++n)
     covariance += shape.weight[n] * (position[n] - pose.centroid) * (reference[n] - shape.moments.centroid).transpose();
   pose.rotation = rotation_of(covariance);
   return pose;
+}
+
+Vec3 PoseFit::mean(int block, const Vec3* nodal) const {
+  const Shape& shape = shapes_[block];
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t n = 0; n < shape.weight.size(); ++n) sum += shape.weight[n] * nodal[n];
+  return sum;
 }
 
 std::vector<BlockPose> PoseFit::poses(const BodySet& set) const {

@@ -20,6 +20,10 @@ class PoseFit {
 
   /// A block that is built fixed is taken as a whole: it does not turn.
   BlockPose pose(const BodySet& set, int block) const;
+  /// The same of any node positions, undeformed and as they are: each a pointer to the block's first node [m].
+  BlockPose pose(int block, const Vec3* reference, const Vec3* position) const;
+  /// Mean over the undeformed block's volume of a vector that is given at its nodes; zero without tetrahedra.
+  Vec3 mean(int block, const Vec3* nodal) const;
   std::vector<BlockPose> poses(const BodySet& set) const;  ///< one a block
   /// Mean of (x − c)(x − c)ᵀ over the block's volume, undeformed [m²]; zero where the block has no tetrahedra.
   const Mat3& spread(int block) const { return shapes_[static_cast<std::size_t>(block)].moments.spread; }

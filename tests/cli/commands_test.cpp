@@ -377,7 +377,7 @@ TEST_F(Commands, OldNamesOfOptionsAreStillRead) {
 }
 
 TEST(Help, OfEveryCommandNamesItsOptions) {
-  for (const char* command : {"mesh", "solve", "render", "animate", "plot", "verify", "info", "export"}) {
+  for (const char* command : {"mesh", "solve", "render", "animate", "plot", "verify", "info", "report", "export"}) {
     const Ending ending = talus_cli({command, "--help"});
     EXPECT_EQ(ending.exit_code, 0);
     EXPECT_THAT(ending.out, HasSubstr("--json")) << command;

@@ -73,6 +73,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"ui/render/charts", {"ui/render/gl", "core/results"}},
     {"ui/render/stereonet", {"ui/render/charts", "core/orientation"}},
     {"ui/render/film", {"ui/render/scene"}},
+    {"ui/report", {"ui/render/scene", "ui/render/stereonet", "core/bodies"}},
     {"ui/document", {"core/io"}},
     {"ui/jobs", {"core/study/forecast", "core/verification"}},
     {"ui/session", {"ui/document", "ui/jobs", "ui/render/scene", "core/removability"}},
@@ -95,8 +96,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
      {"ui/widgets/begin", "ui/widgets/geometry", "ui/widgets/project", "ui/widgets/setup", "ui/widgets/actions",
       "ui/widgets/results", "ui/widgets/orientation", "ui/widgets/joints", "ui/widgets/verification"}},
     {"app/cli/text", {"core/study/forecast", "core/verification", "core/orientation", "ui/render/charts"}},
-    {"app/cli", {"app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/render/charts",
-      "ui/render/stereonet"}},
+    {"app/cli", {"app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/report"}},
     {"app/window", {"ui/widgets/window"}},
 };
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "render/paint/colour.hpp"
@@ -26,6 +27,9 @@ struct Image {
 
 /// Throws InputError when the file cannot be written; nothing half-written is left.
 void write_png(const Image& image, const std::filesystem::path& path);
+
+/// The bytes of a PNG file.
+std::string png_of(const Image& image);
 
 /// Throws InputError when the file is no readable PNG.
 Image read_png(const std::filesystem::path& path);
