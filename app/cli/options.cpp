@@ -63,9 +63,10 @@ void add_threads(CLI::App& command, int& threads) {
       ->capture_default_str();
 }
 
-void add_frame_choice(CLI::App& command, FrameChoice& choice) {
-  auto* time = command.add_option("--time", choice.time, "Frame nearest to this model time in s (default: the last)")
-                   ->type_name("T");
+void add_frame_choice(CLI::App& command, FrameChoice& choice, const std::string& otherwise) {
+  auto* time =
+      command.add_option("--time", choice.time, "Frame nearest to this model time in s (default: " + otherwise + ")")
+          ->type_name("T");
   command.add_option("--frame", choice.frame, "Frame by number, from 0")->type_name("K")->excludes(time);
 }
 

@@ -27,7 +27,8 @@ struct FrameChoice {
   std::optional<double> time;
   std::optional<int> frame;
 };
-void add_frame_choice(CLI::App& command, FrameChoice& choice);
+/// `otherwise`: which frames are meant where none is chosen.
+void add_frame_choice(CLI::App& command, FrameChoice& choice, const std::string& otherwise = "the last");
 /// Throws InputError when the results hold no such frame.
 int frame_index(const ResultReader& results, const FrameChoice& choice);
 

@@ -10,7 +10,7 @@
 #include "results/result_file.hpp"
 #include "results/stored_rows.hpp"
 #include "results/superblock.hpp"
-#include "results/vtu.hpp"
+#include "results/vtk_cells.hpp"
 
 namespace talus {
 

@@ -349,8 +349,30 @@ TEST_F(Commands, ExportWritesFramesForOthers) {
   const std::string nodes = text_of(place("csv/nodes_00003.csv"));
   EXPECT_EQ(std::count(nodes.begin(), nodes.end(), '\n'), mesh["blocks"][0]["nodes"].get<int>() + 1);
 
+  const Ending one = talus_cli({"export", results(), "--out", place("one"), "--as", "csv", "--time", "0.52"});
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_TRUE(std::filesystem::exists(place("one/contacts_00010.csv")));
+  EXPECT_FALSE(std::filesystem::exists(place("one/contacts_00011.csv")));
+
   const Ending again = talus_cli({"export", results(), "--out", place("csv"), "--as", "csv"});
   EXPECT_EQ(again.exit_code, 2) << "a folder that is not empty is left alone";
+}
+
+TEST_F(Commands, ExportWritesShapes) {
+  const Ending stl = talus_cli({"export", results(), "--out", place("stl"), "--as", "stl", "--json"});
+  ASSERT_EQ(stl.exit_code, 0) << stl.err;
+  EXPECT_EQ(Json::parse(stl.out)["file"], place("stl/frame_00020.stl")) << "the last frame";
+  EXPECT_GT(std::filesystem::file_size(place("stl/frame_00020.stl")), 84u);
+  const Ending film = talus_cli({"export", results(), "--out", place("fall.glb")});
+  ASSERT_EQ(film.exit_code, 0) << film.err;
+  EXPECT_THAT(text_of(place("fall.glb")), HasSubstr("\"path\":\"translation\""));
+  const Ending still = talus_cli({"export", results(), "--out", place("gltf"), "--as", "gltf", "--frame", "3"});
+  ASSERT_EQ(still.exit_code, 0) << still.err;
+  EXPECT_EQ(text_of(place("gltf/frame_00003.glb")).substr(0, 4), "glTF");
+
+  const Ending unknown = talus_cli({"export", results(), "--out", place("fall.obj")});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("the format is missing; say vtu, csv, stl or gltf"));
 }
 
 TEST_F(Commands, SolveTellsTheToleranceThatItSolvedTo) {

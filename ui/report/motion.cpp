@@ -34,7 +34,7 @@ Table travels(const RunRecord& run) {
     const Block& block = run.system().blocks[static_cast<std::size_t>(travel.block)];
     table.rows.push_back({block.name, format_number(block.volume, 3),
                           format_decimals(length.factor * travel.displacement.norm(), length_decimals),
-                          attitude_text(travel.displacement), format_decimals(travel.rotation, 2),
+                          attitude_text(travel.displacement), format_decimals(travel.turn(), 2),
                           format_decimals(speed.factor * travel.velocity.norm(), speed_decimals),
                           run.last.motions.empty()
                               ? "–"

@@ -5,19 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "export/block_travel.hpp"
 #include "model/project.hpp"
 #include "results/result_folder.hpp"
 
 /// What is known of a run, gathered once for all sections of its report.
 namespace talus::report {
-
-/// How a block has moved up to the last frame.
-struct BlockTravel {
-  int block = 0;
-  Vec3 displacement = Vec3::Zero();  ///< m, of the centroid
-  Vec3 velocity = Vec3::Zero();      ///< m/s, of the centroid
-  double rotation = 0;               ///< degrees, 0 to 180
-};
 
 /// The project as it was run, or why it is not known.
 struct ProjectOfRun {

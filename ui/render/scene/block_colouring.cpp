@@ -3,6 +3,8 @@
 #include <cmath>
 #include <set>
 
+#include "render/paint/theme.hpp"
+#include "render/scene/block_colours.hpp"
 #include "render/scene/block_surface.hpp"
 
 namespace talus {
@@ -122,6 +124,22 @@ std::vector<int> colour_indices(int block_count, const std::vector<std::array<in
     ++used[best];
   }
   return colour;
+}
+
+std::vector<Rgb> colours_of_blocks(const BlockSystem& system) {
+  const Rgb rock = colours(Theme::light).rock;
+  std::vector<std::array<int, 2>> touching;
+  for (const auto& pair : touching_blocks(system)) {
+    const auto movable = [&](int b) { return system.blocks[b].body != BodyKind::fixed; };
+    if (movable(pair[0]) && movable(pair[1])) touching.push_back(pair);
+  }
+  const auto& palette = block_palette();
+  const std::vector<int> index =
+      colour_indices(static_cast<int>(system.blocks.size()), touching, static_cast<int>(palette.size()));
+  std::vector<Rgb> result;
+  for (std::size_t b = 0; b < index.size(); ++b)
+    result.push_back(system.blocks[b].body == BodyKind::fixed ? rock : mix(palette[index[b]], rock, 0.25));
+  return result;
 }
 
 }  // namespace talus

@@ -9,6 +9,8 @@
 /// What may be shown of a scene's blocks beside their shape.
 namespace talus {
 
+struct BlockSystem;
+
 /// A dot of the picture and what it means.
 struct KeyEntry {
   Rgb colour;
@@ -21,6 +23,10 @@ struct BlockColours {
   std::vector<Rgb> colours;   ///< in the order of BlockSystem::blocks
   std::vector<KeyEntry> key;  ///< empty: there is nothing to say
 };
+
+/// Tol's colours, calmed by a quarter of grey, for blocks that have no other: neighbours have different ones, and fixed
+/// rock has that of rock.
+std::vector<Rgb> colours_of_blocks(const BlockSystem& system);
 
 /// A place of the blocks as they were cut that is marked over everything, by a ring and a label.
 struct MarkedPlace {

@@ -41,22 +41,6 @@ std::vector<bool> with_body(const BlockSystem& system, bool fixed) {
   return wanted;
 }
 
-/// Fixed rock is grey; the others get Tol's colours, calmed by a quarter of grey, neighbours different ones.
-std::vector<Rgb> colours_of_blocks(const BlockSystem& system) {
-  const Rgb rock = colours(Theme::light).rock;
-  std::vector<std::array<int, 2>> touching;
-  for (const auto& pair : touching_blocks(system)) {
-    const auto movable = [&](int b) { return system.blocks[b].body != BodyKind::fixed; };
-    if (movable(pair[0]) && movable(pair[1])) touching.push_back(pair);
-  }
-  const auto& palette = block_palette();
-  const std::vector<int> index =
-      colour_indices(static_cast<int>(system.blocks.size()), touching, static_cast<int>(palette.size()));
-  std::vector<Rgb> result;
-  for (const int i : index) result.push_back(mix(palette[i], rock, 0.25));
-  return result;
-}
-
 /// A light that goes with the camera. `azimuth` to the right of the viewer, `elevation` above, degrees.
 void add_light(vtkRenderer& renderer, double azimuth, double elevation, double intensity, Rgb colour) {
   vtkNew<vtkLight> light;

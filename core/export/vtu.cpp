@@ -1,19 +1,23 @@
-#include "results/vtu.hpp"
-
 #include <bit>
 #include <cstdint>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "base/base64.hpp"
+#include "export/export.hpp"
+#include "export/export_folder.hpp"
 #include "mesh/block.hpp"
+#include "model/number_text.hpp"
 #include "results/field.hpp"
+#include "results/vtk_cells.hpp"
 
 namespace talus {
 
 namespace {
 
-/// The arrays of a file: their declarations, and their bytes, each behind its length, for the end of the file.
+/// The arrays of a file: their declarations, and their bytes, each behind its length, for the end of the file: in
+/// base64, for with raw bytes the file is no XML.
 class AppendedData {
  public:
   /// Declares an array of rows × `components` numbers and keeps its bytes. `attributes`: more of its XML attributes.
@@ -22,16 +26,17 @@ class AppendedData {
                   const std::string& attributes = "") {
     const std::string declaration = "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name +
                                     "\" NumberOfComponents=\"" + std::to_string(components) + "\" " + attributes +
-                                    "format=\"appended\" offset=\"" + std::to_string(bytes_.size()) + "\"/>\n";
+                                    "format=\"appended\" offset=\"" + std::to_string(text_.size()) + "\"/>\n";
     const std::uint64_t length = numbers.size() * sizeof(Number);
-    bytes_.append(reinterpret_cast<const char*>(&length), sizeof length);
-    bytes_.append(reinterpret_cast<const char*>(numbers.data()), length);
+    std::string bytes(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes.append(reinterpret_cast<const char*>(numbers.data()), length);
+    text_ += base64(bytes);
     return declaration;
   }
-  const std::string& bytes() const { return bytes_; }
+  const std::string& text() const { return text_; }
 
  private:
-  std::string bytes_;
+  std::string text_;
 };
 
 template <class Vector>
@@ -79,8 +84,7 @@ std::string component_names() {
   return names;
 }
 
-}  // namespace
-
+/// A VTK XML unstructured grid, readable from VTK 6 on.
 void write_vtu(std::ostream& stream, const BlockSystem& system, const Frame& frame) {
   static_assert(std::endian::native == std::endian::little);
   const Cells cells = cells_of(system);
@@ -100,8 +104,26 @@ void write_vtu(std::ostream& stream, const BlockSystem& system, const Frame& fra
          << data.add("points", "Float64", 3, moved_nodes(system, frame)) << "</Points>\n<Cells>\n"
          << data.add("connectivity", "Int64", 1, cells.connectivity) << data.add("offsets", "Int64", 1, cells.offsets)
          << data.add("types", "UInt8", 1, std::vector<std::uint8_t>(cells.block.size(), vtk_tetra))
-         << "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" << data.bytes()
+         << "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"base64\">\n_" << data.text()
          << "\n</AppendedData>\n</VTKFile>\n";
+}
+
+}  // namespace
+
+void export_vtu(const ResultReader& results, std::span<const int> frames, const std::filesystem::path& folder,
+                Progress& progress) {
+  prepare_export_folder(folder);
+  std::string collection =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+      "<Collection>\n";
+  for_each_frame(results, frames, progress, [&](const Frame& frame) {
+    const std::string name = numbered_name("frame", frame.index, ".vtu");
+    write_export_file(folder / name, [&](std::ostream& stream) { write_vtu(stream, results.system(), frame); });
+    collection +=
+        "<DataSet timestep=\"" + number_text(frame.time) + "\" group=\"\" part=\"0\" file=\"" + name + "\"/>\n";
+  });
+  write_export_file(folder / "frames.pvd",
+                    [&](std::ostream& stream) { stream << collection << "</Collection>\n</VTKFile>\n"; });
 }
 
 }  // namespace talus

@@ -1,54 +1,20 @@
-#include "results/export.hpp"
+#include "export/export.hpp"
 
-#include <fstream>
-#include <functional>
+#include <ostream>
 
-#include "base/error.hpp"
 #include "base/line_attitude.hpp"
+#include "export/block_travel.hpp"
+#include "export/export_folder.hpp"
 #include "model/number_text.hpp"
 #include "results/history.hpp"
 #include "results/steps.hpp"
 #include "results/text_table.hpp"
-#include "results/vtu.hpp"
 
 namespace talus {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-void prepare(const fs::path& folder) {
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) throw InputError(folder.string(), "cannot be made: " + problem.message(), "choose another --out");
-  if (!fs::is_empty(folder))
-    throw InputError(folder.string(), "is not empty", "choose another --out, or empty it first");
-}
-
-/// "nodes_00012.csv"
-std::string numbered(const std::string& name, std::size_t frame, const std::string& ending) {
-  const std::string number = std::to_string(frame);
-  return name + '_' + std::string(number.size() < 5 ? 5 - number.size() : 0, '0') + number + ending;
-}
-
-void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  write(stream);
-  stream.close();
-  if (!stream) throw InputError(file.string(), "cannot be written", "free space on the disk or choose another --out");
-}
-
-/// Calls `write(number, frame)` for every frame of the results.
-void for_each_frame(const ResultReader& results, Progress& progress,
-                    const std::function<void(std::size_t, const Frame&)>& write) {
-  const std::size_t count = results.frame_times().size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (progress.cancelled()) throw Cancelled{};
-    progress.report(static_cast<double>(i) / static_cast<double>(count),
-                    "frame " + std::to_string(i + 1) + " of " + std::to_string(count));
-    write(i, results.frame(static_cast<int>(i)));
-  }
-}
 
 void write_blocks(std::ostream& stream, const BlockSystem& system) {
   stream << "block,name,body,volume [m3],nodes,tetrahedra\n";
@@ -125,42 +91,46 @@ void write_contacts(std::ostream& stream, const BlockSystem& system, const Frame
   }
 }
 
-}  // namespace
-
-void export_vtu(const ResultReader& results, const fs::path& folder, Progress& progress) {
-  prepare(folder);
-  std::string collection =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-      "<Collection>\n";
-  for_each_frame(results, progress, [&](std::size_t i, const Frame& frame) {
-    const std::string name = numbered("frame", i, ".vtu");
-    write_file(folder / name, [&](std::ostream& stream) { write_vtu(stream, results.system(), frame); });
-    collection +=
-        "<DataSet timestep=\"" + number_text(frame.time) + "\" group=\"\" part=\"0\" file=\"" + name + "\"/>\n";
-  });
-  write_file(folder / "frames.pvd",
-             [&](std::ostream& stream) { stream << collection << "</Collection>\n</VTKFile>\n"; });
+void write_travels(std::ostream& stream, const BlockSystem& system, const Frame& frame) {
+  stream << "block,name,x [m],y [m],z [m],displacement.x [m],displacement.y [m],displacement.z [m],velocity.x [m/s],"
+            "velocity.y [m/s],velocity.z [m/s],rotation [deg]\n";
+  for (const BlockTravel& travel : block_travels(system, frame)) {
+    const Vec3 &x = travel.centroid, &u = travel.displacement, &v = travel.velocity;
+    stream << travel.block << ',' << csv_field(system.blocks[static_cast<std::size_t>(travel.block)].name) << ','
+           << csv_line({x.x(), x.y(), x.z(), u.x(), u.y(), u.z(), v.x(), v.y(), v.z(), travel.turn()}) << '\n';
+  }
 }
 
-void export_csv(const ResultReader& results, const fs::path& folder, Progress& progress) {
-  prepare(folder);
+void write_events(std::ostream& stream, const std::vector<Event>& events) {
+  stream << "time [s],event\n";
+  for (const Event& event : events) stream << number_text(event.time) << ',' << csv_field(event.what) << '\n';
+}
+
+}  // namespace
+
+void export_csv(const ResultReader& results, std::span<const int> frames, const fs::path& folder, Progress& progress) {
+  prepare_export_folder(folder);
   const BlockSystem& system = results.system();
-  write_file(folder / "blocks.csv", [&](std::ostream& stream) { write_blocks(stream, system); });
+  write_export_file(folder / "blocks.csv", [&](std::ostream& stream) { write_blocks(stream, system); });
+  if (const auto report = results.report())
+    write_export_file(folder / "events.csv", [&](std::ostream& stream) { write_events(stream, report->events); });
   TextTableWriter history(folder / "history.csv", history_header(results.history_monitors()));
   for (const HistoryRow& row : results.history()) history.add(to_columns(row));
   TextTableWriter steps(folder / "steps.csv", steps_header());
   for (const StepReport& step : results.steps()) steps.add(to_columns(step));
 
-  TextTableWriter frames(folder / "frames.csv", {"frame", "time [s]", "stage"});
-  for_each_frame(results, progress, [&](std::size_t i, const Frame& frame) {
-    frames.add({static_cast<double>(i), frame.time, static_cast<double>(frame.stage)});
+  TextTableWriter times(folder / "frames.csv", {"frame", "time [s]", "stage"});
+  for_each_frame(results, frames, progress, [&](const Frame& frame) {
+    times.add({static_cast<double>(frame.index), frame.time, static_cast<double>(frame.stage)});
     const auto table = [&](const std::string& name, auto write) {
-      write_file(folder / numbered(name, i, ".csv"), [&](std::ostream& stream) { write(stream, system, frame); });
+      write_export_file(folder / numbered_name(name, frame.index, ".csv"),
+                        [&](std::ostream& stream) { write(stream, system, frame); });
     };
     table("nodes", write_nodes);
     table("tetrahedra", write_tetrahedra);
     table("contacts", write_contacts);
     table("motions", write_motions);
+    table("travels", write_travels);
   });
 }
 
