@@ -1,10 +1,14 @@
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
+#include <utility>
 
 #include "model/number_text.hpp"
 #include "orientation/project_joints.hpp"
 #include "render/paint/numbers.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
+#include "report/contact_planes.hpp"
 #include "report/sections.hpp"
 #include "report/words.hpp"
 
@@ -13,6 +17,7 @@ namespace talus::report {
 namespace {
 
 constexpr std::size_t most_blocks = 20, most_cuts = 40;
+constexpr int most_poles = 2000;  ///< of a cut that is drawn by chance
 
 /// "1 fixed, 4 rigid".
 std::string bodies_text(const BlockSystem& system) {
@@ -89,6 +94,12 @@ std::string extent_text(const Cut& cut) {
   return text;
 }
 
+/// "35.5° / 120°"
+std::string dip_text(const PlaneAttitude& plane) {
+  const auto degrees_text = [](double value) { return given(std::round(10 * value) / 10) + "°"; };
+  return degrees_text(plane.dip) + " / " + degrees_text(plane.dip_direction);
+}
+
 Table attitudes(const Project& project) {
   Table table{"Joints: attitude",
               {"Joint", "Dip / dip direction", "Planes", "Spacing (m)", "Through (m)", "Extent"},
@@ -96,7 +107,7 @@ Table attitudes(const Project& project) {
               {}};
   for (const Cut& cut : project.cuts) {
     if (table.rows.size() == most_cuts) break;
-    table.rows.push_back({cut.joint, given(cut.dip) + "° / " + given(cut.dip_direction) + "°",
+    table.rows.push_back({cut.joint, dip_text({cut.dip, cut.dip_direction}),
                           cut.network ? "–" : std::to_string(cut.count.value_or(1)),
                           cut.spacing && cut.count.value_or(1) > 1 ? given(*cut.spacing) : "–",
                           vector_text(cut.through), extent_text(cut)});
@@ -104,21 +115,20 @@ Table attitudes(const Project& project) {
   return table;
 }
 
-Chart net_of(const Project& project) {
+Chart net_of(std::vector<MeasuredJoint> joints) {
   Stereonet net;
-  net.joints = joints_of(project, 2000).joints;
+  net.joints = std::move(joints);
   net.paper = paper;
   return {stereonet_painting(net, "Poles of the joints"), 700, 400,
           "Lower hemisphere, equal area; poles, and great circles of the sets’ means."};
 }
 
 Table interfaces(const Project& project) {
-  Table table{"Joints between blocks", {"Between", "and", "Joint"}, "lll", {}};
+  Table table{"Joints of single pairs of blocks", {"Between", "and", "Joint"}, "lll", {}};
   for (const Interface& interface : project.interfaces) {
     if (table.rows.size() == most_cuts) break;
     table.rows.push_back({interface.between[0], interface.between[1], interface.joint});
   }
-  if (!project.default_joint.empty()) table.rows.push_back({"all others", "", project.default_joint});
   return table;
 }
 
@@ -126,21 +136,39 @@ Paragraph more(std::size_t count, const char* one, const char* many) {
   return {"… and " + counted_text(static_cast<long>(count), one, many) + ".", Paragraph::Kind::note};
 }
 
-void add_joints(const Project& project, Section& section) {
-  if (!project.joints.empty()) section.parts.emplace_back(strengths(project));
-  if (project.cuts.empty()) {
-    section.parts.emplace_back(Paragraph{"No joint cuts the solids: the blocks are as the project describes them."});
-  } else {
-    section.parts.emplace_back(attitudes(project));
-    if (project.cuts.size() > most_cuts)
-      section.parts.emplace_back(more(project.cuts.size() - most_cuts, "more cut", "more cuts"));
-    section.parts.emplace_back(net_of(project));
-  }
+void add_cuts(const Project& project, Section& section) {
+  section.parts.emplace_back(attitudes(project));
+  if (project.cuts.size() > most_cuts)
+    section.parts.emplace_back(more(project.cuts.size() - most_cuts, "more cut", "more cuts"));
+  section.parts.emplace_back(net_of(joints_of(project, most_poles).joints));
   if (project.interfaces.empty()) return;
   section.parts.emplace_back(interfaces(project));
   if (project.interfaces.size() > most_cuts)
-    section.parts.emplace_back(
-        more(project.interfaces.size() - most_cuts, "more pair of blocks", "more pairs of blocks"));
+    section.parts.emplace_back(more(project.interfaces.size() - most_cuts, "more pair", "more pairs"));
+}
+
+/// Of blocks that no cut has made: the planes in which they lie against each other.
+void add_contact_planes(const RunRecord& run, Section& section) {
+  const std::vector<ContactPlane> planes = contact_planes(run.system(), *run.project);
+  if (planes.empty()) {
+    section.parts.emplace_back(Paragraph{"No joint cuts the solids, and no block lies against another one."});
+    return;
+  }
+  Table table{"Joints: planes in which blocks lie against each other",
+              {"Joint", "Between", "and", "Dip / dip direction", "Area (m²)"},
+              "lllrr",
+              {}};
+  std::vector<MeasuredJoint> joints;
+  for (const ContactPlane& plane : planes) {
+    joints.push_back({.plane = plane.attitude, .set = plane.joint});
+    if (table.rows.size() < most_cuts)
+      table.rows.push_back(
+          {plane.joint, plane.between[0], plane.between[1], dip_text(plane.attitude), format_number(plane.area, 3)});
+  }
+  section.parts.emplace_back(table);
+  if (planes.size() > most_cuts)
+    section.parts.emplace_back(more(planes.size() - most_cuts, "smaller plane", "smaller planes"));
+  section.parts.emplace_back(net_of(std::move(joints)));
 }
 
 Table blocks(const RunRecord& run) {
@@ -180,7 +208,11 @@ Section model(const RunRecord& run) {
   Section section{"The model", {blocks_in_sum(run)}};
   if (run.project) {
     section.parts.emplace_back(materials(*run.project));
-    add_joints(*run.project, section);
+    if (!run.project->joints.empty()) section.parts.emplace_back(strengths(*run.project));
+    if (!run.project->cuts.empty())
+      add_cuts(*run.project, section);
+    else
+      add_contact_planes(run, section);
   } else {
     section.parts.emplace_back(
         Paragraph{"Materials and joints are not known here: " + run.why_no_project, Paragraph::Kind::note});
