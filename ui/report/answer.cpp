@@ -37,16 +37,17 @@ Paragraph verdict(const RunRecord& run) {
       return {"Stopped by the user at " + given(time) + " s" + " of model time; every step up to there converged.",
               Kind::bad};
     case RunStatus::not_converged:
-      return {"Did not converge. " + run.report->reason, Kind::bad};
+      return {"Not completed: " + run.report->reason, Kind::bad};
     case RunStatus::interpenetrating:
       break;
   }
-  return {"Ended because blocks came to lie in each other. " + run.report->reason, Kind::bad};
+  return {"Ended because blocks came to lie in each other: " + run.report->reason, Kind::bad};
 }
 
 /// "812 m, by block S3: 640 m horizontally towards 078°, 430 m down".
 std::string farthest_text(const BlockTravel& travel, const BlockSystem& system) {
   const Vec3& way = travel.displacement;
+  if (way.norm() == 0) return "none: no block has moved";
   const Prefixed unit = prefixed("m", way.norm());
   const auto length = [&](double value) { return format_number(unit.factor * value, 3) + " " + unit.unit; };
   const std::string text =

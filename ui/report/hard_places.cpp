@@ -1,4 +1,5 @@
 #include "model/number_text.hpp"
+#include "render/scene/block_surface.hpp"
 #include "report/sections.hpp"
 #include "report/words.hpp"
 
@@ -22,6 +23,12 @@ const char* words_of(TroubleCause cause) {
   return "blocks lay in each other";
 }
 
+/// m, of the blocks as they were cut.
+double extent(const BlockSystem& system) {
+  const Eigen::AlignedBox3d box = bounds(system);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
 }  // namespace
 
 Section hard_places(const RunRecord& run) {
@@ -36,9 +43,10 @@ Section hard_places(const RunRecord& run) {
               {"Contact", "Joint", "Place (m)", "Time (s)", "Why", "Steps cut", "Iterations", "What to change"},
               "lllrlrrl",
               {}};
+  const int decimals = decimals_for(extent(run.system()), 5);
   for (const ConvergenceTrouble& trouble : run.report->troubles)
     table.rows.push_back({trouble.blocks[0].empty() ? "no place" : contact_text(trouble),
-                          trouble.joint.empty() ? "–" : trouble.joint, vector_text(trouble.position),
+                          trouble.joint.empty() ? "–" : trouble.joint, vector_text(trouble.position, decimals),
                           given(trouble.time), words_of(trouble.cause), count_text(trouble.cuts),
                           count_text(trouble.iterations), trouble.advice});
   section.parts.emplace_back(Paragraph{run.report->troubles.front().ended_run

@@ -38,6 +38,7 @@ constexpr const char* style = R"(
   figure img, figure svg { display: block; width: 100%; height: auto; }
   figure img { border: 1px solid #d5dade; }
   figcaption { margin-top: 6px; }
+  @media (max-width: 700px) { body { padding: 20px; } table { display: block; overflow-x: auto; } }
   @media print { html { background: #fff; } body { margin: 0; padding: 0; max-width: none; font-size: 9.5pt; }
     h1 { font-size: 20pt; } h2 { font-size: 13pt; } h3 { font-size: 10pt; } table { font-size: 8pt; }
     table.facts td, .byline, .note, figcaption { font-size: 8.5pt; } .good, .bad { font-size: 11.5pt; } }

@@ -46,8 +46,8 @@ Facts blocks_in_sum(const RunRecord& run) {
       {"Mesh", counted_text(static_cast<long>(nodes), "node", "nodes") + ", " +
                    counted_text(static_cast<long>(tetrahedra), "tetrahedron", "tetrahedra")}};
   if (run.project) {
-    facts.rows.push_back({"Gravity", vector_text(run.project->gravity) + " m/s²  (x east, y north, z up)"});
-    if (!run.project->origin.isZero()) facts.rows.push_back({"Local origin", vector_text(run.project->origin) + " m"});
+    facts.rows.push_back({"Gravity", given(run.project->gravity) + " m/s²  (x east, y north, z up)"});
+    if (!run.project->origin.isZero()) facts.rows.push_back({"Local origin", given(run.project->origin) + " m"});
   }
   return facts;
 }
@@ -107,10 +107,9 @@ Table attitudes(const Project& project) {
               {}};
   for (const Cut& cut : project.cuts) {
     if (table.rows.size() == most_cuts) break;
-    table.rows.push_back({cut.joint, dip_text({cut.dip, cut.dip_direction}),
-                          cut.network ? "–" : std::to_string(cut.count.value_or(1)),
-                          cut.spacing && cut.count.value_or(1) > 1 ? given(*cut.spacing) : "–",
-                          vector_text(cut.through), extent_text(cut)});
+    table.rows.push_back(
+        {cut.joint, dip_text({cut.dip, cut.dip_direction}), cut.network ? "–" : std::to_string(cut.count.value_or(1)),
+         cut.spacing && cut.count.value_or(1) > 1 ? given(*cut.spacing) : "–", given(cut.through), extent_text(cut)});
   }
   return table;
 }

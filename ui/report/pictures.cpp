@@ -8,7 +8,7 @@ namespace talus::report {
 
 namespace {
 
-constexpr int picture_width = 1600, picture_height = 960;
+constexpr int picture_width = 1400, picture_height = 840;
 
 std::string when(const RunRecord& run, const Frame& frame) {
   const auto& stages = run.results.stage_names();
@@ -32,6 +32,7 @@ Section pictures(const RunRecord& run) {
   OffscreenView view(scene, picture_width, picture_height);
   scene.set_frame(std::make_shared<const Frame>(run.last));
   Picture last{view.draw(), "The last frame, " + when(run, run.last) + ": displacement since the start."};
+  if (first.time == run.last.time) return {"The only frame", {std::move(last)}};
   scene.set_pose(scene.pose());  // both are seen from one place, beside the legend that the last one has
   scene.set_settings(by_block);
   scene.set_frame(std::make_shared<const Frame>(first));

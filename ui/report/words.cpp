@@ -9,6 +9,14 @@
 
 namespace talus::report {
 
+namespace {
+
+std::string in_brackets(const std::string& x, const std::string& y, const std::string& z) {
+  return "(" + x + ", " + y + ", " + z + ")";
+}
+
+}  // namespace
+
 Prefixed prefixed(const std::string& si_unit, double magnitude) {
   if (si_unit == "m" || si_unit == "m/s" || si_unit == "Pa") {
     const DisplayUnit unit = display_unit(si_unit, magnitude);
@@ -43,9 +51,11 @@ int decimals_for(double largest, int significant) {
   return std::clamp(significant - 1 - static_cast<int>(std::floor(std::log10(largest))), 0, 6);
 }
 
+std::string given(const Vec3& vector) { return in_brackets(given(vector.x()), given(vector.y()), given(vector.z())); }
+
 std::string vector_text(const Vec3& vector, int decimals) {
-  return "(" + format_decimals(vector.x(), decimals) + ", " + format_decimals(vector.y(), decimals) + ", " +
-         format_decimals(vector.z(), decimals) + ")";
+  return in_brackets(format_decimals(vector.x(), decimals), format_decimals(vector.y(), decimals),
+                     format_decimals(vector.z(), decimals));
 }
 
 std::string clock_text(double seconds) {

@@ -26,8 +26,11 @@ std::string percent(double share, int significant = 2);
 /// Digits after the point that show values up to `largest` to `significant` digits, 0 to 6: for columns.
 int decimals_for(double largest, int significant = 4);
 
+/// "(1.25, 3, −0.4)", of numbers that were given; on one line.
+std::string given(const Vec3& vector);
+
 /// "(1.25, 3.00, −0.40)", each of so many digits after the point, on one line.
-std::string vector_text(const Vec3& vector, int decimals = 2);
+std::string vector_text(const Vec3& vector, int decimals);
 
 /// Seconds of a clock: "0.42 s", "12 s", "3 min 20 s", "2 h 05 min".
 std::string clock_text(double seconds);

@@ -22,6 +22,11 @@ TEST(Words, OfNumbersThatWereGivenHaveNoZerosThatSayNothing) {
   EXPECT_EQ(given(100), "100");
 }
 
+TEST(Words, OfVectorsStayOnOneLine) {
+  EXPECT_EQ(given(Vec3(0, 0, -9.81)), "(0,\u00a00,\u00a0−9.81)");
+  EXPECT_EQ(vector_text(Vec3(1, 2.345, -0.001), 2), "(1.00,\u00a02.35,\u00a00.00)");
+}
+
 TEST(Words, OfColumnsHaveAsManyDecimalsAsTheirLargestValueCallsFor) {
   EXPECT_EQ(decimals_for(843.2), 1);
   EXPECT_EQ(decimals_for(9.6), 3);
