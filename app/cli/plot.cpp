@@ -4,11 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "io/whole_file.hpp"
 #include "options.hpp"
 #include "render/charts/charts.hpp"
-#include "render/paint/pdf_pages.hpp"
-#include "render/paint/svg_painter.hpp"
+#include "sheet.hpp"
 #include "text/report_text.hpp"
 
 namespace talus::cli {
@@ -87,60 +85,6 @@ Charts all_charts(const PlotOptions& options, const ResultReader& results, const
   return rows;
 }
 
-std::size_t columns_of(const Charts& rows) {
-  std::size_t columns = 0;
-  for (const auto& row : rows) columns = std::max(columns, row.size());
-  return columns;
-}
-
-/// All charts on one sheet, paper where a row is shorter than others.
-Image sheet_of(const Charts& rows, const PlotOptions& options) {
-  const Rgb paper = colours(options.theme).surface;
-  const std::size_t columns = columns_of(rows);
-  const auto [width, height] = options.size;
-  Image sheet(static_cast<int>(columns) * width, static_cast<int>(rows.size()) * height);
-  for (std::size_t i = 0; i < sheet.rgb.size(); i += 3) {
-    sheet.rgb[i] = paper.red;
-    sheet.rgb[i + 1] = paper.green;
-    sheet.rgb[i + 2] = paper.blue;
-  }
-  const auto row_bytes = static_cast<std::size_t>(width) * 3;
-  const auto lines = static_cast<std::size_t>(height);
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (std::size_t c = 0; c < rows[r].size(); ++c) {
-      const Image chart = draw_chart(rows[r][c].plot, width, height);
-      for (std::size_t y = 0; y < lines; ++y)
-        std::copy_n(chart.rgb.begin() + static_cast<std::ptrdiff_t>(y * row_bytes), row_bytes,
-                    sheet.rgb.begin() + static_cast<std::ptrdiff_t>(((r * lines + y) * columns + c) * row_bytes));
-    }
-  return sheet;
-}
-
-/// The same sheet, whose lines stay lines.
-std::string svg_sheet_of(const Charts& rows, const PlotOptions& options) {
-  const double width = options.size.width, height = options.size.height;
-  std::string charts;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (std::size_t c = 0; c < rows[r].size(); ++c) {
-      SvgPainter painter(width, height, colours(options.theme).surface);
-      chart_painting(rows[r][c].plot)(painter, width, height);
-      charts += painter.element(static_cast<double>(c) * width, static_cast<double>(r) * height);
-    }
-  return svg_document(static_cast<double>(columns_of(rows)) * width, static_cast<double>(rows.size()) * height, charts);
-}
-
-/// A chart a page.
-std::string pdf_sheets_of(const Charts& rows, const PlotOptions& options, const std::string& title) {
-  std::vector<Painting> pages;
-  for (const auto& row : rows)
-    for (const Chart& chart : row)
-      pages.push_back([&chart](Painter& painter, double width, double height) {
-        painter.fill(PixelRect{0, 0, width, height}, colours(chart.plot.theme).surface);
-        chart_painting(chart.plot)(painter, width, height);
-      });
-  return pdf_of(options.size.width, options.size.height, title, pages);
-}
-
 std::vector<std::string> write_into_folder(const Charts& rows, const PlotOptions& options) {
   std::error_code failure;
   std::filesystem::create_directories(options.out, failure);
@@ -157,16 +101,14 @@ std::vector<std::string> write_into_folder(const Charts& rows, const PlotOptions
   return files;
 }
 
-std::vector<std::string> write_all(const PlotOptions& options, const Charts& rows, const std::string& title) {
-  const std::string ending = options.out.extension();
-  if (ending == ".png")
-    write_png(sheet_of(rows, options), options.out);
-  else if (ending == ".svg")
-    about(options.out, [&] { replace_whole_file(options.out, svg_sheet_of(rows, options)); });
-  else if (ending == ".pdf")
-    about(options.out, [&] { replace_whole_file(options.out, pdf_sheets_of(rows, options, title)); });
-  else
-    return write_into_folder(rows, options);
+std::vector<std::string> write_all(const PlotOptions& options, const Charts& charts, const std::string& title) {
+  if (!is_sheet(options.out)) return write_into_folder(charts, options);
+  Sheet sheet{{}, options.size, colours(options.theme).surface, title};
+  for (const auto& row : charts) {
+    std::vector<Painting>& paintings = sheet.rows.emplace_back();
+    for (const Chart& chart : row) paintings.push_back(chart_painting(chart.plot));
+  }
+  write_sheet(sheet, options.out);
   return {options.out.string()};
 }
 

@@ -11,6 +11,7 @@
 #include "orientation/project_joints.hpp"
 #include "project_choice.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
+#include "sheet.hpp"
 #include "text/orientation_text.hpp"
 
 namespace talus::cli {
@@ -132,7 +133,7 @@ ExitCode stereonet(const StereonetOptions& options, bool json) {
   std::vector<std::string> files;
   if (!options.picture.empty()) {
     const std::string title = options.title.empty() ? options.file.stem().string() : options.title;
-    write_png(draw_stereonet(net, title, options.size.width, options.size.height), options.picture);
+    write_sheet({{{stereonet_painting(net, title)}}, options.size, colours(net.theme).surface, title}, options.picture);
     files.push_back(options.picture.string());
   }
   if (!options.table.empty()) {
@@ -204,7 +205,7 @@ void add_stereonet(CLI::App& program, Invocation& invocation) {
       ->type_name("area|angle")
       ->default_str("area");
   add_analysis(*command, *options);
-  command->add_option("--picture", options->picture, "Draws the net")->type_name("P.png");
+  command->add_option("--picture", options->picture, "Draws the net")->type_name("P.png|P.svg|P.pdf");
   command->add_option("--title", options->title, "Of the picture (default: the file's name)")->type_name("WORDS");
   command->add_option("--table", options->table, "Writes the joints as CSV")->type_name("T.csv");
   add_size(*command, options->size);

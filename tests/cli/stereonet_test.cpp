@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "process.hpp"
+#include "support/xml_elements.hpp"
 
 // Joint tables and projects on a stereonet.
 namespace talus::test {
@@ -55,6 +56,20 @@ TEST_F(StereonetCommand, DrawsAPictureAndWritesTheTable) {
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_GT(std::filesystem::file_size(picture), 5000U);
   EXPECT_EQ(text_of(out), "dip [°],dip direction [°],set\n45,105,A\n70,235,B\n");
+}
+
+TEST_F(StereonetCommand, DrawsForDocumentsToo) {
+  const auto draw = [&](const std::string& name) {
+    return talus_cli({"stereonet", table(hoek_and_bray), "--picture", (folder / name).string()});
+  };
+  ASSERT_EQ(draw("net.svg").exit_code, 0);
+  EXPECT_THAT(xml_elements(text_of(folder / "net.svg")), testing::Contains("polyline"));
+  EXPECT_THAT(text_of(folder / "net.svg"), HasSubstr(">Sets</text>"));
+  ASSERT_EQ(draw("net.pdf").exit_code, 0);
+  EXPECT_THAT(text_of(folder / "net.pdf"), testing::StartsWith("%PDF-"));
+  const Ending refused = draw("net.jpg");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("pictures are written as PNG, SVG or PDF; let the name end in"));
 }
 
 TEST_F(StereonetCommand, TakesTheCutsOfAProject) {
