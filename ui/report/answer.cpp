@@ -2,7 +2,6 @@
 #include <cmath>
 #include <map>
 
-#include "base/line_attitude.hpp"
 #include "model/number_text.hpp"
 #include "model/quantity.hpp"
 #include "render/paint/numbers.hpp"
@@ -13,28 +12,28 @@ namespace talus::report {
 
 namespace {
 
+std::string expectations_text(long missed, long expected) {
+  if (expected == 0) return "";
+  if (expected == 1) return missed > 0 ? " The expectation is missed." : " The expectation is met.";
+  return missed > 0 ? " " + std::to_string(missed) + " of " + std::to_string(expected) + " expectations are missed."
+                    : " All " + std::to_string(expected) + " expectations are met.";
+}
+
 Paragraph verdict(const RunRecord& run) {
   using Kind = Paragraph::Kind;
   const double time = run.last.time;
   if (!run.report)
-    return {"Not finished: the run goes on or was killed. This is what it wrote up to " + given(time) + " s" + ".",
+    return {"Not finished: the run goes on or was killed. This is what it wrote up to " + given(time) + "\u00a0s.",
             Kind::bad};
   const long missed = missed_expectations(*run.report);
   const auto expected = static_cast<long>(run.report->expect.size());
   switch (run.report->status) {
-    case RunStatus::completed: {
-      std::string text = "Completed: every step converged, all stages were run to their end at " + given(time) + " s" +
-                         " of model time.";
-      if (missed > 0)
-        text +=
-            " " + std::to_string(missed) + " of " + counted_text(expected, "expectation", "expectations") + " missed.";
-      if (missed == 0 && expected > 0)
-        text +=
-            expected == 1 ? " The expectation is met." : " All " + std::to_string(expected) + " expectations are met.";
-      return {text, missed > 0 ? Kind::bad : Kind::good};
-    }
+    case RunStatus::completed:
+      return {"Completed: every step converged, all stages were run to their end at " + given(time) +
+                  "\u00a0s of model time." + expectations_text(missed, expected),
+              missed > 0 ? Kind::bad : Kind::good};
     case RunStatus::stopped:
-      return {"Stopped by the user at " + given(time) + " s" + " of model time; every step up to there converged.",
+      return {"Stopped by the user at " + given(time) + "\u00a0s of model time; every step up to there converged.",
               Kind::bad};
     case RunStatus::not_converged:
       return {"Not completed: " + run.report->reason, Kind::bad};
@@ -49,20 +48,17 @@ std::string farthest_text(const BlockTravel& travel, const BlockSystem& system) 
   const Vec3& way = travel.displacement;
   if (way.norm() == 0) return "none: no block has moved";
   const Prefixed unit = prefixed("m", way.norm());
-  const auto length = [&](double value) { return format_number(unit.factor * value, 3) + " " + unit.unit; };
+  const auto length = [&](double value) { return format_number(unit.factor * value, 3) + "\u00a0" + unit.unit; };
   const std::string text =
       length(way.norm()) + ", by block " + system.blocks[static_cast<std::size_t>(travel.block)].name;
   const double level = std::hypot(way.x(), way.y());
   if (level == 0) return text + ", straight " + (way.z() > 0 ? "up" : "down");
-  const int trend = static_cast<int>(std::lround(attitude_of(way).trend)) % 360;
-  return text + ": " + length(level) + " horizontally towards " +
-         (trend < 10    ? "00"
-          : trend < 100 ? "0"
-                        : "") +
-         std::to_string(trend) + "°, " + length(std::abs(way.z())) + (way.z() > 0 ? " up" : " down");
+  const std::string trend = attitude_text(Vec3(way.x(), way.y(), 0));
+  return text + ": " + length(level) + " horizontally towards " + trend.substr(0, trend.find('/')) + ", " +
+         length(std::abs(way.z())) + (way.z() > 0 ? " up" : " down");
 }
 
-/// "5 sliding on one plane, 2 toppling; 3 of them came to rest".
+/// "5 sliding on one plane, 2 toppling; 3 of these have come to rest".
 std::string modes_text(const RunRecord& run) {
   std::map<MotionMode, long> counts;
   long came_to_rest = 0;
@@ -83,9 +79,16 @@ std::string modes_text(const RunRecord& run) {
 std::string fastest_text(const RunRecord& run) {
   const auto fastest =
       std::ranges::max_element(run.travels, {}, [](const BlockTravel& travel) { return travel.velocity.norm(); });
-  if (fastest->velocity.norm() == 0) return "0 m/s: all blocks are at rest";
+  if (fastest->velocity.norm() == 0) return "0\u00a0m/s: all blocks are at rest";
   return quantity(fastest->velocity.norm(), "m/s") + ", block " +
          run.system().blocks[static_cast<std::size_t>(fastest->block)].name;
+}
+
+std::string events_text(const std::vector<Event>& events) {
+  if (events.empty()) return "none";
+  const std::string first = given(events.front().time) + "\u00a0s";
+  return events.size() == 1 ? "1 event, at " + first
+                            : count_text(static_cast<long>(events.size())) + " events, the first at " + first;
 }
 
 Facts main_facts(const RunRecord& run) {
@@ -96,11 +99,7 @@ Facts main_facts(const RunRecord& run) {
     if (!run.last.motions.empty()) facts.rows.push_back({"Movable blocks by motion", modes_text(run)});
   }
   if (run.report) {
-    const auto& happened = run.report->events;
-    facts.rows.push_back({"Events", happened.empty()
-                                        ? "none"
-                                        : counted_text(static_cast<long>(happened.size()), "event", "events") +
-                                              ", the first at " + given(happened.front().time) + " s"});
+    facts.rows.push_back({"Events", events_text(run.report->events)});
     facts.rows.push_back({"Deepest penetration", quantity(run.report->max_penetration, "m", 2) + ", " +
                                                      percent(run.report->max_relative_penetration) +
                                                      " of the local mesh size"});

@@ -13,7 +13,8 @@ constexpr int picture_width = 1400, picture_height = 840;
 std::string when(const RunRecord& run, const Frame& frame) {
   const auto& stages = run.results.stage_names();
   const auto stage = static_cast<std::size_t>(frame.stage);
-  return given(frame.time) + " s" + (stage < stages.size() && !stages[stage].empty() ? ", stage " + stages[stage] : "");
+  return given(frame.time) + "\u00a0s" +
+         (stage < stages.size() && !stages[stage].empty() ? ", stage " + stages[stage] : "");
 }
 
 }  // namespace

@@ -12,12 +12,14 @@ namespace talus::report {
 namespace {
 
 std::string in_brackets(const std::string& x, const std::string& y, const std::string& z) {
-  return "(" + x + ", " + y + ", " + z + ")";
+  return "(" + x + ",\u00a0" + y + ",\u00a0" + z + ")";
 }
 
 }  // namespace
 
 Prefixed prefixed(const std::string& si_unit, double magnitude) {
+  constexpr double rounding = 1e-9;  // m, m/s: below a thousandth of the smallest prefix
+  if ((si_unit == "m" || si_unit == "m/s") && magnitude < rounding) return {si_unit, 1};
   if (si_unit == "m" || si_unit == "m/s" || si_unit == "Pa") {
     const DisplayUnit unit = display_unit(si_unit, magnitude);
     return {unit.name, unit.factor};
@@ -31,7 +33,7 @@ Prefixed prefixed(const std::string& si_unit, double magnitude) {
 
 std::string quantity(double value, const std::string& si_unit, int significant) {
   const Prefixed unit = prefixed(si_unit, std::abs(value));
-  return format_number(value * unit.factor, significant) + " " + unit.unit;
+  return format_number(value * unit.factor, significant) + "\u00a0" + unit.unit;
 }
 
 std::string given(double value) {
@@ -44,7 +46,7 @@ std::string given(double value) {
   return mantissa + text.substr(power);
 }
 
-std::string percent(double share, int significant) { return format_number(100 * share, significant) + " %"; }
+std::string percent(double share, int significant) { return format_number(100 * share, significant) + "\u00a0%"; }
 
 int decimals_for(double largest, int significant) {
   if (!(largest > 0)) return 0;
@@ -59,7 +61,7 @@ std::string vector_text(const Vec3& vector, int decimals) {
 }
 
 std::string clock_text(double seconds) {
-  if (seconds < 10) return format_number(seconds, 2) + " s";
+  if (seconds < 10) return format_number(seconds, 2) + "\u00a0s";
   const long whole = std::lround(seconds);
   char text[64];
   if (whole < 60)

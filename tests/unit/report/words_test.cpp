@@ -8,6 +8,7 @@ namespace {
 TEST(Words, OfQuantitiesTakeThePrefixThatSuitsThem) {
   EXPECT_EQ(quantity(0.00147, "m"), "1.47\u00a0mm");
   EXPECT_EQ(quantity(812.4, "m"), "812\u00a0m");
+  EXPECT_EQ(quantity(-2.6e-10, "m", 2), "−2.6×10⁻¹⁰\u00a0m");
   EXPECT_EQ(quantity(3.5e6, "J", 2), "3.5\u00a0MJ");
   EXPECT_EQ(quantity(2.5e10, "Pa"), "25.0\u00a0GPa");
   EXPECT_EQ(quantity(1.5, "s"), "1.50\u00a0s");
