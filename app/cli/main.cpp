@@ -6,6 +6,7 @@
 
 #include "base/progress.hpp"
 #include "command.hpp"
+#include "version/version.hpp"
 
 namespace {
 
@@ -23,7 +24,8 @@ void describe(CLI::App& program) {
       "Jointed rock slopes by three-dimensional discontinuous deformation analysis.\n"
       "Units are SI: m, s, kg, N, Pa. Exit codes: 0 done; 1 done, but it did not converge, was stopped "
       "or a check failed;\n2 bad usage or bad input; 3 a fault of the program.");
-  program.set_version_flag("--version", "talus-cli " TALUS_VERSION, "Print the version and leave");
+  program.set_version_flag("--version", version_text("talus-cli"),
+                           "Print the version, what it was built from, and leave");
   program.set_help_flag("-h,--help", "Print this help and leave");
   program.require_subcommand(1);
 }

@@ -6,9 +6,13 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSettings>
+#include <algorithm>
 #include <cstdio>
+#include <memory>
+#include <string_view>
 
 #include "screenshot.hpp"
+#include "version/version.hpp"
 #include "widgets/kit/language.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/view/render_surface.hpp"
@@ -23,20 +27,29 @@ int complain(const QString& sentence) {
   return bad_usage;
 }
 
+/// Whether only words are asked for: they need no display, which a QApplication does not start without.
+bool asksForWords(int argc, char** argv) {
+  constexpr std::string_view words[] = {"-h", "--help", "--help-all", "-v", "--version"};
+  return std::any_of(argv + 1, argv + argc, [&](const char* argument) {
+    return std::find(std::begin(words), std::end(words), argument) != std::end(words);
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   talus::setDefaultSurfaceFormat();
-  QApplication app(argc, argv);
+  const std::unique_ptr<QCoreApplication> app(asksForWords(argc, argv) ? new QCoreApplication(argc, argv)
+                                                                       : new QApplication(argc, argv));
   QApplication::setApplicationName(QStringLiteral("talus"));
   QApplication::setOrganizationName(QStringLiteral("talus"));
-  QApplication::setApplicationVersion(QStringLiteral(TALUS_VERSION));
   QSettings::setDefaultFormat(QSettings::IniFormat);
 
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral("Rock slopes that come apart along joints."));
   parser.addHelpOption();
-  parser.addVersionOption();
+  const QCommandLineOption versionOption({QStringLiteral("v"), QStringLiteral("version")},
+                                         QStringLiteral("Prints the version, what it was built from, and leaves"));
   parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("A .talus project or a results folder."));
   const QCommandLineOption themeOption(QStringLiteral("theme"), QStringLiteral("light or dark"),
                                        QStringLiteral("name"));
@@ -61,9 +74,10 @@ int main(int argc, char** argv) {
   const QCommandLineOption languageOption(QStringLiteral("language"),
                                           QStringLiteral("en or de; without it, as chosen or as the system has it"),
                                           QStringLiteral("code"));
-  parser.addOptions({newOption, languageOption, themeOption, pageOption, sizeOption, fieldOption, timeOption,
-                     selectOption, screenshotOption});
-  parser.process(app);
+  parser.addOptions({versionOption, newOption, languageOption, themeOption, pageOption, sizeOption, fieldOption,
+                     timeOption, selectOption, screenshotOption});
+  parser.process(*app);
+  if (parser.isSet(versionOption)) return std::puts(talus::version_text("talus").c_str()) < 0 ? bad_usage : 0;
 
   QSettings settings;
   QString themeName = settings.value(QStringLiteral("theme"), QStringLiteral("light")).toString();

@@ -14,6 +14,7 @@ namespace talus::test {
 namespace {
 
 using Json = nlohmann::json;
+using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -406,7 +407,14 @@ TEST(Help, OfEveryCommandNamesItsOptions) {
     EXPECT_EQ(ending.err, "");
   }
   EXPECT_THAT(talus_cli({"--help"}).out, HasSubstr("Exit codes"));
-  EXPECT_THAT(talus_cli({"--version"}).out, HasSubstr("talus-cli 0."));
+}
+
+TEST_F(Commands, VersionSaysWhatTheProgramWasBuiltFrom) {
+  const std::string version = talus_cli({"--version"}).out;
+  EXPECT_EQ(version.substr(0, 12), "talus-cli 0.");
+  EXPECT_THAT(version, ContainsRegex("\nbuilt with Eigen 3[.].*, SuiteSparse 5[.].*, gmsh 4[.].*, VTK 9[.].*\n"));
+  if (!std::filesystem::exists(TALUS_SOURCE_DIR "/.git")) return;
+  EXPECT_THAT(version, ContainsRegex("\ncommit [0-9a-f]{10}(, with changes)?\n"));
 }
 
 }  // namespace

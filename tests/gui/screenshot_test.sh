@@ -13,6 +13,10 @@ cp -r "$samples/free_fall" "$folder"
 "$talus" --screenshot "$folder/start.png" || fail "no picture of the start page"
 "$talus" --screenshot "$folder/new.png" --new column || fail "no picture of a new project"
 
+words() { env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$talus" "$1" > "$folder/words" && grep -q "$2" "$folder/words"; }
+words --version '^talus [0-9]' || fail "no version without a display"
+words --help '^Usage: ' || fail "no help without a display"
+
 expect_2() { "$talus" "$@" 2> "$folder/words"; [ $? = 2 ] || fail "not exit code 2: $*"; [ "$(wc -l < "$folder/words")" = 1 ] || fail "not one line: $*"; }
 expect_2 --screenshot "$folder/x.png" "$folder/not_there.talus"
 expect_2 --screenshot "$folder/x.png" --size 12 "$folder/free_fall/free_fall.talus"

@@ -96,9 +96,11 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"ui/widgets/window",
      {"ui/widgets/begin", "ui/widgets/geometry", "ui/widgets/project", "ui/widgets/setup", "ui/widgets/actions",
       "ui/widgets/results", "ui/widgets/orientation", "ui/widgets/joints", "ui/widgets/verification"}},
+    {"app/version", {}},
     {"app/cli/text", {"core/study/forecast", "core/verification", "core/orientation", "ui/render/charts"}},
-    {"app/cli", {"app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/report"}},
-    {"app/window", {"ui/widgets/window"}},
+    {"app/cli",
+     {"app/version", "app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/report"}},
+    {"app/window", {"app/version", "ui/widgets/window"}},
 };
 
 /// A library's headers and the only files that may include them.
