@@ -35,6 +35,7 @@ void add_info(CLI::App& program, Invocation& invocation);
 void add_export(CLI::App& program, Invocation& invocation);
 void add_report(CLI::App& program, Invocation& invocation);
 void add_stereonet(CLI::App& program, Invocation& invocation);
+void add_completion(CLI::App& program, Invocation& invocation);
 
 /// Calls `work` and puts `file` in front of the place of an InputError that comes out of it.
 template <typename Work>

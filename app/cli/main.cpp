@@ -67,7 +67,7 @@ int with_output(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App program;
+  CLI::App program("", "talus-cli");
   Invocation invocation;
   describe(program);
   for (const auto add : {add_new, add_inspect, add_blocks, add_mesh, add_solve, add_render, add_animate, add_plot,
@@ -75,6 +75,7 @@ int main(int argc, char** argv) {
     add(program, invocation);
   for (CLI::App* command : program.get_subcommands({}))
     command->add_flag("--json", invocation.json, "Print one JSON object instead of text; progress goes to stderr");
+  add_completion(program, invocation);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
