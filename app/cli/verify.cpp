@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/installed.hpp"
 #include "list_of_runs.hpp"
 #include "model/tolerance_text.hpp"
 #include "options.hpp"
@@ -34,14 +35,6 @@ struct Request {
   VerifyOptions options;
 };
 
-/// Where samples lie: beside an installed program, else in the source tree it was built from.
-std::filesystem::path samples_folder() {
-  std::error_code unknown;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  const auto installed = program.parent_path().parent_path() / "share" / "talus" / "samples";
-  return std::filesystem::is_directory(installed) ? installed : std::filesystem::path(TALUS_SAMPLES);
-}
-
 /// That of known cases. Throws InputError for a word that only random scenes know.
 BodyKind body_of_cases(const std::string& word) {
   static const std::map<std::string, BodyKind> bodies{{"", BodyKind::tetrahedra},
@@ -55,7 +48,8 @@ BodyKind body_of_cases(const std::string& word) {
 
 ExitCode verify_cases(Request& request, bool json) {
   request.options.run.body = body_of_cases(request.body);
-  const auto known = all_cases(request.samples.empty() ? samples_folder() : request.samples);
+  const auto known =
+      all_cases(request.samples.empty() ? installed_or("share/talus/samples", TALUS_SAMPLES) : request.samples);
   const auto cases = chosen_cases(known, request.names, request.all || request.list, request.options.run.body);
   if (request.list) {
     std::cout << (json ? list_json(cases) : list_text(cases));

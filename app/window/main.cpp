@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
                                                                        : new QApplication(argc, argv));
   QApplication::setApplicationName(QStringLiteral("talus"));
   QApplication::setOrganizationName(QStringLiteral("talus"));
+  QGuiApplication::setDesktopFileName(QStringLiteral("talus"));  // by which a desktop finds name and icon
   QSettings::setDefaultFormat(QSettings::IniFormat);
 
   QCommandLineParser parser;

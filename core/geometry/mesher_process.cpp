@@ -5,19 +5,17 @@
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
-#include <system_error>
+
+#include "base/installed.hpp"
 
 namespace talus {
 namespace {
 
 std::filesystem::path find_mesher() {
   if (const char* named = std::getenv("TALUS_MESHER")) return named;
-  std::error_code unreadable;
-  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", unreadable).parent_path();
   for (const std::filesystem::path& candidate :
-       {here / "talus-mesher", here / "../libexec/talus/talus-mesher", std::filesystem::path(TALUS_MESHER_BUILT)}) {
+       {program_folder() / "talus-mesher", installed_or("libexec/talus/talus-mesher", TALUS_MESHER_BUILT)})
     if (access(candidate.c_str(), X_OK) == 0) return candidate;
-  }
   throw std::runtime_error("the program talus-mesher is not beside this program; set TALUS_MESHER to its path");
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
+#include "base/installed.hpp"
 #include "study/accuracy/local_engine.hpp"
 #include "study/accuracy/study_record.hpp"
 
@@ -70,8 +71,7 @@ void StudyJob::begin(const StudyRequest& request) {
 
 std::filesystem::path command_line_program() {
   if (const char* named = std::getenv("TALUS_CLI")) return named;
-  std::error_code unreadable;
-  return std::filesystem::read_symlink("/proc/self/exe", unreadable).parent_path() / "talus-cli";
+  return program_folder() / "talus-cli";
 }
 
 }  // namespace talus

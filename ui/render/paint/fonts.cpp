@@ -4,12 +4,14 @@
 #include <initializer_list>
 #include <stdexcept>
 
+#include "base/installed.hpp"
+
 namespace talus {
 namespace {
 
 std::string first_of(std::initializer_list<const char*> files) {
-  for (const char* file : files) {
-    const std::string path = std::string("/usr/share/fonts/") + file;
+  for (const std::string file : files) {
+    const auto path = installed_or("share/talus/fonts" + file.substr(file.rfind('/')), "/usr/share/fonts/" + file);
     if (std::filesystem::exists(path)) return path;
   }
   throw std::runtime_error("no font to letter pictures with: install fonts-inter or fonts-dejavu-core");

@@ -1,11 +1,11 @@
 #include "widgets/begin/samples.hpp"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QRegularExpression>
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/installed.hpp"
 #include "io/project_file.hpp"
 #include "widgets/kit/text.hpp"
 
@@ -58,11 +58,6 @@ std::vector<Sample> samplesIn(const std::filesystem::path& folder) {
   return found;
 }
 
-std::filesystem::path samplesFolder() {
-  const auto installed =
-      std::filesystem::path(QCoreApplication::applicationDirPath().toStdString()) / "../share/talus/samples";
-  std::error_code ignored;
-  return std::filesystem::exists(installed, ignored) ? installed : std::filesystem::path(TALUS_SAMPLES);
-}
+std::filesystem::path samplesFolder() { return installed_or("share/talus/samples", TALUS_SAMPLES); }
 
 }  // namespace talus

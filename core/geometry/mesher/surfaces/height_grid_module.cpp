@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "base/installed.hpp"
 #include "geometry/mesher/surfaces/height_grid.hpp"
 
 namespace talus {
@@ -11,7 +12,7 @@ namespace {
 
 /// From the module beside this program. It stays: GDAL cannot be unloaded.
 decltype(&talus_read_grid) loaded_reader() {
-  const auto module = std::filesystem::read_symlink("/proc/self/exe").parent_path() / TALUS_HEIGHT_GRID;
+  const auto module = program_folder() / TALUS_HEIGHT_GRID;
   void* const library = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const reader = library ? dlsym(library, "talus_read_grid") : nullptr;
   if (!reader) throw std::runtime_error(dlerror());
