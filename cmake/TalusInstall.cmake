@@ -24,6 +24,7 @@ endif()
 file(GLOB pages CONFIGURE_DEPENDS docs/*.md)
 install(FILES ${pages} CHANGELOG.md LICENSE resources/desktop/copyright DESTINATION share/doc/talus)
 install(FILES resources/colour_maps/LICENCE.txt DESTINATION share/doc/talus RENAME colour_maps.txt)
+install(FILES ${PROJECT_BINARY_DIR}/depends.txt DESTINATION share/doc/talus OPTIONAL)  # of archives: tools/package.sh
 install(DIRECTORY docs/pictures DESTINATION share/doc/talus)
 
 # Menu entry, type of .talus files, icons.
@@ -62,3 +63,4 @@ if(Python3_FOUND)
 endif()
 add_custom_target(talus_words ALL DEPENDS ${completions} ${man_pages})
 add_dependencies(programs talus_words)
+include(TalusPackage)

@@ -14,9 +14,9 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS TRUE)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libosmesa6, libgl1-mesa-dri, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-translations-l10n, qt6-wayland, shared-mime-info, desktop-file-utils")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "${PROJECT_DESCRIPTION}
- Talus cuts a rock mass along its joints into blocks, meshes each block with
- tetrahedra, and follows the blocks as they deform, stick, slide, open, topple
- and fall. A window shows the slide while it is computed; a command line does
- the same on machines with no display.")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+  "Talus cuts a rock mass along its joints into blocks, meshes each block with
+tetrahedra, and follows the blocks as they deform, stick, slide, open, topple
+and fall. A window shows the slide while it is computed; a command line does
+the same on machines with no display.")
 include(CPack)
