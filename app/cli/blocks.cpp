@@ -85,8 +85,8 @@ void print(const Project& project, const BlockSystem& system, const std::vector<
 }
 
 ExitCode blocks(const ProjectChoice& choice, bool json) {
-  catch_interrupts();
   const Project project = read(choice);
+  catch_interrupts();
   const BlockSystem system = build(project, choice);
   const std::vector<BlockFacts> facts = block_facts(project, system);
   if (json)

@@ -16,7 +16,7 @@ enum ExitCode { done = 0, failed = 1, bad_input = 2, our_fault = 3 };
 
 /// What the user asked for, filled while the command line is read.
 struct Invocation {
-  bool json = false;
+  bool json = false, quiet = false;
   std::function<ExitCode()> run;
 };
 

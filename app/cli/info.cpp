@@ -154,10 +154,11 @@ void print_project(const Json& info, const Project& project, const BlockSystem& 
 /// Seconds of the processor that a forecast may take.
 constexpr double forecast_budget = 4;
 
-/// A study that cannot be read is a note: all else can be said without it.
-std::optional<double> studied_error(const std::filesystem::path& file, const Project& project) {
+/// A study that cannot be read is a note: all else can be said without it. Standard input has none.
+std::optional<double> studied_error(const ProjectChoice& choice, const Project& project) {
+  if (choice.is_standard_input()) return std::nullopt;
   try {
-    const auto study = read_study(study_folder_of(file));
+    const auto study = read_study(study_folder_of(choice.file));
     return study ? error_of(*study, project) : std::nullopt;
   } catch (const InputError& error) {
     std::cerr << "talus-cli: note: " << error.what() << '\n';
@@ -166,17 +167,17 @@ std::optional<double> studied_error(const std::filesystem::path& file, const Pro
 }
 
 ExitCode inform_of_project(const ProjectChoice& choice, bool with_forecast, bool json) {
-  catch_interrupts();
   const Project project = read(choice);
+  catch_interrupts();
   const BlockSystem system = build(project, choice);
-  const SceneSize size = about(choice.file, [&] { return scene_size(project, system); });
+  const SceneSize size = about(choice.name(), [&] { return scene_size(project, system); });
   const std::vector<EffectCost> costs = effect_costs(project, system, size);
   Json info = json_of_project(project, system, costs);
   std::optional<RunAhead> ahead;
   if (with_forecast && !project.stages.empty()) {
     TerminalProgress progress;
-    ahead = RunAhead{about(choice.file, [&] { return forecast(project, system, forecast_budget, progress); }),
-                     studied_error(choice.file, project)};
+    ahead = RunAhead{about(choice.name(), [&] { return forecast(project, system, forecast_budget, progress); }),
+                     studied_error(choice, project)};
     info["forecast"] = forecast_json(*ahead);
   }
   if (json) {
@@ -249,12 +250,13 @@ void add_info(CLI::App& program, Invocation& invocation) {
       "info", "Say what is in a project, which effects it calls for and why; or what is in results");
   auto choice = std::make_shared<ProjectChoice>();
   auto no_forecast = std::make_shared<bool>(false);
-  add_project(*command, *choice, "PROJECT|RESULTS", "Project file (.talus) or results folder");
+  add_project(*command, *choice, "PROJECT|RESULTS", "Project file (.talus; - reads standard input) or results folder");
   command->add_flag("--no-forecast", *no_forecast, "Leave out what a run will cost, which takes some seconds");
   command->callback([&invocation, choice, no_forecast] {
     invocation.run = [&invocation, choice, no_forecast] {
-      return std::filesystem::is_directory(choice->file) ? inform_of_results(choice->file, invocation.json)
-                                                         : inform_of_project(*choice, !*no_forecast, invocation.json);
+      return !choice->is_standard_input() && std::filesystem::is_directory(choice->file)
+                 ? inform_of_results(choice->file, invocation.json)
+                 : inform_of_project(*choice, !*no_forecast, invocation.json);
     };
   });
 }

@@ -65,12 +65,12 @@ bool are_sound(const std::vector<SolidSurface>& surfaces) {
 }
 
 ExitCode inspect(ProjectChoice choice, bool json) {
-  catch_interrupts();
   choice.reading.unfinished = true;  // solids are looked at before the rest of a project is there
   const Project project = read(choice);
-  const std::vector<SolidSurface> surfaces = about(choice.file, [&] {
+  catch_interrupts();
+  const std::vector<SolidSurface> surfaces = about(choice.name(), [&] {
     TerminalProgress progress;
-    return solid_surfaces(project, choice.file.parent_path(), progress);
+    return solid_surfaces(project, choice.folder(), progress);
   });
   Json solids = Json::array();
   for (const SolidSurface& surface : surfaces) solids.push_back(json_of(surface));

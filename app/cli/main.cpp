@@ -6,6 +6,7 @@
 
 #include "base/progress.hpp"
 #include "command.hpp"
+#include "text/terminal.hpp"
 #include "version/version.hpp"
 
 namespace {
@@ -73,8 +74,10 @@ int main(int argc, char** argv) {
   for (const auto add : {add_new, add_inspect, add_blocks, add_mesh, add_solve, add_render, add_animate, add_plot,
                          add_verify, add_study, add_info, add_export, add_report, add_stereonet})
     add(program, invocation);
-  for (CLI::App* command : program.get_subcommands({}))
+  for (CLI::App* command : program.get_subcommands({})) {
     command->add_flag("--json", invocation.json, "Print one JSON object instead of text; progress goes to stderr");
+    command->add_flag("-q,--quiet", invocation.quiet, "Do not say on stderr how far the work is");
+  }
   add_completion(program, invocation);
   try {
     program.parse(argc, argv);
@@ -82,5 +85,6 @@ int main(int argc, char** argv) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
     return usage_error(program, error, argc > 1 ? argv[1] : "");
   }
+  if (invocation.quiet) be_quiet();
   return with_output(perform(invocation));
 }

@@ -63,8 +63,8 @@ void print(const Json& mesh, const Project& project, const BlockSystem& system) 
 }
 
 ExitCode mesh(const ProjectChoice& choice, bool json) {
-  catch_interrupts();
   const Project project = read(choice);
+  catch_interrupts();
   const BlockSystem system = build(project, choice);
   const Json result = json_of(project, system);
   if (json)

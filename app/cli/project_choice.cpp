@@ -2,8 +2,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include <iostream>
+#include <iterator>
+
 #include "command.hpp"
 #include "geometry/block_builder.hpp"
+#include "io/whole_file.hpp"
 #include "text/terminal.hpp"
 
 namespace talus::cli {
@@ -14,14 +18,21 @@ void add_project(CLI::App& command, ProjectChoice& choice, const std::string& na
                    "Let the project name files outside its own folder");
 }
 
-Project read(const ProjectChoice& choice) {
-  return about(choice.file, [&] { return read_project(choice.file, choice.reading); });
+std::string text_of(const ProjectChoice& choice) {
+  if (choice.is_standard_input()) return {std::istreambuf_iterator<char>(std::cin), {}};
+  return about(choice.name(), [&] { return read_whole_file(choice.file); });
 }
 
+Project read(const ProjectChoice& choice, const std::string& text) {
+  return about(choice.name(), [&] { return parse_project_in(choice.folder(), text, choice.reading); });
+}
+
+Project read(const ProjectChoice& choice) { return read(choice, text_of(choice)); }
+
 BlockSystem build(const Project& project, const ProjectChoice& choice) {
-  return about(choice.file, [&] {
+  return about(choice.name(), [&] {
     TerminalProgress progress;
-    return build_blocks(project, choice.file.parent_path(), progress);
+    return build_blocks(project, choice.folder(), progress);
   });
 }
 

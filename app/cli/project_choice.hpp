@@ -10,19 +10,30 @@
 
 namespace talus::cli {
 
-/// The project file of a command, and what it may name.
+/// The project of a command, and what it may name: a file, or `-`, standard input. Paths in a project are relative to
+/// its folder; that of standard input is the working folder.
 struct ProjectChoice {
   std::filesystem::path file;
   ReadOptions reading;
+
+  bool is_standard_input() const { return file == "-"; }
+  std::filesystem::path folder() const { return file.parent_path(); }
+  /// What errors call it.
+  std::string name() const { return is_standard_input() ? "standard input" : file.string(); }
 };
 
 void add_project(CLI::App& command, ProjectChoice& choice, const std::string& name = "PROJECT",
-                 const std::string& help = "Project file (.talus)");
+                 const std::string& help = "Project file (.talus); - reads standard input");
 
-/// Throws InputError whose place begins with the file.
+/// The text of the project. Standard input has it once. Throws InputError whose place begins with the project's name.
+std::string text_of(const ProjectChoice& choice);
+
+/// The project that the text describes. Throws InputError whose place begins with the project's name.
+Project read(const ProjectChoice& choice, const std::string& text);
 Project read(const ProjectChoice& choice);
 
-/// Cuts and meshes, and shows how far it is. Throws InputError whose place begins with the file, Cancelled on Ctrl-C.
+/// Cuts and meshes, and shows how far it is. Throws InputError whose place begins with the project's name, Cancelled on
+/// Ctrl-C.
 BlockSystem build(const Project& project, const ProjectChoice& choice);
 
 }  // namespace talus::cli

@@ -1,9 +1,7 @@
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "base/error.hpp"
 #include "command.hpp"
@@ -60,15 +58,12 @@ class Watch final : public RunObserver {
   TerminalProgress progress_;
 };
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-/// NAME.results beside NAME.talus.
+/// NAME.results beside NAME.talus. Throws InputError for standard input, which has no name.
 std::filesystem::path results_folder(const SolveOptions& options) {
-  return options.out.empty() ? std::filesystem::path(options.project.file).replace_extension(".results") : options.out;
+  if (!options.out.empty()) return options.out;
+  if (options.project.is_standard_input())
+    throw InputError("--out", "standard input has no name that a results folder could have", "give one with --out");
+  return std::filesystem::path(options.project.file).replace_extension(".results");
 }
 
 /// Whether the run that the results folder holds can go on as the project, which is `text` now. Throws InputError where
@@ -80,22 +75,23 @@ void check_resumable(const SolveOptions& options, const std::string& text) {
     return;
   }
   if (const auto change = change_since_run(last->project_text, text))
-    throw InputError(options.project.file.string() + ": " + *change, "is not what it was when the run began",
+    throw InputError(options.project.name() + ": " + *change, "is not what it was when the run began",
                      "take the change back, or run without --resume; only stages may last longer or follow");
   std::cerr << "Goes on at t = " << number_text(last->time) << " s\n";
 }
 
 /// The project is read and meshed before the results folder is touched: a faulty one leaves nothing behind.
 RunReport solve(const SolveOptions& options) {
-  const Project project = read(options.project);
-  const std::string text = text_of(options.project.file);
+  const std::filesystem::path results = results_folder(options);
+  const std::string text = text_of(options.project);
+  const Project project = read(options.project, text);
   if (options.resume) check_resumable(options, text);
+  catch_interrupts();
   const BlockSystem system = build(project, options.project);
   std::cerr << switched_effects_text(project);
   Watch watch(project);
-  return about(options.project.file, [&] {
-    return run(project, system,
-               {results_folder(options), text, options.threads, options.resume, options.checkpoint_every}, watch);
+  return about(options.project.name(), [&] {
+    return run(project, system, {results, text, options.threads, options.resume, options.checkpoint_every}, watch);
   });
 }
 
@@ -104,7 +100,6 @@ bool all_met(const RunReport& report) {
 }
 
 ExitCode solve_and_tell(const SolveOptions& options, bool json) {
-  catch_interrupts();
   const RunReport report = solve(options);
   if (json) {
     auto summary = nlohmann::ordered_json::parse(summary_json(report));

@@ -30,13 +30,21 @@ struct StereonetOptions {
   Theme theme = Theme::light;
 };
 
+/// By an object of JSON or a comment before it: no table begins so.
+bool begins_as_project(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && (text[first] == '{' || text[first] == '/');
+}
+
 std::vector<MeasuredJoint> joints_in(const std::filesystem::path& file) {
-  const bool is_project = file.extension() == ".talus";
+  const ProjectChoice choice{file, {.allow_outside = true}};  // no file that it names is opened
+  const std::string text = text_of(choice);
   Project project;
-  if (is_project) project = read({file, {.allow_outside = true}});  // no file that it names is opened
-  return about(file, [&] {
+  const bool is_project = choice.is_standard_input() ? begins_as_project(text) : file.extension() == ".talus";
+  if (is_project) project = read(choice, text);
+  return about(choice.name(), [&] {
     const std::vector<MeasuredJoint> joints =
-        is_project ? joints_of(project).joints : sound_joints(read_joint_table(read_whole_file(file)));
+        is_project ? joints_of(project).joints : sound_joints(read_joint_table(text));
     if (joints.empty()) throw InputError("joints", "there are none", "give the project a cut, or the table a line");
     return joints;
   });
@@ -132,7 +140,8 @@ ExitCode stereonet(const StereonetOptions& options, bool json) {
   const Findings found = findings_of(net);
   std::vector<std::string> files;
   if (!options.picture.empty()) {
-    const std::string title = options.title.empty() ? options.file.stem().string() : options.title;
+    const std::string title =
+        options.title.empty() && options.file != "-" ? options.file.stem().string() : options.title;
     write_sheet({{{stereonet_painting(net, title)}}, options.size, colours(net.theme).surface, title}, options.picture);
     files.push_back(options.picture.string());
   }
@@ -191,7 +200,7 @@ void add_stereonet(CLI::App& program, Invocation& invocation) {
   auto* command = program.add_subcommand(
       "stereonet", "Sets of joints with their means, the kinematic check of a face, and a stereonet");
   auto options = std::make_shared<StereonetOptions>();
-  command->add_option("FILE", options->file, "Project, or table of joints (CSV, TSV, text)")
+  command->add_option("FILE", options->file, "Project, or table of joints (CSV, TSV, text); - reads standard input")
       ->required()
       ->type_name("P.talus|T.csv");
   command

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "base/error.hpp"
 #include "command.hpp"
 #include "options.hpp"
 #include "study/accuracy/accuracy_files.hpp"
@@ -37,6 +38,8 @@ std::filesystem::path study_folder(const AccuracyOptions& options) {
 }
 
 StudyFolder open_study(const AccuracyOptions& options) {
+  if (options.request.project_file == "-")
+    throw InputError("-", "a study goes on by the name of its project", "write the project into a file");
   const bool as_it_is = options.collect && options.measure.empty() && options.axes.empty() && options.values.empty();
   if (as_it_is) return StudyFolder(study_folder(options));
   StudyRequest request = options.request;

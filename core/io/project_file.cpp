@@ -98,12 +98,14 @@ ParsedProject parse(const std::string& text, const ReadOptions& options) {
 
 Project parse_project(const std::string& text, const ReadOptions& options) { return parse(text, options).project; }
 
-Project read_project(const std::filesystem::path& file, const ReadOptions& options) {
-  const auto parsed = parse(read_whole_file(file), options);
-  if (!options.allow_outside) {
-    check_with_lines(parsed.json, [&] { check_links(parsed.project, file.parent_path()); });
-  }
+Project parse_project_in(const std::filesystem::path& folder, const std::string& text, const ReadOptions& options) {
+  const auto parsed = parse(text, options);
+  if (!options.allow_outside) check_with_lines(parsed.json, [&] { check_links(parsed.project, folder); });
   return parsed.project;
+}
+
+Project read_project(const std::filesystem::path& file, const ReadOptions& options) {
+  return parse_project_in(file.parent_path(), read_whole_file(file), options);
 }
 
 std::string write_project(const Project& project) {

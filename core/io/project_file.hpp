@@ -18,6 +18,9 @@ struct ReadOptions {
 /// model/validate, and throws InputError with a JSON pointer or a line as its place ("line 12, /materials/rock/young").
 Project parse_project(const std::string& text, const ReadOptions& options = {});
 
+/// The same of a text from `folder`, which no link that the project names may lead out of (unless that is allowed).
+Project parse_project_in(const std::filesystem::path& folder, const std::string& text, const ReadOptions& options = {});
+
 /// Reads a file; an InputError's place begins with what is wrong with the file itself when it cannot be read.
 Project read_project(const std::filesystem::path& file, const ReadOptions& options = {});
 

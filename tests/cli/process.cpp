@@ -18,9 +18,10 @@ namespace {
 
 constexpr std::chrono::minutes patience{2};
 
-/// In the child: standard output or error into a file.
+/// In the child: standard input from a file, standard output or error into one.
 void redirect(int stream, const std::filesystem::path& file) {
-  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int how = stream == STDIN_FILENO ? O_RDONLY : O_WRONLY | O_CREAT | O_TRUNC;
+  const int descriptor = open(file.c_str(), how, 0600);
   dup2(descriptor, stream);
   close(descriptor);
 }
@@ -45,7 +46,7 @@ std::string text_of(const std::filesystem::path& file) {
 
 void write_text(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
 
-Cli::Cli(const std::vector<std::string>& arguments) {
+Cli::Cli(const std::vector<std::string>& arguments, const std::filesystem::path& input) {
   std::vector<std::string> words{TALUS_CLI};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -53,6 +54,7 @@ Cli::Cli(const std::vector<std::string>& arguments) {
   pointers.push_back(nullptr);
   process_ = fork();
   if (process_ != 0) return;
+  redirect(STDIN_FILENO, input);
   redirect(STDOUT_FILENO, streams_ / "out");
   redirect(STDERR_FILENO, streams_ / "err");
   unsetenv("DISPLAY");
@@ -87,7 +89,9 @@ Ending Cli::wait() {
   return ending;
 }
 
-Ending talus_cli(const std::vector<std::string>& arguments) { return Cli(arguments).wait(); }
+Ending talus_cli(const std::vector<std::string>& arguments, const std::filesystem::path& input) {
+  return Cli(arguments, input).wait();
+}
 
 std::string sample(const std::string& name) {
   return (std::filesystem::path(TALUS_SOURCE_DIR) / "samples" / name / (name + ".talus")).string();

@@ -33,10 +33,10 @@ struct Ending {
   std::string out, err;
 };
 
-/// talus-cli as a process with no display, its standard output and error in files.
+/// talus-cli as a process with no display, its standard input from a file, its standard output and error in files.
 class Cli {
  public:
-  explicit Cli(const std::vector<std::string>& arguments);
+  explicit Cli(const std::vector<std::string>& arguments, const std::filesystem::path& input = "/dev/null");
   ~Cli();
   Cli(const Cli&) = delete;
   Cli& operator=(const Cli&) = delete;
@@ -52,7 +52,7 @@ class Cli {
 };
 
 /// Runs talus-cli to its end.
-Ending talus_cli(const std::vector<std::string>& arguments);
+Ending talus_cli(const std::vector<std::string>& arguments, const std::filesystem::path& input = "/dev/null");
 
 /// A sample's project file.
 std::string sample(const std::string& name);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 
 namespace talus::cli {
 
@@ -19,10 +21,17 @@ constexpr int bar_width = 28;
 constexpr std::chrono::seconds quiet_start{2};
 
 volatile std::sig_atomic_t interrupt_count = 0;
+bool quiet = false;
 
 extern "C" void on_interrupt(int signal_number) {
   interrupt_count = 1;
   std::signal(signal_number, SIG_DFL);
+}
+
+/// Whether a line there can be drawn anew.
+bool is_terminal() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && !(kind && std::strcmp(kind, "dumb") == 0);
 }
 
 int terminal_width() {
@@ -57,6 +66,8 @@ void catch_interrupts() {
 
 bool interrupted() { return interrupt_count != 0; }
 
+void be_quiet() { quiet = true; }
+
 std::string duration_text(double seconds) {
   const long whole = std::lround(std::max(0.0, seconds));
   char text[32];
@@ -67,11 +78,12 @@ std::string duration_text(double seconds) {
   return text;
 }
 
-TerminalProgress::TerminalProgress() : start_(Clock::now()), terminal_(isatty(STDERR_FILENO) != 0) {}
+TerminalProgress::TerminalProgress() : start_(Clock::now()), terminal_(is_terminal()) {}
 
 TerminalProgress::~TerminalProgress() { clear_bar(); }
 
 void TerminalProgress::report(double fraction, std::string_view what) {
+  if (quiet) return;
   fraction = std::clamp(fraction, 0.0, 1.0);
   if (terminal_)
     draw_bar(fraction, what);

@@ -12,6 +12,9 @@ namespace talus::cli {
 void catch_interrupts();
 bool interrupted();
 
+/// From now on nothing says how far work is (`--quiet`).
+void be_quiet();
+
 /// How far a long piece of work is, on standard error: a bar that is redrawn on a terminal, elsewhere a plain line at
 /// every tenth. Cancelled by Ctrl-C once `catch_interrupts` was called.
 class TerminalProgress final : public Progress {
