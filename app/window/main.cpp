@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   talus::setDefaultSurfaceFormat();
   const std::unique_ptr<QCoreApplication> app(asksForWords(argc, argv) ? new QCoreApplication(argc, argv)
                                                                        : new QApplication(argc, argv));
+  talus::language::keepDecimalPoint();
   QApplication::setApplicationName(QStringLiteral("talus"));
   QApplication::setOrganizationName(QStringLiteral("talus"));
   QGuiApplication::setDesktopFileName(QStringLiteral("talus"));  // by which a desktop finds name and icon

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "widgets/kit/language.hpp"
 #include "widgets/kit/theme.hpp"
 #include "widgets/view/render_surface.hpp"
 
@@ -25,6 +26,7 @@ int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   talus::setDefaultSurfaceFormat();
   QApplication app(argc, argv);
+  talus::language::keepDecimalPoint();
   QApplication::setApplicationName(QStringLiteral("talus-test"));
   QApplication::setOrganizationName(QStringLiteral("talus-test"));
   QTemporaryDir settings;  // the user's own recent files are no part of a test

@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QTranslator>
 #include <algorithm>
+#include <clocale>
 
 namespace talus::language {
 
@@ -53,5 +54,7 @@ bool install(const QString& wanted) {
 }
 
 QString now() { return spoken; }
+
+void keepDecimalPoint() { std::setlocale(LC_NUMERIC, "C"); }
 
 }  // namespace talus::language

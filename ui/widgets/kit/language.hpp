@@ -21,4 +21,8 @@ bool install(const QString& code = {});
 /// The one that is spoken.
 QString now();
 
+/// Lets the functions of C and C++ read and write numbers with a point, as files have them, whatever the system's
+/// language: a QApplication has taken that over for them. To be called once there is one.
+void keepDecimalPoint();
+
 }  // namespace talus::language
