@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <string_view>
 
@@ -35,9 +36,21 @@ bool asksForWords(int argc, char** argv) {
   });
 }
 
+/// Whether Qt would find nothing to draw on, which it ends by a crash.
+bool lacksDisplay(int argc, char** argv) {
+  const bool told = std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
+    return argument.starts_with("-platform") || argument.starts_with("--platform");
+  });
+  return !told && !std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY") && !std::getenv("QT_QPA_PLATFORM");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (!asksForWords(argc, argv) && lacksDisplay(argc, argv))
+    return complain(
+        QStringLiteral("there is no display; talus-cli needs none, and with QT_QPA_PLATFORM=offscreen "
+                       "talus --screenshot neither"));
   talus::setDefaultSurfaceFormat();
   const std::unique_ptr<QCoreApplication> app(asksForWords(argc, argv) ? new QCoreApplication(argc, argv)
                                                                        : new QApplication(argc, argv));

@@ -17,6 +17,9 @@ words() { env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$talus" "$1" > "
 words --version '^talus [0-9]' || fail "no version without a display"
 words --help '^Usage: ' || fail "no help without a display"
 
+env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$talus" 2> "$folder/words" && fail "a window without a display"
+[ $? = 2 ] && grep -q '^talus: there is no display' "$folder/words" || fail "that there is no display is not told"
+
 expect_2() { "$talus" "$@" 2> "$folder/words"; [ $? = 2 ] || fail "not exit code 2: $*"; [ "$(wc -l < "$folder/words")" = 1 ] || fail "not one line: $*"; }
 expect_2 --screenshot "$folder/x.png" "$folder/not_there.talus"
 expect_2 --screenshot "$folder/x.png" --size 12 "$folder/free_fall/free_fall.talus"
