@@ -5,7 +5,7 @@ set(commit "")
 if(EXISTS ${SOURCE}/.git)
   execute_process(COMMAND git -C ${SOURCE} rev-parse --short=10 HEAD
     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-  execute_process(COMMAND git -C ${SOURCE} diff --quiet HEAD ERROR_QUIET RESULT_VARIABLE differs)
+  execute_process(COMMAND git -C ${SOURCE} --no-optional-locks diff --quiet HEAD ERROR_QUIET RESULT_VARIABLE differs)
   if(commit AND differs)
     string(APPEND commit ", with changes")
   endif()
