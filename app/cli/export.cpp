@@ -7,8 +7,8 @@
 
 #include "command.hpp"
 #include "export/export_folder.hpp"
-#include "io/whole_file.hpp"
 #include "options.hpp"
+#include "output_file.hpp"
 #include "render/scene/block_colours.hpp"
 #include "text/terminal.hpp"
 
@@ -58,7 +58,7 @@ std::filesystem::path file_to_write(const ExportOptions& options, const std::str
 Exported write_stl(const ExportOptions& options, const ResultReader& results) {
   const int frame = frame_index(results, options.choice);
   const auto file = file_to_write(options, numbered_name("frame", frame, ""), ending_of("stl"));
-  about(file, [&] { replace_whole_file(file, stl_of(results.system(), results.frame(frame))); });
+  write_output(file, stl_of(results.system(), results.frame(frame)));
   return {file, 1};
 }
 
@@ -67,12 +67,12 @@ Exported write_gltf(const ExportOptions& options, const ResultReader& results, P
   if (options.chooses_a_frame()) {
     const int frame = frame_index(results, options.choice);
     const auto file = file_to_write(options, numbered_name("frame", frame, ""), ending_of("gltf"));
-    about(file, [&] { replace_whole_file(file, glb_of(results.system(), results.frame(frame), colours)); });
+    write_output(file, glb_of(results.system(), results.frame(frame), colours));
     return {file, 1};
   }
   const std::string bytes = animated_glb_of(results, colours, progress);
   const auto file = file_to_write(options, "blocks", ending_of("gltf"));
-  about(file, [&] { replace_whole_file(file, bytes); });
+  write_output(file, bytes);
   return {file, results.frame_times().size()};
 }
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "io/whole_file.hpp"
 #include "options.hpp"
+#include "output_file.hpp"
 #include "project_choice.hpp"
 
 namespace talus::cli {
@@ -26,7 +26,7 @@ report::ProjectOfRun project_of(const std::filesystem::path& results) {
 ExitCode report_results(const std::filesystem::path& results, const std::filesystem::path& out, bool json) {
   const report::Writer write = report::writer_for(out);
   const report::Document document = about(results, [&] { return report::report_of(results, project_of(results)); });
-  about(out, [&] { replace_whole_file(out, write(document)); });
+  write_output(out, write(document));
   if (json)
     std::cout << nlohmann::ordered_json{{"report", out.string()}}.dump(2) << '\n';
   else

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "command.hpp"
-#include "io/whole_file.hpp"
+#include "output_file.hpp"
 #include "render/charts/painted_image.hpp"
 #include "render/paint/pdf_pages.hpp"
 #include "render/paint/svg_painter.hpp"
@@ -78,7 +78,7 @@ void write_sheet(const Sheet& sheet, const std::filesystem::path& file) {
   if (file.extension() == ".png")
     write_png(png_sheet(sheet), file);
   else
-    about(file, [&] { replace_whole_file(file, file.extension() == ".svg" ? svg_sheet(sheet) : pdf_sheet(sheet)); });
+    write_output(file, file.extension() == ".svg" ? svg_sheet(sheet) : pdf_sheet(sheet));
 }
 
 }  // namespace talus::cli

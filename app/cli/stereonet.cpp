@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "io/whole_file.hpp"
 #include "options.hpp"
 #include "orientation/project_joints.hpp"
+#include "output_file.hpp"
 #include "project_choice.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
 #include "sheet.hpp"
@@ -146,7 +146,7 @@ ExitCode stereonet(const StereonetOptions& options, bool json) {
     files.push_back(options.picture.string());
   }
   if (!options.table.empty()) {
-    replace_whole_file(options.table, joint_table_text(net.joints));
+    write_output(options.table, joint_table_text(net.joints));
     files.push_back(options.table.string());
   }
   if (json) {

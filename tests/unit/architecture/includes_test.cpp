@@ -98,8 +98,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
       "ui/widgets/results", "ui/widgets/orientation", "ui/widgets/joints", "ui/widgets/verification"}},
     {"app/version", {}},
     {"app/cli/text", {"core/study/forecast", "core/verification", "core/orientation", "ui/render/charts"}},
-    {"app/cli",
-     {"app/version", "app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/report"}},
+    {"app/cli", {"app/version", "app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/report"}},
     {"app/window", {"app/version", "ui/widgets/window"}},
 };
 
