@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -26,6 +27,7 @@ struct SolveOptions {
   int threads = 1;
   bool resume = false;
   double checkpoint_every = RunOptions{}.checkpoint_every;  ///< s
+  std::optional<double> max_wall;                           ///< s
 };
 
 double duration(const Project& project) {
@@ -35,10 +37,19 @@ double duration(const Project& project) {
   return seconds;
 }
 
-/// Shows how far the run is, and ends it after the step on Ctrl-C.
+using Clock = std::chrono::steady_clock;
+
+/// When a run that begins now has used its time.
+Clock::time_point deadline_of(const std::optional<double>& max_wall) {
+  if (!max_wall) return Clock::time_point::max();
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*max_wall));
+}
+
+/// Shows how far the run is, and ends it after the step on Ctrl-C or when its time is up.
 class Watch final : public RunObserver {
  public:
-  explicit Watch(const Project& project) : project_(project), end_(duration(project)) {}
+  Watch(const Project& project, Clock::time_point deadline)
+      : project_(project), end_(duration(project)), deadline_(deadline) {}
 
   void on_step(const StepReport& step, const HistoryRow&, double fraction) override {
     ++steps_;
@@ -49,11 +60,12 @@ class Watch final : public RunObserver {
     progress_.report(fraction, text + project_.stages[static_cast<std::size_t>(step.stage)].name);
   }
   void on_frame(std::shared_ptr<const Frame>) override {}
-  bool go_on() override { return !interrupted(); }
+  bool go_on() override { return !interrupted() && Clock::now() < deadline_; }
 
  private:
   const Project& project_;
   const double end_;
+  const Clock::time_point deadline_;
   long steps_ = 0, iterations_ = 0;
   TerminalProgress progress_;
 };
@@ -82,6 +94,7 @@ void check_resumable(const SolveOptions& options, const std::string& text) {
 
 /// The project is read and meshed before the results folder is touched: a faulty one leaves nothing behind.
 RunReport solve(const SolveOptions& options) {
+  const Clock::time_point deadline = deadline_of(options.max_wall);  // cutting and meshing count
   const std::filesystem::path results = results_folder(options);
   const std::string text = text_of(options.project);
   const Project project = read(options.project, text);
@@ -89,7 +102,7 @@ RunReport solve(const SolveOptions& options) {
   catch_interrupts();
   const BlockSystem system = build(project, options.project);
   std::cerr << switched_effects_text(project);
-  Watch watch(project);
+  Watch watch(project, deadline);
   return about(options.project.name(), [&] {
     return run(project, system, {results, text, options.threads, options.resume, options.checkpoint_every}, watch);
   });
@@ -127,6 +140,11 @@ void add_solve(CLI::App& program, Invocation& invocation) {
                    "Seconds of computing between checkpoints; each stage has one before its end (60)")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--max-wall", options->max_wall,
+                   "Seconds after which the run is stopped as by Ctrl-C, at the end of its step (default: none)")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e9));
   add_threads(*command, options->threads);
   command->callback([&invocation, options] {
     invocation.run = [&invocation, options] { return solve_and_tell(*options, invocation.json); };

@@ -86,6 +86,14 @@ TEST_F(Interrupted, AKilledRunGoesOnToTheSameNumbers) {
   EXPECT_EQ(text_of(folder_ / "r/history.csv"), text_of(folder_ / "whole/history.csv")) << "nothing is touched";
 }
 
+TEST_F(Interrupted, ARunStopsWhenItsTimeIsUp) {
+  const Ending ending =
+      talus_cli({"solve", (folder_ / "endless.talus").string(), "--out", results(), "--max-wall", "0.5", "--json"});
+  EXPECT_EQ(ending.exit_code, 1);
+  EXPECT_EQ(Json::parse(ending.out)["status"], "stopped");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "r/checkpoint.h5"));
+}
+
 TEST_F(Interrupted, ARunWithoutACheckpointBeginsAtTheStart) {
   const Ending ending = talus_cli({"solve", sample("free_fall"), "--out", results(), "--resume"});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
