@@ -41,13 +41,6 @@ std::string format_of(const ExportOptions& options) {
   throw InputError("--as", "the format is missing", "say vtu, csv, stl or gltf, or let --out end in .stl or .glb");
 }
 
-std::vector<BlockColour> colours_of(const BlockSystem& system) {
-  std::vector<BlockColour> colours;
-  for (const Rgb& colour : colours_of_blocks(system))
-    colours.push_back({colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0});
-  return colours;
-}
-
 /// The file of a single one: `--out` itself, or one in that folder, which is made.
 std::filesystem::path file_to_write(const ExportOptions& options, const std::string& name, const char* ending) {
   if (options.out.extension() == ending) return options.out;
@@ -63,7 +56,7 @@ Exported write_stl(const ExportOptions& options, const ResultReader& results) {
 }
 
 Exported write_gltf(const ExportOptions& options, const ResultReader& results, Progress& progress) {
-  const std::vector<BlockColour> colours = colours_of(results.system());
+  const std::vector<BlockColour> colours = fractions_of_colours(results.system());
   if (options.chooses_a_frame()) {
     const int frame = frame_index(results, options.choice);
     const auto file = file_to_write(options, numbered_name("frame", frame, ""), ending_of("gltf"));

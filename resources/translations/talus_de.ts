@@ -3749,10 +3749,6 @@
         <translation>Ein Lauf ist im Gange</translation>
     </message>
     <message>
-        <source>A picture or film is being written</source>
-        <translation>Ein Bild oder Film wird geschrieben</translation>
-    </message>
-    <message>
         <source>The project has no solid</source>
         <translation>Das Projekt hat keinen Körper</translation>
     </message>
@@ -3791,6 +3787,10 @@
     <message>
         <source>run goes on from %1 s</source>
         <translation>Lauf geht weiter ab %1 s</translation>
+    </message>
+    <message>
+        <source>The results are being exported</source>
+        <translation>Die Ergebnisse werden gerade ausgegeben</translation>
     </message>
 </context>
 <context>
@@ -3967,16 +3967,16 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
 <context>
     <name>talus::ExportStrip</name>
     <message>
-        <source>Share of the picture or film that is written</source>
-        <translation>Geschriebener Anteil von Bild oder Film</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
         <source>%1, %2 more to write</source>
         <translation>%1, noch %2 zu schreiben</translation>
+    </message>
+    <message>
+        <source>Share of what is written</source>
+        <translation>Anteil dessen, was geschrieben ist</translation>
     </message>
 </context>
 <context>
@@ -4791,6 +4791,34 @@ Z %3</translation>
     <message>
         <source>Under the mouse: east, north and height in the coordinates of the survey</source>
         <translation>Unter der Maus: Ost, Nord und Höhe in den Koordinaten der Vermessung</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>Save a report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Reports (*.html *.pdf)</source>
+        <translation>Berichte (*.html *.pdf)</translation>
+    </message>
+    <message>
+        <source>A new folder for the files</source>
+        <translation>Ein neuer Ordner für die Dateien</translation>
+    </message>
+    <message>
+        <source>New folders (*)</source>
+        <translation>Neue Ordner (*)</translation>
+    </message>
+    <message>
+        <source>Files (*%1)</source>
+        <translation>Dateien (*%1)</translation>
     </message>
 </context>
 <context>
@@ -7941,6 +7969,34 @@ Nr. %3</translation>
     <message>
         <source>Cut open across the view</source>
         <translation>Quer zur Ansicht aufschneiden</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>Bericht speichern…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Export tables (CSV)…</source>
+        <translation>Tabellen ausgeben (CSV)…</translation>
+    </message>
+    <message>
+        <source>Export for ParaView (VTU)…</source>
+        <translation>Für ParaView ausgeben (VTU)…</translation>
+    </message>
+    <message>
+        <source>Export this frame (STL)…</source>
+        <translation>Dieses Bild ausgeben (STL)…</translation>
+    </message>
+    <message>
+        <source>Export for the web (glTF)…</source>
+        <translation>Für das Web ausgeben (glTF)…</translation>
+    </message>
+    <message>
+        <source>The run goes on: its results are complete at its end</source>
+        <translation>Der Lauf geht weiter: seine Ergebnisse sind erst am Ende vollständig</translation>
     </message>
 </context>
 <context>

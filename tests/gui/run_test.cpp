@@ -6,10 +6,13 @@
 #include <QPushButton>
 #include <QTest>
 
+#include <fstream>
+
 #include "driven_window.hpp"
 #include "widgets/run/effect_list.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/view/timeline.hpp"
+#include "widgets/window/window_actions.hpp"
 
 namespace talus {
 namespace {
@@ -101,6 +104,40 @@ TEST_F(DrivenWindow, GoesOnWithAStoppedRunWhereItWasStopped) {
   ASSERT_TRUE(wait([&] { return !session->run.job().isBusy() && session->playback.frame(); }));
   ASSERT_TRUE(wait([&] { return session->playback.times().front() == 0; })) << "all frames, those of before too";
   EXPECT_TRUE(session->messages.problems().empty());
+}
+
+std::string startOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes(16, '\0');
+  stream.read(bytes.data(), 16);
+  return bytes;
+}
+
+TEST_F(DrivenWindow, HandsOverReportsAndDataOfResults) {
+  openAndMesh(slidingCube(60));
+  auto* report = window->findChild<WindowActions*>()->saveReport;
+  EXPECT_FALSE(report->isEnabled());
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
+  ASSERT_TRUE(wait([&] { return report->isEnabled(); }));
+  window->saveReport(folder / "slide.html");
+  window->saveReport(folder / "slide.pdf");
+  window->exportData(DataFormat::csv, folder / "tables");
+  window->exportData(DataFormat::vtu, folder / "vtu");
+  window->exportData(DataFormat::stl, folder / "deposit.stl");
+  window->exportData(DataFormat::gltf, folder / "slide.glb");
+  ASSERT_TRUE(wait([&] { return !window->exporter().isBusy(); }, 60000));
+  EXPECT_EQ(startOf(folder / "slide.html").substr(0, 15), "<!DOCTYPE html>");
+  EXPECT_EQ(startOf(folder / "slide.pdf").substr(0, 5), "%PDF-");
+  EXPECT_TRUE(std::filesystem::exists(folder / "tables" / "blocks.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "vtu" / "frames.pvd"));
+  EXPECT_EQ((std::filesystem::file_size(folder / "deposit.stl") - 84) % 50, 0u);
+  EXPECT_EQ(startOf(folder / "slide.glb").substr(0, 4), "glTF");
+  EXPECT_TRUE(session->messages.problems().empty());
+
+  window->exportData(DataFormat::csv, folder / "tables");
+  ASSERT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
+  EXPECT_EQ(session->messages.problems().size(), 1u) << "the folder is not empty";
 }
 
 /// All that the list of effects says.

@@ -4,7 +4,6 @@
 
 #include "document/schema.hpp"
 #include "io/project_change.hpp"
-#include "io/project_file.hpp"
 #include "jobs/results_loader.hpp"
 #include "jobs/solver_job.hpp"
 #include "mesh/volume_sum.hpp"
@@ -81,9 +80,8 @@ QString shortfallOf(const RunReport& report) {
 
 /// The moment of the checkpoint in a results folder from which a run of the project can go on [s]: of one that was
 /// stopped or killed, or that has more to come now.
-std::optional<double> checkpointToGoOnFrom(const std::filesystem::path& folder, const Project& project) {
+std::optional<double> checkpointToGoOnFrom(const std::filesystem::path& folder, const std::string& text) {
   const std::optional<CheckpointLabel> label = read_checkpoint_label(folder / "checkpoint.h5");
-  const std::string text = write_project(project);
   if (!label || change_since_run(label->project_text, text)) return std::nullopt;
   const std::optional<RunReport> report = read_summary(folder / "summary.json");
   const bool hasMoreToCome = change_since_run(text, label->project_text).has_value();
@@ -123,7 +121,7 @@ QString CurrentRun::whyNotMesh() const {
   if (!document.isOpen()) return tr("Open a project first");
   if (job_->isBusy()) return tr("A run goes on");
   // It reads the results that a run would replace.
-  if (playback_.isExporting()) return tr("A picture or film is being written");
+  if (playback_.isExporting()) return tr("The results are being exported");
   if (document.project().solids.empty()) return tr("The project has no solid");
   return {};
 }
@@ -177,7 +175,7 @@ void CurrentRun::start(Start what) {
   task.project = document.project();
   task.folder = document.folder();
   task.options.out = document.resultsFolder();
-  task.options.project_text = write_project(document.project());
+  task.options.project_text = document.text();
   task.options.resume = what == Start::runFromCheckpoint;
   task.system = project_.system();
   task.solve = solve;
@@ -227,7 +225,7 @@ void CurrentRun::lookForCheckpoint() {
   const Document& document = project_.document();
   if (document.isOpen() && !document.file().empty() && !job_->isBusy()) {
     try {
-      found = checkpointToGoOnFrom(document.resultsFolder(), document.project());
+      found = checkpointToGoOnFrom(document.resultsFolder(), document.text());
     } catch (const InputError&) {
       // Damaged, or of a project that cannot be read any more: nothing goes on from there.
     }

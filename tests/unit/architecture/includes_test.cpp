@@ -84,7 +84,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"ui/widgets/begin", {"ui/widgets/kit", "ui/session", "core/templates"}},
     {"ui/widgets/study", {"ui/widgets/kit", "ui/session", "ui/render/charts"}},
     {"ui/widgets/run", {"ui/widgets/study"}},
-    {"ui/widgets/results", {"ui/widgets/view", "ui/widgets/run", "ui/render/film"}},
+    {"ui/widgets/results", {"ui/widgets/view", "ui/widgets/run", "ui/render/film", "ui/report"}},
     {"ui/widgets/forms", {"ui/widgets/kit", "ui/session"}},
     {"ui/widgets/geometry", {"ui/widgets/view", "ui/widgets/forms"}},
     {"ui/widgets/blocks", {"ui/widgets/kit", "ui/session"}},

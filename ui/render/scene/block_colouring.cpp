@@ -142,4 +142,11 @@ std::vector<Rgb> colours_of_blocks(const BlockSystem& system) {
   return result;
 }
 
+std::vector<std::array<double, 3>> fractions_of_colours(const BlockSystem& system) {
+  std::vector<std::array<double, 3>> fractions;
+  for (const Rgb& colour : colours_of_blocks(system))
+    fractions.push_back({colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0});
+  return fractions;
+}
+
 }  // namespace talus

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct BlockColours {
 /// Tol's colours, calmed by a quarter of grey, for blocks that have no other: neighbours have different ones, and fixed
 /// rock has that of rock.
 std::vector<Rgb> colours_of_blocks(const BlockSystem& system);
+/// The same, red, green and blue from 0 to 1.
+std::vector<std::array<double, 3>> fractions_of_colours(const BlockSystem& system);
 
 /// A place of the blocks as they were cut that is marked over everything, by a ring and a label.
 struct MarkedPlace {

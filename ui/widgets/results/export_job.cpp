@@ -5,9 +5,35 @@
 
 namespace talus {
 
-class ExportJob::FilmProgress final : public Progress {
+namespace {
+
+/// A picture, or a film.
+void draw(const ExportTask& task, Progress& progress) {
+  SceneSettings settings = task.settings;
+  settings.fine = settings.smooth_outlines = true;
+  settings.text_height = 0;  // as the picture's size asks for, not the window's
+  Scene scene(*task.system, settings);
+  scene.set_stage_names(task.stageNames);
+  scene.set_hidden(task.hidden);
+  scene.set_troubles(task.troubles);
+  scene.set_actions(task.actions);
+  scene.set_joints(task.joints, task.chosenCuts);
+  scene.set_pose(task.pose);
+  if (task.path.extension() == ".png") {
+    if (task.frameCount > 0) scene.set_frame(task.frame(task.firstFrame));
+    render_png(scene, task.path, task.film.width, task.film.height);
+    return;
+  }
+  render_film(
+      scene, task.frameCount, [&](int number) { return task.frame(task.firstFrame + number); }, task.path, task.film,
+      progress);
+}
+
+}  // namespace
+
+class ExportJob::JobProgress final : public Progress {
  public:
-  explicit FilmProgress(ExportJob& job) : job_(job) {}
+  explicit JobProgress(ExportJob& job) : job_(job) {}
   void report(double fraction, std::string_view) override {
     QMetaObject::invokeMethod(
         &job_, [job = &job_, fraction] { emit job->progressed(fraction); }, Qt::QueuedConnection);
@@ -26,7 +52,13 @@ ExportJob::~ExportJob() {
 }
 
 void ExportJob::start(ExportTask task) {
-  waiting_.push_back(std::move(task));
+  const QString what = task.what;
+  const std::filesystem::path path = task.path;
+  start(what, path, [task = std::move(task)](Progress& progress) { draw(task, progress); });
+}
+
+void ExportJob::start(const QString& what, const std::filesystem::path& path, Writing write) {
+  waiting_.push_back({what, path, std::move(write)});
   if (isBusy()) {
     emit waitingChanged(static_cast<int>(waiting_.size()));
     return;
@@ -37,7 +69,7 @@ void ExportJob::start(ExportTask task) {
 
 void ExportJob::startNext() {
   cancelled_ = false;
-  ExportTask task = std::move(waiting_.front());
+  Waiting task = std::move(waiting_.front());
   waiting_.pop_front();
   const QString what = task.what;
   thread_.reset(QThread::create([this, task = std::move(task)] { work(task); }));
@@ -55,10 +87,11 @@ void ExportJob::startNext() {
   emit waitingChanged(static_cast<int>(waiting_.size()));
 }
 
-void ExportJob::work(const ExportTask& task) {
+void ExportJob::work(const Waiting& task) {
   const std::string file = task.path.string();
   try {
-    draw(task);
+    JobProgress progress(*this);
+    task.write(progress);
     outcome_ = [this, file] { emit finished(text(file)); };
   } catch (const Cancelled&) {
     outcome_ = [this] { emit cancelledByUser(); };
@@ -69,28 +102,6 @@ void ExportJob::work(const ExportTask& task) {
       emit failed(failure);
     };
   }
-}
-
-void ExportJob::draw(const ExportTask& task) {
-  SceneSettings settings = task.settings;
-  settings.fine = settings.smooth_outlines = true;
-  settings.text_height = 0;  // as the picture's size asks for, not the window's
-  Scene scene(*task.system, settings);
-  scene.set_stage_names(task.stageNames);
-  scene.set_hidden(task.hidden);
-  scene.set_troubles(task.troubles);
-  scene.set_actions(task.actions);
-  scene.set_joints(task.joints, task.chosenCuts);
-  scene.set_pose(task.pose);
-  if (task.path.extension() == ".png") {
-    if (task.frameCount > 0) scene.set_frame(task.frame(task.firstFrame));
-    render_png(scene, task.path, task.film.width, task.film.height);
-    return;
-  }
-  FilmProgress progress(*this);
-  render_film(
-      scene, task.frameCount, [&](int number) { return task.frame(task.firstFrame + number); }, task.path, task.film,
-      progress);
 }
 
 }  // namespace talus

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "render/film/movie.hpp"
 #include "render/scene/scene.hpp"
+#include "widgets/results/data_export.hpp"
 
 namespace talus {
 
@@ -32,7 +33,7 @@ struct ExportTask {
   FilmOptions film;                    ///< width and height of a picture too
 };
 
-/// Draws a picture or a film with a GL context of its own, on a thread of its own.
+/// Writes pictures, films, data and reports on a thread of its own; what is drawn has a GL context of its own.
 class ExportJob : public QObject {
   Q_OBJECT
  public:
@@ -43,6 +44,8 @@ class ExportJob : public QObject {
   bool isBusy() const { return thread_ != nullptr; }
   /// One at a time: what is asked for meanwhile waits for its turn.
   void start(ExportTask task);
+  /// `what`: "Report"; `path`: the file or folder that `write` makes.
+  void start(const QString& what, const std::filesystem::path& path, Writing write);
   /// The one that is being written; those that wait go on.
   void cancel() { cancelled_ = true; }
 
@@ -56,12 +59,16 @@ class ExportJob : public QObject {
   void failed(const talus::InputError& error);
 
  private:
-  class FilmProgress;
+  class JobProgress;
+  struct Waiting {
+    QString what;
+    std::filesystem::path path;
+    Writing write;
+  };
   void startNext();
-  void work(const ExportTask& task);
-  void draw(const ExportTask& task);
+  void work(const Waiting& task);
 
-  std::deque<ExportTask> waiting_;
+  std::deque<Waiting> waiting_;
   std::unique_ptr<QThread> thread_;
   std::atomic<bool> cancelled_ = false;
   std::function<void()> outcome_;  ///< set by the worker, called when its thread has ended

@@ -13,7 +13,7 @@ ExportStrip::ExportStrip(ExportJob& job) : what_(makeLabel({}, "small")), bar_(m
   row->addWidget(what_);
   bar_->setFixedWidth(120);
   row->addWidget(bar_);
-  bar_->setAccessibleName(tr("Share of the picture or film that is written"));
+  bar_->setAccessibleName(tr("Share of what is written"));
   auto* cancel = makeButton(tr("Cancel"), "link");
   cancel->setFocusPolicy(Qt::TabFocus);  // the view keeps the keys when it is clicked
   row->addWidget(cancel);

@@ -9,7 +9,7 @@ class QProgressBar;
 
 namespace talus {
 
-/// In the status bar while a picture or film is written: how far it is, and a way to cancel.
+/// In the status bar while a picture, a film, a report or data are written: how far it is, and a way to cancel.
 class ExportStrip : public QWidget {
   Q_OBJECT
  public:

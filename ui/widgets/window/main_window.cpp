@@ -322,6 +322,21 @@ void MainWindow::saveFilm(const std::filesystem::path& path) {
   exporter_.start(std::move(task));
 }
 
+void MainWindow::saveReport(const std::filesystem::path& path) {
+  write(tr("Report"), path, writingOfReport(session_.playback.folder(), path));
+}
+
+void MainWindow::exportData(DataFormat format, const std::filesystem::path& path) {
+  write(tr("Export"), path,
+        writingOfData(format, session_.playback.folder(), std::max(0, session_.playback.number()), path));
+}
+
+void MainWindow::write(const QString& what, const std::filesystem::path& path, Writing writing) {
+  if (session_.playback.folder().empty() || session_.playback.isLive()) return;
+  session_.messages.settle(Problem::Of::picture);
+  exporter_.start(what, path, std::move(writing));
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
   if (session_.run.job().isBusy()) {

@@ -55,6 +55,9 @@ class MainWindow : public QMainWindow {
   /// In the view's shape, 1920 pixels wide.
   void savePicture(const std::filesystem::path& path);
   void saveFilm(const std::filesystem::path& path);
+  /// Of the results that are open: as HTML or PDF, by the file's ending; of STL the frame in view.
+  void saveReport(const std::filesystem::path& path);
+  void exportData(DataFormat format, const std::filesystem::path& path);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -84,6 +87,9 @@ class MainWindow : public QMainWindow {
   void keepPictureOfProject();
   void askForPicture();
   void askForFilm();
+  void askForReport();
+  void askForExport(DataFormat format);
+  void write(const QString& what, const std::filesystem::path& path, Writing writing);
   /// Null, and a problem is said, where the samples cannot be read.
   Verification* verification();
   void showAccuracy();

@@ -44,6 +44,9 @@ void MainWindow::connectActions() {
   connect(actions_->saveAs, &QAction::triggered, this, &MainWindow::saveAs);
   connect(actions_->savePicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(actions_->saveFilm, &QAction::triggered, this, &MainWindow::askForFilm);
+  connect(actions_->saveReport, &QAction::triggered, this, &MainWindow::askForReport);
+  for (const auto& [format, action] : actions_->exports)
+    connect(action, &QAction::triggered, this, [this, format = format] { askForExport(format); });
   connect(actions_->startPage, &QAction::triggered, this, [this] { showStart(true); });
   connect(actions_->clearSelection, &QAction::triggered, this, [this] {  // Esc leaves the start page
     if (centre_->currentIndex() == 0 && session_.project.document().isOpen()) showStart(false);
@@ -135,6 +138,24 @@ void MainWindow::askForFilm() {
   const QString name = QFileDialog::getSaveFileName(this, tr("Save a film"), proposedFile(QStringLiteral(".mp4")),
                                                     tr("Films (*.mp4 *.gif)"));
   if (!name.isEmpty()) saveFilm(withEnding(name, ".mp4"));
+}
+
+void MainWindow::askForReport() {
+  const QString name = QFileDialog::getSaveFileName(this, tr("Save a report"), proposedFile(QStringLiteral(".html")),
+                                                    tr("Reports (*.html *.pdf)"));
+  if (!name.isEmpty()) saveReport(withEnding(name, ".html"));
+}
+
+void MainWindow::askForExport(DataFormat format) {
+  const bool isFolder = format == DataFormat::csv || format == DataFormat::vtu;
+  const char* ending = format == DataFormat::csv   ? ".csv"
+                       : format == DataFormat::vtu ? ".vtu"
+                       : format == DataFormat::stl ? ".stl"
+                                                   : ".glb";
+  const QString name = QFileDialog::getSaveFileName(
+      this, isFolder ? tr("A new folder for the files") : tr("Export"), proposedFile(QString::fromLatin1(ending)),
+      isFolder ? tr("New folders (*)") : tr("Files (*%1)").arg(QString::fromLatin1(ending)));
+  if (!name.isEmpty()) exportData(format, withEnding(name, isFolder ? "" : ending));
 }
 
 Verification* MainWindow::verification() {

@@ -75,6 +75,12 @@ void WindowActions::makeFileActions() {
   saveAs = add(tr("Save as…"), {}, QKeySequence(tr("Ctrl+Shift+S")));
   savePicture = add(tr("Save picture…"), QStringLiteral("camera"), QKeySequence(tr("Ctrl+Shift+P")));
   saveFilm = add(tr("Save film…"), QStringLiteral("film"), QKeySequence(tr("Ctrl+Shift+M")));
+  saveReport = add(tr("Save report…"), QStringLiteral("report"), QKeySequence(tr("Ctrl+Shift+R")));
+  for (const auto& [format, name] : {std::pair(DataFormat::csv, tr("Export tables (CSV)…")),
+                                     std::pair(DataFormat::vtu, tr("Export for ParaView (VTU)…")),
+                                     std::pair(DataFormat::stl, tr("Export this frame (STL)…")),
+                                     std::pair(DataFormat::gltf, tr("Export for the web (glTF)…"))})
+    exports.emplace_back(format, add(name, QStringLiteral("export")));
   startPage = add(tr("Start page"), QStringLiteral("home"));
   quit = add(tr("Quit"), {}, QKeySequence::Quit);
   QUndoStack& stack = session_.project.document().undoStack();
@@ -206,8 +212,8 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
     }
     return made;
   };
-  auto* file = menu(tr("File"), {newProject, open, openResults, save, saveAs, nullptr, savePicture, saveFilm, nullptr,
-                                 startPage, quit});
+  auto* file = menu(tr("File"), {newProject, open, openResults, save, saveAs, nullptr, savePicture, saveFilm,
+                                 saveReport, nullptr, startPage, quit});
   file->insertMenu(save, recent);
   auto* edit = menu(tr("Edit"), {undo, redo, nullptr, clearSelection, nullptr});
   for (auto* action : blocks->all()) edit->addAction(action);
@@ -238,8 +244,11 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   model->addSeparator();
   model->addAction(mesh);
   menu(tr("Solve"), {pages.at(WorkflowPage::solve), nullptr, solve, pause, oneStep, stop});
-  menu(tr("Results"), {pages.at(WorkflowPage::results), nullptr, play, previousFrame, nextFrame, firstFrame, lastFrame,
-                       nullptr, savePicture, saveFilm, nullptr, accuracy});
+  auto* results = menu(tr("Results"), {pages.at(WorkflowPage::results), nullptr, play, previousFrame, nextFrame,
+                                       firstFrame, lastFrame, nullptr, savePicture, saveFilm, saveReport, nullptr});
+  for (const auto& [format, action] : exports) results->addAction(action);
+  results->addSeparator();
+  results->addAction(accuracy);
   menu(tr("Help"), {manual, nullptr, knownAnswers, hardCases, nullptr, about});
 }
 
@@ -265,6 +274,10 @@ void WindowActions::refresh() {
   for (auto* action : {saveAs, stereonet, pasteJoints}) allow(*action, noProject);
   allow(*savePicture, nothingSeen);
   allow(*saveFilm, noFrames);
+  const bool isLive = session_.playback.isLive();
+  const QString noResults = isLive ? tr("The run goes on: its results are complete at its end") : noFrames;
+  allow(*saveReport, noResults);
+  for (const auto& [format, action] : exports) allow(*action, noResults);
   for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, section, showActions})
     allow(*action, nothingSeen);
   for (auto* action : {hide, isolate}) allow(*action, nothingSelected);

@@ -3,9 +3,11 @@
 #include <QAction>
 #include <QObject>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "session/workflow_page.hpp"
+#include "widgets/results/data_export.hpp"
 
 class QMenu;
 class QMenuBar;
@@ -29,7 +31,7 @@ class WindowActions : public QObject {
   WindowActions(Session& session, QWidget& window);
 
   // File
-  QAction *newProject, *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *startPage, *quit;
+  QAction *newProject, *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *saveReport, *startPage, *quit;
   // Edit
   QAction *undo, *redo, *clearSelection;
   // View
@@ -41,6 +43,7 @@ class WindowActions : public QObject {
   QAction *stereonet, *pasteJoints;
   QAction *mesh, *solve, *pause, *oneStep, *stop;
   // Results
+  std::vector<std::pair<DataFormat, QAction*>> exports;
   QAction *play, *previousFrame, *nextFrame, *firstFrame, *lastFrame, *accuracy;
   QAction *manual, *knownAnswers, *hardCases, *about;
   std::map<WorkflowPage, QAction*> pages;
