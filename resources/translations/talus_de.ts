@@ -6118,6 +6118,10 @@ Diese Datei gibt es nicht mehr</translation>
         <source>Go on from %1 s</source>
         <translation>Weiter ab %1 s</translation>
     </message>
+    <message>
+        <source>Go on with the run</source>
+        <translation>Lauf fortsetzen</translation>
+    </message>
 </context>
 <context>
     <name>talus::RunProfile</name>
@@ -7997,6 +8001,14 @@ Nr. %3</translation>
     <message>
         <source>The run goes on: its results are complete at its end</source>
         <translation>Der Lauf geht weiter: seine Ergebnisse sind erst am Ende vollständig</translation>
+    </message>
+    <message>
+        <source>Go on with the run</source>
+        <translation>Lauf fortsetzen</translation>
+    </message>
+    <message>
+        <source>No run of this project was stopped that could go on</source>
+        <translation>Kein Lauf dieses Projekts wurde angehalten, der weitergehen könnte</translation>
     </message>
 </context>
 <context>

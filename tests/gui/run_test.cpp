@@ -104,6 +104,14 @@ TEST_F(DrivenWindow, GoesOnWithAStoppedRunWhereItWasStopped) {
   ASSERT_TRUE(wait([&] { return !session->run.job().isBusy() && session->playback.frame(); }));
   ASSERT_TRUE(wait([&] { return session->playback.times().front() == 0; })) << "all frames, those of before too";
   EXPECT_TRUE(session->messages.problems().empty());
+
+  const auto file = session->project.document().file();
+  const double checkpoint = *session->run.checkpoint();
+  window = std::make_unique<MainWindow>();
+  session = &window->session();
+  window->open(file);
+  ASSERT_TRUE(wait([&] { return session->run.checkpoint().has_value(); })) << "another day";
+  EXPECT_EQ(*session->run.checkpoint(), checkpoint);
 }
 
 std::string startOf(const std::filesystem::path& file) {

@@ -109,7 +109,8 @@ CurrentRun::CurrentRun(CurrentProject& project, Playback& playback, Messages& me
     emit effectsChanged();
   });
   connect(&project_.document(), &Document::projectChanged, this, &CurrentRun::effectsChanged);
-  connect(&project_.document(), &Document::projectChanged, this, &CurrentRun::lookForCheckpoint);
+  for (const auto changed : {&Document::opened, &Document::projectChanged, &Document::savedChanged})
+    connect(&project_.document(), changed, this, &CurrentRun::lookForCheckpoint);
 }
 
 CurrentRun::~CurrentRun() = default;

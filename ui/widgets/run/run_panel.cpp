@@ -82,6 +82,7 @@ RunPanel::RunPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study
   inner->addWidget(bar_);
 
   goOn_ = makeButton({});
+  goOn_->setAccessibleName(tr("Go on with the run"));
   goOn_->setObjectName(QStringLiteral("goOn"));
   goOn_->setToolTip(tr("Takes the run up where it was stopped, to the same numbers as if it had never been"));
   inner->addWidget(goOn_);

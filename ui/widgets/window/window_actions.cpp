@@ -45,6 +45,7 @@ WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&windo
   connect(&session_.surfaces, &SolidSurfaces::changed, this, &WindowActions::refresh);
   connect(&session_.playback, &Playback::framesChanged, this, &WindowActions::refresh);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, &WindowActions::refresh);
+  connect(&session_.run, &CurrentRun::checkpointChanged, this, &WindowActions::refresh);
   connect(&session_.project.document(), &Document::savedChanged, this, &WindowActions::refresh);
   connect(&session_.project.document(), &Document::projectChanged, this, &WindowActions::refresh);
   connect(&session_.project.selection(), &Selection::changed, this, &WindowActions::refresh);
@@ -157,11 +158,13 @@ void WindowActions::makeRunActions() {
   pasteJoints = add(tr("Paste joints…"), QStringLiteral("paste"), QKeySequence(tr("Ctrl+Shift+V")));
   mesh = add(tr("Cut and mesh"), QStringLiteral("cut"), QKeySequence(Qt::Key_F4));
   solve = add(tr("Solve"), QStringLiteral("play"), QKeySequence(Qt::Key_F5));
+  goOn = add(tr("Go on with the run"), QStringLiteral("play"));
   pause = add(tr("Pause"), QStringLiteral("pause"), QKeySequence(Qt::Key_F6));
   oneStep = add(tr("One step"), QStringLiteral("step"), QKeySequence(Qt::Key_F10));
   stop = add(tr("Stop"), QStringLiteral("stop"), QKeySequence(tr("Shift+F5")));
   SolverJob& job = session_.run.job();
   connect(mesh, &QAction::triggered, &session_.run, &CurrentRun::mesh);
+  connect(goOn, &QAction::triggered, &session_.run, &CurrentRun::goOn);
   connect(pause, &QAction::triggered, this, [&job] { job.state() == JobState::paused ? job.resume() : job.pause(); });
   connect(oneStep, &QAction::triggered, this, [&job] {
     job.pause();
@@ -243,7 +246,7 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   }
   model->addSeparator();
   model->addAction(mesh);
-  menu(tr("Solve"), {pages.at(WorkflowPage::solve), nullptr, solve, pause, oneStep, stop});
+  menu(tr("Solve"), {pages.at(WorkflowPage::solve), nullptr, solve, goOn, pause, oneStep, stop});
   auto* results = menu(tr("Results"), {pages.at(WorkflowPage::results), nullptr, play, previousFrame, nextFrame,
                                        firstFrame, lastFrame, nullptr, savePicture, saveFilm, saveReport, nullptr});
   for (const auto& [format, action] : exports) results->addAction(action);
@@ -286,7 +289,11 @@ void WindowActions::refresh() {
   for (auto* action : joints->all()) allow(*action, joints->whyNot(action));
   for (auto* action : loads->all()) allow(*action, loads->whyNot());
   allow(*mesh, session_.whyNotMesh());
-  allow(*solve, session_.run.whyNotSolve());
+  const QString whyNotSolve = session_.run.whyNotSolve();
+  allow(*solve, whyNotSolve);
+  allow(*goOn, !whyNotSolve.isEmpty()      ? whyNotSolve
+               : session_.run.checkpoint() ? QString()
+                                           : tr("No run of this project was stopped that could go on"));
   pause->setText(paused ? tr("Resume") : tr("Pause"));
   pause->setIcon(theme::icon(paused ? QStringLiteral("play") : QStringLiteral("pause")));
   allow(*pause, notRunning);

@@ -41,7 +41,7 @@ class WindowActions : public QObject {
   BlockActions* blocks;
   // Model and solve
   QAction *stereonet, *pasteJoints;
-  QAction *mesh, *solve, *pause, *oneStep, *stop;
+  QAction *mesh, *solve, *goOn, *pause, *oneStep, *stop;
   // Results
   std::vector<std::pair<DataFormat, QAction*>> exports;
   QAction *play, *previousFrame, *nextFrame, *firstFrame, *lastFrame, *accuracy;
