@@ -25,9 +25,9 @@ killed_run() {
   wait $process 2>/dev/null || true
 }
 
-# What was announced must be readable.
+# What was announced must be readable: nothing is before log.txt is there.
 readable() {
-  [[ ! -f $folder/run/results.h5 ]] || "$cli" info "$folder/run" >"$folder/info" 2>&1
+  [[ ! -f $folder/run/log.txt ]] || "$cli" info "$folder/run" >"$folder/info" 2>&1
 }
 
 same_as_whole() {

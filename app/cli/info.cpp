@@ -8,6 +8,7 @@
 #include "model/stage_length.hpp"
 #include "model/tolerance_text.hpp"
 #include "project_choice.hpp"
+#include "results/checkpoint.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
 #include "run/effect_costs.hpp"
@@ -189,8 +190,15 @@ ExitCode inform_of_project(const ProjectChoice& choice, bool with_forecast, bool
   return done;
 }
 
+/// From where `--resume` would go on with a run that has not come to its end [s].
+Json checkpoint_of(const std::filesystem::path& folder, const std::optional<RunReport>& report) {
+  const bool may_go_on = !report || report->status == RunStatus::stopped;
+  const auto label = may_go_on ? read_checkpoint_label(folder / "checkpoint.h5") : std::nullopt;
+  return label ? Json(label->time) : Json();
+}
+
 /// `report`: none where the run goes on, or was killed.
-Json json_of_results(const ResultReader& results, const std::optional<RunReport>& report) {
+Json json_of_results(const ResultReader& results, const std::optional<RunReport>& report, const Json& checkpoint) {
   const auto& times = results.frame_times();
   const auto steps = results.steps();
   const Json summary = report ? Json::parse(summary_json(*report)) : Json();
@@ -201,6 +209,7 @@ Json json_of_results(const ResultReader& results, const std::optional<RunReport>
           {"first_time", times.empty() ? Json() : Json(times.front())},
           {"last_time", times.empty() ? Json() : Json(times.back())},
           {"steps", steps.size()},
+          {"checkpoint", checkpoint},
           {"tolerance", report ? Json(report->tolerance) : Json()},
           {"stages", results.stage_names()},
           {"monitors", results.monitor_names()},
@@ -217,7 +226,9 @@ void print_results(const Json& info, const BlockSystem& system, const std::optio
             << info["status"].get<std::string>() << ", " << info["steps"] << " steps, " << info["frames"] << " frames";
   if (info["frames"] != 0) std::cout << " from " << info["first_time"] << " to " << info["last_time"] << " s";
   if (report) std::cout << ", tolerance " << tolerance_text(report->tolerance);
-  std::cout << "\n\n";
+  std::cout << '\n';
+  if (!info["checkpoint"].is_null()) std::cout << "solve --resume goes on from t = " << info["checkpoint"] << " s\n";
+  std::cout << '\n';
   print_blocks(info["blocks"], system);
   std::cout << '\n';
   for (const char* list : {"stages", "monitors"}) {
@@ -235,7 +246,7 @@ void print_results(const Json& info, const BlockSystem& system, const std::optio
 ExitCode inform_of_results(const std::filesystem::path& folder, bool json) {
   const ResultReader results(folder);
   const std::optional<RunReport> report = results.report();
-  const Json info = json_of_results(results, report);
+  const Json info = json_of_results(results, report, checkpoint_of(folder, report));
   if (json)
     std::cout << info.dump(2) << '\n';
   else

@@ -71,6 +71,8 @@ TEST_F(Interrupted, AKilledRunGoesOnToTheSameNumbers) {
   ASSERT_NO_FATAL_FAILURE(start_and_wait(cli, 50));
   cli.send(SIGKILL);
   cli.wait();
+  EXPECT_GT(Json::parse(talus_cli({"info", results(), "--json"}).out)["checkpoint"], 0);
+  EXPECT_THAT(talus_cli({"info", results()}).out, HasSubstr("solve --resume goes on from t = "));
   const Ending resumed = talus_cli({"solve", file, "--out", results(), "--resume"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_THAT(resumed.err, HasSubstr("Goes on at t = "));

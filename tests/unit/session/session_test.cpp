@@ -154,7 +154,7 @@ TEST_F(SessionTest, ATroubleIsShownWithItsBlocks) {
 TEST_F(SessionTest, NoRunMayReplaceFramesThatAreBeingWritten) {
   ASSERT_TRUE(session.open(folder / "slab.talus"));
   session.playback.setExporting(true);
-  EXPECT_EQ(session.run.whyNotSolve(), QStringLiteral("A picture or film is being written"));
+  EXPECT_EQ(session.run.whyNotSolve(), QStringLiteral("The results are being exported"));
   session.solve();
   EXPECT_FALSE(session.run.job().isBusy());
   EXPECT_EQ(session.display.page(), WorkflowPage::geometry);
