@@ -19,9 +19,18 @@ struct Image {
   Image(int w, int h) : width(w), height(h), rgb(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3) {}
 
   Rgb at(int x, int y) const {
-    const std::size_t i =
-        (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 3;
+    const std::size_t i = 3 * pixel(x, y);
     return {rgb[i], rgb[i + 1], rgb[i + 2]};
+  }
+  void set(int x, int y, Rgb colour) {
+    const std::size_t i = 3 * pixel(x, y);
+    rgb[i] = colour.red;
+    rgb[i + 1] = colour.green;
+    rgb[i + 2] = colour.blue;
+  }
+  /// Its number, row by row.
+  std::size_t pixel(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
 };
 
