@@ -184,6 +184,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Usage{"size", {"render", "x", "--out", "p.png", "--size", "wide"}},
                     Usage{"theme", {"render", "x", "--out", "p.png", "--theme", "pink"}},
                     Usage{"time_and_frame", {"render", "x", "--out", "p.png", "--time", "1", "--frame", "1"}},
+                    Usage{"threshold", {"render", "x", "--out", "p.png", "--compare", "q.png", "--threshold", "nan"}},
+                    Usage{"threshold_alone", {"render", "x", "--out", "p.png", "--threshold", "0.5"}},
                     Usage{"fps", {"animate", "x", "--out", "f.mp4", "--fps", "0"}},
                     Usage{"format", {"export", "x", "--out", "d", "--as", "xls"}}),
     [](const auto& one) { return one.param.name; });

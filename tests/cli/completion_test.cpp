@@ -47,7 +47,7 @@ TEST_F(BashCompletion, OffersTheOptionsOfACommand) {
   EXPECT_THAT(offered("--v"), ElementsAre("--version"));
   EXPECT_THAT(offered("solve --thr"), ElementsAre("--threads"));
   EXPECT_THAT(offered("new wedge x.talus --plu"), ElementsAre("--plunge"));
-  EXPECT_THAT(offered("render --thr"), IsEmpty());
+  EXPECT_THAT(offered("render --threads"), IsEmpty());
 }
 
 TEST_F(BashCompletion, OffersTheWordsThatAnOptionTakes) {

@@ -1,0 +1,50 @@
+#include "text/picture_text.hpp"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/xml_text.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+std::string three_digits(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", number);
+  return text;
+}
+
+std::string place_of(const PictureTile& tile) {
+  return pixels_text(tile.width, tile.height) + " at " + std::to_string(tile.left) + "," + std::to_string(tile.top);
+}
+
+}  // namespace
+
+std::string pixels_text(int width, int height) {
+  return std::to_string(width) + " × " + std::to_string(height) + " pixels";
+}
+
+std::string difference_text(const PictureDifference& found, double threshold) {
+  const std::string similarity =
+      "similarity " + three_digits(found.similarity) + ", at least " + three_digits(threshold) + " is asked for";
+  if (found.differing == 0) return similarity;
+  return similarity + "; worst in the " + place_of(found.worst) + "; all that differs is in the " +
+         place_of(found.region);
+}
+
+nlohmann::ordered_json tile_json(const PictureTile& tile) {
+  return {{"left", tile.left}, {"top", tile.top}, {"width", tile.width}, {"height", tile.height}};
+}
+
+std::string junit_text(const std::string& test, const std::string& failure) {
+  const bool passed = failure.empty();
+  const std::string outcome =
+      passed ? "/>\n" : ">\n      <failure message=\"" + xml_text(failure) + "\"/>\n    </testcase>\n";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+         "  <testsuite name=\"talus-cli render\" tests=\"1\" failures=\"" +
+         std::string(passed ? "0" : "1") + "\" errors=\"0\">\n    <testcase classname=\"pictures\" name=\"" +
+         xml_text(test) + "\"" + outcome + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace talus::cli

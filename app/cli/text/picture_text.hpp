@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "render/paint/picture_difference.hpp"
+
+// What is told of a picture that is compared with its baseline.
+namespace talus::cli {
+
+/// "16 × 16 pixels"
+std::string pixels_text(int width, int height);
+/// "similarity 0.312, at least 0.750 is asked for; worst in the 16 × 16 pixels at 640,120; …" without what differs
+/// where nothing does.
+std::string difference_text(const PictureDifference& found, double threshold);
+nlohmann::ordered_json tile_json(const PictureTile& tile);
+/// One test that passed or, where there is a `failure`, failed, as servers of continuous integration read it.
+std::string junit_text(const std::string& test, const std::string& failure);
+
+}  // namespace talus::cli
