@@ -32,10 +32,8 @@ void write_state(hid_t file, const std::string& state) {
 }
 
 std::string read_state(hid_t file) {
-  const Handle set = hdf5::open_dataset(file, "state");
-  std::string state(hdf5::row_count(set, "state"), '\0');
-  check(H5Dread(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, state.data()), "cannot read the state");
-  return state;
+  const std::vector<std::uint8_t> bytes = hdf5::read_all<std::uint8_t>(file, "state");
+  return {bytes.begin(), bytes.end()};
 }
 
 CheckpointLabel read_label(hid_t file) {

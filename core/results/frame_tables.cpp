@@ -4,9 +4,9 @@ namespace talus {
 
 void FrameTables::open_in(const hdf5::Handle& file) {
   using hdf5::Table;
-  displacement = Table(file, "/VTKHDF/PointData/displacement", H5T_NATIVE_DOUBLE);
-  velocity = Table(file, "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE);
-  stress = Table(file, "/VTKHDF/CellData/stress", H5T_NATIVE_DOUBLE);
+  displacement = Table(file, "/VTKHDF/PointData/displacement", H5T_NATIVE_DOUBLE, 3);
+  velocity = Table(file, "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE, 3);
+  stress = Table(file, "/VTKHDF/CellData/stress", H5T_NATIVE_DOUBLE, 6);
   contact_type = stored_contact_type();
   contacts = Table(file, "/Talus/contacts", contact_type);
   contact_ends = Table(file, "/Talus/contact_end", H5T_NATIVE_INT64);

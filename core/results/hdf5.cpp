@@ -17,13 +17,44 @@ Handle simple_space(hsize_t rows, hsize_t width, bool grows) {
   return Handle(check(H5Screate_simple(width == 0 ? 1 : 2, size, limit), "cannot describe a data set"));
 }
 
+/// Rows and width of one that has one or two dimensions, as all of ours; the width of one is 0.
+struct Extent {
+  hsize_t rows = 0, width = 0;
+};
+
+Extent extent_of(hid_t dataset, const std::string& path) {
+  const Handle space(check(H5Dget_space(dataset), "cannot read the size of " + path));
+  const int dimensions = check(H5Sget_simple_extent_ndims(space), "cannot read the size of " + path);
+  if (dimensions != 1 && dimensions != 2) throw Error(path + " is no table");
+  hsize_t size[2] = {0, 0};
+  check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path);
+  return {size[0], size[1]};
+}
+
+/// How many numbers to make room for. Nothing is stored packed: more than the file has bytes are none.
+std::size_t stored_count(hid_t dataset, const std::string& path) {
+  const Extent extent = extent_of(dataset, path);
+  const Handle file(check(H5Iget_file_id(dataset), "cannot read the size of " + path));
+  hsize_t most = 0;
+  check(H5Fget_filesize(file, &most), "cannot read the size of " + path);
+  const hsize_t width = std::max<hsize_t>(extent.width, 1);
+  if (extent.rows > most / width) throw Error(path + " is larger than the file");
+  return extent.rows * width;
+}
+
+/// An attribute that is one number or one text.
+Handle open_attribute(hid_t object, const std::string& name) {
+  Handle attribute(check(H5Aopen(object, name.c_str(), H5P_DEFAULT), "cannot open " + name));
+  const Handle space(check(H5Aget_space(attribute), "cannot read " + name));
+  if (check(H5Sget_simple_extent_npoints(space), "cannot read " + name) != 1) throw Error(name + " is not one value");
+  return attribute;
+}
+
 /// The rows first … first + count of a dataset, selected.
 Handle selected_rows(hid_t dataset, const std::string& path, hsize_t first, hsize_t count) {
   Handle space(check(H5Dget_space(dataset), "cannot read the size of " + path));
-  hsize_t size[2] = {0, 0};
-  check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path);
   const hsize_t start[] = {first, 0};
-  const hsize_t selected[] = {count, size[1]};
+  const hsize_t selected[] = {count, extent_of(dataset, path).width};
   check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, selected, nullptr), "cannot select in " + path);
   return space;
 }
@@ -92,13 +123,6 @@ Handle open_dataset(hid_t parent, const std::string& path) {
   return Handle(check(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), "cannot open " + path));
 }
 
-hsize_t row_count(hid_t dataset, const std::string& path) {
-  const Handle space(check(H5Dget_space(dataset), "cannot read the size of " + path));
-  hsize_t size[2] = {0, 0};
-  check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path);
-  return size[0];
-}
-
 void write_fixed(hid_t parent, const std::string& path, hid_t type, const void* data, hsize_t rows, hsize_t width) {
   const Handle space = simple_space(rows, width, false);
   const Handle set(check(H5Dcreate2(parent, path.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
@@ -147,19 +171,19 @@ void read_rows(hid_t dataset, const std::string& path, hid_t type, void* data, h
 template <class Number>
 std::vector<Number> read_all(hid_t parent, const std::string& path) {
   const Handle set = open_dataset(parent, path);
-  const Handle space(check(H5Dget_space(set), "cannot read the size of " + path));
-  std::vector<Number> data(check(H5Sget_simple_extent_npoints(space), "cannot read the size of " + path));
+  std::vector<Number> data(stored_count(set, path));
   if (!data.empty())
     check(H5Dread(set, type_of<Number>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), "cannot read " + path);
   return data;
 }
 template std::vector<double> read_all(hid_t, const std::string&);
+template std::vector<std::uint8_t> read_all(hid_t, const std::string&);
 template std::vector<std::int32_t> read_all(hid_t, const std::string&);
 template std::vector<std::int64_t> read_all(hid_t, const std::string&);
 
 std::vector<std::string> read_strings(hid_t parent, const std::string& path) {
   const Handle set = open_dataset(parent, path);
-  const hsize_t count = row_count(set, path);
+  const std::size_t count = stored_count(set, path);
   std::vector<char*> texts(count, nullptr);
   if (count == 0) return {};
   const Handle type = text_type();
@@ -171,7 +195,7 @@ std::vector<std::string> read_strings(hid_t parent, const std::string& path) {
 }
 
 std::string read_text_attribute(hid_t object, const std::string& name) {
-  const Handle attribute(check(H5Aopen(object, name.c_str(), H5P_DEFAULT), "cannot open " + name));
+  const Handle attribute = open_attribute(object, name);
   const Handle type(check(H5Aget_type(attribute), "cannot read " + name));
   std::string text(H5Tget_size(type), '\0');
   check(H5Aread(attribute, type, text.data()), "cannot read " + name);
@@ -181,7 +205,7 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
 
 template <class Number>
 Number read_number_attribute(hid_t object, const std::string& name) {
-  const Handle attribute(check(H5Aopen(object, name.c_str(), H5P_DEFAULT), "cannot open " + name));
+  const Handle attribute = open_attribute(object, name);
   Number number{};
   check(H5Aread(attribute, type_of<Number>(), &number), "cannot read " + name);
   return number;
@@ -208,18 +232,16 @@ void insert_field(hid_t type, const char* name, std::size_t offset, hid_t number
   }
 }
 
-Table::Table(hid_t parent, const std::string& path, hid_t type)
-    : path_(path), dataset_(open_dataset(parent, path)), type_(type) {
+Table::Table(hid_t parent, const std::string& path, hid_t type, hsize_t width)
+    : path_(path), dataset_(open_dataset(parent, path)), type_(type), width_(width) {
   refresh();
 }
 
 void Table::refresh() {
   check(H5Drefresh(dataset_), "cannot open " + path_);
-  const Handle space(check(H5Dget_space(dataset_), "cannot read the size of " + path_));
-  hsize_t size[2] = {0, 0};
-  check(H5Sget_simple_extent_dims(space, size, nullptr), "cannot read the size of " + path_);
-  rows_ = extent_ = size[0];
-  width_ = size[1];
+  const Extent extent = extent_of(dataset_, path_);
+  if (extent.width != width_) throw Error(path_ + " has not the columns that it should");
+  rows_ = extent_ = extent.rows;
 }
 
 void Table::go_back_to(hsize_t rows) {

@@ -60,9 +60,6 @@ hid_t type_of() {
 Handle create_group(hid_t parent, const std::string& path);
 Handle open_dataset(hid_t parent, const std::string& path);
 
-/// Rows in a dataset: its first dimension.
-hsize_t row_count(hid_t dataset, const std::string& path);
-
 /// A dataset of rows × `width` numbers; `width` 0 makes it one-dimensional.
 void write_fixed(hid_t parent, const std::string& path, hid_t type, const void* data, hsize_t rows, hsize_t width);
 template <class Number>
@@ -92,8 +89,8 @@ class Table {
   Table() = default;
   /// Creates an empty one, stored in pieces of `chunk_rows` rows; `width` 0 makes it one-dimensional.
   static void create(hid_t parent, const std::string& path, hid_t type, hsize_t width, hsize_t chunk_rows);
-  /// Opens one; `type` is that of the rows in memory and outlives the table.
-  Table(hid_t parent, const std::string& path, hid_t type);
+  /// Opens one of that width; `type` is that of the rows' numbers in memory and outlives the table.
+  Table(hid_t parent, const std::string& path, hid_t type, hsize_t width = 0);
 
   /// What this process has read before may be out of date where another one writes. No other handle of this process
   /// may have the dataset open.

@@ -12,6 +12,7 @@
 #include "results/hdf5.hpp"
 #include "results/result_file.hpp"
 #include "results/stored_rows.hpp"
+#include "results/superblock.hpp"
 
 namespace talus {
 
@@ -27,13 +28,23 @@ constexpr int attempts = 20;
 constexpr std::chrono::milliseconds between_attempts{2};
 
 /// Of a piece that its checksum shows to be half written. The library doubles its pause from 1 ns on: these are over
-/// after a second, and its own hundred would never be where a writer was killed.
-constexpr unsigned piece_attempts = 30;
+/// after a second, and its own hundred would never be where a writer was killed. Where nobody writes the piece is
+/// damaged, and a millisecond is enough.
+constexpr unsigned piece_attempts = 30, piece_attempts_in_closed_file = 20;
+
+bool somebody_writes(const std::filesystem::path& path) {
+  try {
+    return is_marked_open(path);
+  } catch (const std::runtime_error&) {
+    return false;  // it has not even a beginning
+  }
+}
 
 Handle open_file(const std::filesystem::path& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  check(H5Pset_metadata_read_attempts(access, piece_attempts), "cannot be told how often to read");
+  check(H5Pset_metadata_read_attempts(access, somebody_writes(path) ? piece_attempts : piece_attempts_in_closed_file),
+        "cannot be told how often to read");
   for (int attempt = 1; attempt < attempts; ++attempt) {
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access);
     if (file >= 0) return Handle(file);
@@ -48,10 +59,35 @@ BodyKind body_kind(const std::string& word) {
   throw std::runtime_error("no kind of body is called " + word);
 }
 
+/// A disk may lose bits, and HDF5 keeps checksums of its own pages alone: whatever counts or points at something is
+/// looked at before it is followed.
+void need(bool whole, const char* what) {
+  if (!whole) throw hdf5::Error(what);
+}
+
+bool is_index(std::int64_t number, std::size_t count) {
+  return number >= 0 && static_cast<std::uint64_t>(number) < count;
+}
+
+bool is_index_or_none(std::int64_t number, std::size_t count) { return number == -1 || is_index(number, count); }
+
+/// Adds up counts of a block each; there are so many things of `size` numbers.
+void need_sum(const std::vector<std::int32_t>& counts, std::size_t numbers, std::size_t size, const char* what) {
+  std::uint64_t sum = 0;
+  for (const std::int32_t count : counts) {
+    need(count >= 0, what);
+    sum += static_cast<std::uint64_t>(count);
+  }
+  need(sum * size == numbers, what);
+}
+
 template <std::size_t count>
-std::array<int, count> local_nodes(const std::int64_t* global, std::int64_t first) {
+std::array<int, count> local_nodes(const std::int64_t* global, std::int64_t first, std::size_t node_count) {
   std::array<int, count> nodes;
-  for (std::size_t i = 0; i < count; ++i) nodes[i] = static_cast<int>(global[i] - first);
+  for (std::size_t i = 0; i < count; ++i) {
+    need(global[i] >= first && is_index(global[i] - first, node_count), "a node of the mesh is not there");
+    nodes[i] = static_cast<int>(global[i] - first);
+  }
   return nodes;
 }
 
@@ -80,6 +116,13 @@ BlockSystem read_system(hid_t file) {
   const auto triangles = hdf5::read_all<std::int64_t>(talus, "triangles");
   const auto triangle_joint = hdf5::read_all<std::int32_t>(talus, "triangle_joint");
 
+  need_sum(node_counts, nodes.size(), 3, "the blocks' numbers of nodes are wrong");
+  need_sum(tetrahedron_counts, tetrahedra.size(), 4, "the blocks' numbers of tetrahedra are wrong");
+  need_sum(triangle_counts, triangles.size(), 3, "the blocks' numbers of triangles are wrong");
+  need(triangle_joint.size() == triangles.size() / 3, "the triangles' joints are wrong");
+  for (const std::int32_t one : triangle_joint)
+    need(is_index_or_none(one, system.joint_names.size()), "the triangles' joints are wrong");
+
   std::int64_t first_node = 0;
   const std::int64_t *tetrahedron = tetrahedra.data(), *triangle = triangles.data();
   const std::int32_t* joint = triangle_joint.data();
@@ -95,9 +138,9 @@ BlockSystem read_system(hid_t file) {
     for (int i = 0; i < node_counts.at(b); ++i)
       block.mesh.nodes.emplace_back(Eigen::Map<const Vec3>(&nodes.at(3 * (first_node + i))));
     for (int i = 0; i < tetrahedron_counts.at(b); ++i, tetrahedron += 4)
-      block.mesh.tetrahedra.push_back(local_nodes<4>(tetrahedron, first_node));
+      block.mesh.tetrahedra.push_back(local_nodes<4>(tetrahedron, first_node, block.mesh.nodes.size()));
     for (int i = 0; i < triangle_counts.at(b); ++i, triangle += 3)
-      block.surface.push_back({local_nodes<3>(triangle, first_node), *joint++});
+      block.surface.push_back({local_nodes<3>(triangle, first_node, block.mesh.nodes.size()), *joint++});
     first_node += node_counts[b];
   }
   return system;
@@ -128,6 +171,7 @@ std::vector<Thing> read_list(const Table& table, const Table& ends, hsize_t fram
   std::int64_t begin = 0, end = 0;
   ends.read(&end, frame, 1);
   if (frame > 0) ends.read(&begin, frame - 1, 1);
+  need(begin >= 0 && begin <= end && static_cast<hsize_t>(end) <= table.rows(), "the ends of its lists are wrong");
   std::vector<Row> rows(static_cast<std::size_t>(end - begin));
   table.read(rows.data(), static_cast<hsize_t>(begin), rows.size());
   std::vector<Thing> things;
@@ -156,6 +200,7 @@ std::shared_ptr<OpenResultFile> shared_file(const std::filesystem::path& path) {
 struct ResultFileReader::State {
   std::filesystem::path path;
   hsize_t node_count = 0, tetrahedron_count = 0;
+  std::size_t block_count = 0, joint_count = 0;
   std::shared_ptr<OpenResultFile> shared;
 
   Frame read(int number, double time) const;
@@ -176,7 +221,16 @@ Frame ResultFileReader::State::read(int number, double time) const {
   t.stress.read(frame.stress.data(), row * tetrahedron_count, tetrahedron_count);
 
   frame.contacts = read_list<StoredContact, ContactSample>(t.contacts, t.contact_ends, row);
-  if (t.has_motions) frame.motions = read_list<StoredMotion, MotionClass>(t.motions, t.motion_ends, row);
+  for (const ContactSample& contact : frame.contacts) {
+    for (const int block : contact.blocks) need(is_index(block, block_count), "a contact's block is not there");
+    need(is_index_or_none(contact.joint, joint_count), "a contact's joint is not there");
+    need(contact.state <= ContactState::slip, "a contact's state is not known");
+  }
+  if (!t.has_motions) return frame;
+  frame.motions = read_list<StoredMotion, MotionClass>(t.motions, t.motion_ends, row);
+  need(frame.motions.empty() || frame.motions.size() == block_count, "the blocks' motions are not whole");
+  for (const MotionClass& motion : frame.motions)
+    need(motion.mode <= MotionMode::sliding_and_torsional, "a motion is not known");
   return frame;
 }
 
@@ -187,6 +241,8 @@ ResultFileReader::ResultFileReader(const std::filesystem::path& file) : state_(s
     state_->shared = shared_file(file);
     const Handle& opened = state_->shared->file;
     system = read_system(opened);
+    state_->block_count = system.blocks.size();
+    state_->joint_count = system.joint_names.size();
     for (const Block& block : system.blocks) {
       state_->node_count += block.mesh.nodes.size();
       state_->tetrahedron_count += block.mesh.tetrahedra.size();

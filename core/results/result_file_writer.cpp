@@ -222,7 +222,7 @@ struct ResultFileWriter::State : FrameTables {
 };
 
 void ResultFileWriter::State::open_growing() {
-  points = Table(file, "/VTKHDF/Points", H5T_NATIVE_DOUBLE);
+  points = Table(file, "/VTKHDF/Points", H5T_NATIVE_DOUBLE, 3);
   open_in(file);
   parts = Table(file, "/VTKHDF/Steps/NumberOfParts", H5T_NATIVE_INT64);
   times = Table(file, "/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE);

@@ -2,8 +2,8 @@
 
 #include <charconv>
 #include <optional>
-#include <stdexcept>
 
+#include "base/error.hpp"
 #include "results/folder.hpp"
 
 namespace talus {
@@ -62,8 +62,9 @@ std::vector<std::vector<double>> read_text_table(const std::filesystem::path& fi
     if (auto row = parse(line, columns)) {
       rows.push_back(std::move(*row));
     } else {
-      throw std::runtime_error(file.string() + ": line " + std::to_string(number) + " has not " +
-                               std::to_string(columns) + " numbers");
+      throw InputError(file.string() + ": line " + std::to_string(number),
+                       "has not " + std::to_string(columns) + " numbers: the file is damaged",
+                       "mend the line or remove it, or solve the project again");
     }
   }
   return rows;

@@ -26,7 +26,7 @@ class TextTableWriter {
 };
 
 /// The rows of numbers below the header, those of `columns` numbers; a last line that is torn is left out.
-/// A file that is missing has no rows. Throws std::runtime_error for another line that is not `columns` numbers.
+/// A file that is missing has no rows. Throws InputError for another line that is not `columns` numbers.
 std::vector<std::vector<double>> read_text_table(const std::filesystem::path& file, std::size_t columns);
 
 /// A CSV field, in quotes when it holds a comma, a quote or a line break (RFC 4180).

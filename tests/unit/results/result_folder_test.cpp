@@ -312,6 +312,23 @@ TEST(ResultFolder, WhatHoldsNoResultsIsAnInputError) {
   EXPECT_THROW(ResultReader reader(temporary.path), InputError);
 }
 
+TEST(ResultFolder, ADamagedLineOfATableIsAnInputErrorWithItsNumber) {
+  const TemporaryFolder temporary;
+  {
+    ResultWriter writer(temporary.path, example_project(), example_system(), "{}");
+    for (int i = 0; i < 3; ++i) writer.add_step(example_step(i));
+  }
+  std::string text = text_of(temporary.path / "steps.csv");
+  text[text.find('\n') + 2] = 'x';
+  std::ofstream(temporary.path / "steps.csv") << text;
+  try {
+    ResultReader(temporary.path).steps();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.place(), testing::HasSubstr("steps.csv: line 2"));
+  }
+}
+
 TEST(ResultFolder, AFullDiskIsAnErrorWithThePath) {
   // /dev/full fails every write as a full disk does.
   const TemporaryFolder temporary;

@@ -26,8 +26,8 @@ std::vector<float> flat(const std::vector<Voigt>& stresses) {
 }
 
 std::vector<float> stress_in(hid_t file, const std::string& path) {
+  const hsize_t rows = hdf5::Table(file, path, H5T_NATIVE_FLOAT, 6).rows();
   const hdf5::Handle dataset = hdf5::open_dataset(file, path);
-  const hsize_t rows = hdf5::row_count(dataset, path);
   std::vector<float> numbers(6 * rows);
   hdf5::read_rows(dataset, path, H5T_NATIVE_FLOAT, numbers.data(), 0, rows);
   return numbers;
