@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "options.hpp"
 #include "render/film/movie.hpp"
+#include "text/json_text.hpp"
 #include "text/terminal.hpp"
 
 namespace talus::cli {
@@ -51,7 +52,7 @@ ExitCode animate(const AnimateOptions& options, bool json) {
                                            {"height", film.height},
                                            {"fps", film.fps},
                                            {"frames", count}};
-    std::cout << result.dump(2) << '\n';
+    std::cout << json_text(result) << '\n';
   } else {
     std::cout << options.out.string() << ": " << count << " frames, " << film.fps << " a second\n";
   }

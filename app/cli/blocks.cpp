@@ -8,6 +8,7 @@
 #include "cutting_report.hpp"
 #include "project_choice.hpp"
 #include "removability/block_facts.hpp"
+#include "text/json_text.hpp"
 #include "text/table.hpp"
 #include "text/terminal.hpp"
 
@@ -90,7 +91,7 @@ ExitCode blocks(const ProjectChoice& choice, bool json) {
   const BlockSystem system = build(project, choice);
   const std::vector<BlockFacts> facts = block_facts(project, system);
   if (json)
-    std::cout << json_of(project, system, facts).dump(2) << '\n';
+    std::cout << json_text(json_of(project, system, facts)) << '\n';
   else
     print(project, system, facts);
   return done;

@@ -10,6 +10,7 @@
 #include "options.hpp"
 #include "output_file.hpp"
 #include "render/scene/block_colours.hpp"
+#include "text/json_text.hpp"
 #include "text/terminal.hpp"
 
 namespace talus::cli {
@@ -91,7 +92,7 @@ ExitCode export_results(const ExportOptions& options, bool json) {
   if (json) {
     const char* what = *ending_of(format) == '\0' ? "folder" : "file";
     const nlohmann::ordered_json result = {{what, exported.out.string()}, {"as", format}, {"frames", exported.frames}};
-    std::cout << result.dump(2) << '\n';
+    std::cout << json_text(result) << '\n';
   } else {
     std::cout << exported.out.string() << ": " << exported.frames << (exported.frames == 1 ? " frame" : " frames")
               << " as " << format << '\n';

@@ -16,6 +16,7 @@
 #include "text/chosen_bodies.hpp"
 #include "text/effect_text.hpp"
 #include "text/forecast_text.hpp"
+#include "text/json_text.hpp"
 #include "text/report_text.hpp"
 #include "text/table.hpp"
 #include "text/terminal.hpp"
@@ -182,7 +183,7 @@ ExitCode inform_of_project(const ProjectChoice& choice, bool with_forecast, bool
     info["forecast"] = forecast_json(*ahead);
   }
   if (json) {
-    std::cout << info.dump(2) << '\n';
+    std::cout << json_text(info) << '\n';
     return done;
   }
   print_project(info, project, system, costs);
@@ -248,7 +249,7 @@ ExitCode inform_of_results(const std::filesystem::path& folder, bool json) {
   const std::optional<RunReport> report = results.report();
   const Json info = json_of_results(results, report, checkpoint_of(folder, report));
   if (json)
-    std::cout << info.dump(2) << '\n';
+    std::cout << json_text(info) << '\n';
   else
     print_results(info, results.system(), report);
   return done;

@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "geometry/solid_surface.hpp"
 #include "project_choice.hpp"
+#include "text/json_text.hpp"
 #include "text/table.hpp"
 #include "text/terminal.hpp"
 
@@ -75,7 +76,7 @@ ExitCode inspect(ProjectChoice choice, bool json) {
   Json solids = Json::array();
   for (const SolidSurface& surface : surfaces) solids.push_back(json_of(surface));
   if (json)
-    std::cout << Json{{"solids", solids}}.dump(2) << '\n';
+    std::cout << json_text({{"solids", solids}}) << '\n';
   else
     print(surfaces);
   return are_sound(surfaces) ? done : failed;

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
+#include <new>
 #include <string>
 
 #include "base/progress.hpp"
@@ -14,9 +16,23 @@ namespace {
 using namespace talus;
 using namespace talus::cli;
 
-/// One line, whatever a library put into its message.
+/// Where the UTF-8 character begins that the byte at `at` belongs to.
+std::size_t character_start(const std::string& text, std::size_t at) {
+  while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) --at;
+  return at;
+}
+
+/// One line that a person reads, whatever a file or a library put into its message: no control characters, and of a
+/// long one the beginning, which says where, and the end, which says what to do.
 void complain(std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
+  constexpr std::size_t most = 480, kept_at_end = 180;
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  if (message.size() > most) {
+    const std::size_t end = character_start(message, most - kept_at_end - 5);
+    const std::size_t again = character_start(message, message.size() - kept_at_end);
+    message = message.substr(0, end) + " … " + message.substr(again);
+  }
   std::cerr << "talus-cli: " << message << '\n';
 }
 
@@ -51,6 +67,12 @@ int perform(const Invocation& invocation) {
   } catch (const Cancelled&) {
     complain("stopped; nothing was written");
     return failed;
+  } catch (const std::filesystem::filesystem_error& error) {
+    complain(error.path1().string() + ": " + error.code().message() + "; check the name, the permissions and the disk");
+    return bad_input;
+  } catch (const std::bad_alloc&) {
+    complain("the memory of this computer does not suffice; take a coarser mesh or fewer blocks");
+    return bad_input;
   } catch (const std::exception& error) {
     complain(std::string(error.what()) + "; this is a fault of the program: please report it");
     return our_fault;

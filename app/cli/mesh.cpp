@@ -8,6 +8,7 @@
 #include "mesh/quality.hpp"
 #include "project_choice.hpp"
 #include "text/chosen_bodies.hpp"
+#include "text/json_text.hpp"
 #include "text/table.hpp"
 #include "text/terminal.hpp"
 
@@ -68,7 +69,7 @@ ExitCode mesh(const ProjectChoice& choice, bool json) {
   const BlockSystem system = build(project, choice);
   const Json result = json_of(project, system);
   if (json)
-    std::cout << result.dump(2) << '\n';
+    std::cout << json_text(result) << '\n';
   else
     print(result, project, system);
   return done;

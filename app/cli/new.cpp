@@ -9,6 +9,7 @@
 #include "io/project_file.hpp"
 #include "model/number_text.hpp"
 #include "templates/templates.hpp"
+#include "text/json_text.hpp"
 #include "text/table.hpp"
 
 namespace talus::cli {
@@ -52,7 +53,7 @@ ExitCode list_templates(bool json) {
                     {"numbers", numbers}});
     if (!json) std::cout << candidate.key << ": " << candidate.description << '\n' << table.text() << '\n';
   }
-  if (json) std::cout << NewJson{{"templates", list}}.dump(2) << '\n';
+  if (json) std::cout << json_text({{"templates", list}}) << '\n';
   return done;
 }
 
@@ -70,7 +71,7 @@ ExitCode write_new(const NewProject& wanted, bool json) {
     throw InputError(file.string(), "is there already", "choose another name, or replace it with --force");
   about(file, [&] { return save_project(project, file), 0; });
   if (json)
-    std::cout << NewJson{{"template", wanted.chosen->key}, {"file", file.string()}, {"numbers", wanted.values}}.dump(2)
+    std::cout << json_text({{"template", wanted.chosen->key}, {"file", file.string()}, {"numbers", wanted.values}})
               << '\n';
   else
     std::cout << "wrote " << file.string() << '\n';

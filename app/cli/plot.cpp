@@ -7,6 +7,7 @@
 #include "options.hpp"
 #include "render/charts/charts.hpp"
 #include "sheet.hpp"
+#include "text/json_text.hpp"
 #include "text/report_text.hpp"
 
 namespace talus::cli {
@@ -138,7 +139,7 @@ ExitCode plot(const PlotOptions& options, bool json) {
     const Json result = {{"pictures", files},
                          {"events", json_of(comparisons)},
                          {"in_published_order", comparisons.empty() ? Json() : Json(in_published_order(comparisons))}};
-    std::cout << result.dump(2) << '\n';
+    std::cout << json_text(result) << '\n';
   } else {
     if (!comparisons.empty()) std::cout << events_text(comparisons);
     for (const std::string& file : files) std::cout << file << '\n';

@@ -9,6 +9,7 @@
 #include "output_file.hpp"
 #include "render/paint/picture_difference.hpp"
 #include "render/scene/offscreen.hpp"
+#include "text/json_text.hpp"
 #include "text/picture_text.hpp"
 
 namespace talus::cli {
@@ -121,7 +122,7 @@ ExitCode render(const RenderOptions& options, bool json) {
   std::string verdict;
   const ExitCode code = check_picture(options.check, drawn, options.out, picture, verdict);
   if (json)
-    std::cout << picture.dump(2) << '\n';
+    std::cout << json_text(picture) << '\n';
   else
     std::cout << options.out.string() << ": frame " << index << ", " << time << " s\n" << verdict;
   return code;

@@ -9,6 +9,7 @@
 #include "options.hpp"
 #include "output_file.hpp"
 #include "project_choice.hpp"
+#include "text/json_text.hpp"
 
 namespace talus::cli {
 
@@ -28,7 +29,7 @@ ExitCode report_results(const std::filesystem::path& results, const std::filesys
   const report::Document document = about(results, [&] { return report::report_of(results, project_of(results)); });
   write_output(out, write(document));
   if (json)
-    std::cout << nlohmann::ordered_json{{"report", out.string()}}.dump(2) << '\n';
+    std::cout << json_text({{"report", out.string()}}) << '\n';
   else
     std::cout << out.string() << '\n';
   return done;

@@ -14,6 +14,7 @@
 #include "results/summary.hpp"
 #include "run/run.hpp"
 #include "text/effect_text.hpp"
+#include "text/json_text.hpp"
 #include "text/report_text.hpp"
 #include "text/terminal.hpp"
 
@@ -117,7 +118,7 @@ ExitCode solve_and_tell(const SolveOptions& options, bool json) {
   if (json) {
     auto summary = nlohmann::ordered_json::parse(summary_json(report));
     summary["results"] = results_folder(options).string();
-    std::cout << summary.dump(2) << '\n';
+    std::cout << json_text(summary) << '\n';
   } else {
     std::cout << report_text(report) << "Results in " << results_folder(options).string() << '\n';
   }

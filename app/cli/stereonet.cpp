@@ -12,6 +12,7 @@
 #include "project_choice.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
 #include "sheet.hpp"
+#include "text/json_text.hpp"
 #include "text/orientation_text.hpp"
 
 namespace talus::cli {
@@ -152,7 +153,7 @@ ExitCode stereonet(const StereonetOptions& options, bool json) {
   if (json) {
     Json result = json_of(found, net);
     result["files"] = files;
-    std::cout << result.dump(2) << '\n';
+    std::cout << json_text(result) << '\n';
   } else {
     print(found, net);
     for (const std::string& file : files) std::cout << file << '\n';

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <set>
 #include <utility>
 
@@ -77,7 +78,7 @@ class FaultFinder {
     const std::string place = line_and_column(text_, offset);
     const std::string word = word_at(text_, offset);
     if (means_not_finite(word)) throw InputError(place, "'" + word + "' is not a number", "give a finite number");
-    if (error.id == 406) throw InputError(place, "the number " + token + " is too large", "give one below 1.8e308");
+    if (error.id == 406) throw InputError(place, "the number " + word + " is too large", "give one below 1.8e308");
     if (offset >= text_.size()) {
       throw InputError(place, "the text ends before the project does", "close what is open: '}', ']' or '\"'");
     }
@@ -148,7 +149,7 @@ class SpanFinder {
     else if (first == '[')
       elements(span);
     else if (first == '"')
-      at_ = end_of_string(text_, at_);
+      string();
     else
       while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) || text_[at_] == '+' ||
                                     text_[at_] == '-' || text_[at_] == '.'))
@@ -161,7 +162,7 @@ class SpanFinder {
     for (open(); text_[at_] != '}'; next()) {
       JsonSpan member;
       member.start = at_;
-      at_ = end_of_string(text_, at_);
+      string();
       member.key = OrderedJson::parse(text_.substr(member.start, at_ - member.start)).get<std::string>();
       if (!keys.insert(member.key).second) {
         throw InputError(line_and_column(text_, member.start), "the key '" + member.key + "' is given twice",
@@ -174,6 +175,18 @@ class SpanFinder {
       span.children.push_back(std::move(member));
     }
     ++at_;
+  }
+
+  /// A zero would end a name early wherever a library takes texts as C does.
+  void string() {
+    const std::size_t begin = at_;
+    at_ = end_of_string(text_, at_);
+    for (std::size_t i = begin; i < at_; ++i) {
+      if (text_[i] != '\\') continue;
+      if (text_.compare(i, 6, "\\u0000") == 0)
+        throw InputError(line_and_column(text_, i), "\\u0000 stands in a text", "remove it");
+      ++i;  // what is escaped, a backslash perhaps
+    }
   }
 
   void elements(JsonSpan& span) {
@@ -215,12 +228,16 @@ std::string unescaped(const std::string& token) {
 
 /// The child that a pointer's token names, or nothing.
 const JsonSpan* child(const JsonSpan& span, const std::string& token) {
-  const std::string key = unescaped(token);
-  for (std::size_t i = 0; i < span.children.size(); ++i) {
-    const auto& candidate = span.children[i];
-    if (candidate.start == candidate.begin ? std::to_string(i) == key : candidate.key == key) return &candidate;
+  const bool list = !span.children.empty() && span.children.front().start == span.children.front().begin;
+  if (list) {  // without a search: lists may be long
+    std::size_t index = 0;
+    const auto [end, problem] = std::from_chars(token.data(), token.data() + token.size(), index);
+    const bool whole = problem == std::errc{} && end == token.data() + token.size();
+    return whole && index < span.children.size() ? &span.children[index] : nullptr;
   }
-  return nullptr;
+  const std::string key = unescaped(token);
+  const auto named = std::ranges::find(span.children, key, &JsonSpan::key);
+  return named == span.children.end() ? nullptr : &*named;
 }
 
 }  // namespace

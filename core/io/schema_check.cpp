@@ -1,6 +1,9 @@
 #include "io/schema_check.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -244,23 +247,39 @@ std::optional<Fault> explain_at(const std::vector<std::string>& path, const Json
   return explain(*value, *rule, place);
 }
 
+/// The validator counts whole numbers in 63 bits; a density of 2^63 is as good a number as any.
+void large_numbers_as_floats(Json& value) {
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max())
+    value = value.get<double>();
+  else if (value.is_structured())
+    for (Json& part : value) large_numbers_as_floats(part);
+}
+
+/// What the first fault is sought among, of each key of the project: a list of 100 000 may be wrong in every entry.
+constexpr int most_faults_of_a_key = 100;
+
 }  // namespace
 
 void check_against_schema(const JsonText& json, bool unfinished) {
-  const Json value = json.value;  // the validator's adapter knows the library's own object type alone
+  Json value = json.value;  // the validator's adapter knows the library's own object type alone
+  large_numbers_as_floats(value);
   valijson::ValidationResults results;
   valijson::Validator validator;
   if (validator.validate(compiled_schema(unfinished), valijson::adapters::NlohmannJsonAdapter(value), &results)) return;
 
   using Rank = std::pair<Weight, std::size_t>;
   std::optional<std::pair<Rank, Fault>> first;
+  std::map<std::string, int> faults_of_key;
   for (const auto& error : results) {
+    int& faults = faults_of_key[error.context.size() > 1 ? error.context[1] : std::string()];
+    if (faults == most_faults_of_a_key) continue;
     const auto fault = explain_at(error.context, value, unfinished ? unfinished_schema_json() : schema_json());
     if (!fault) continue;  // the fault lies in something that this value holds
+    ++faults;
     const Rank rank{fault->weight, offset_in_text(json, fault->place.pointer())};
     if (!first || rank < first->first) first = {rank, *fault};
   }
-  if (!first) throw std::logic_error("the schema refuses a project for a reason that schema_check cannot explain");
+  if (!first) throw InputError(place_in_text(json, "/"), "does not fit the schema", "compare it with the manual");
   throw InputError(place_in_text(json, first->second.place.text()), first->second.problem, first->second.remedy);
 }
 

@@ -93,6 +93,34 @@ TEST_F(BadInput, MissingFile) {
 
 TEST_F(BadInput, MalformedJson) { expect_text_refused("{ \"talus\": 1,\n  \"name\" \"x\" }\n", "line 2"); }
 
+TEST_F(BadInput, ALongKeyMakesNoLongMessage) {
+  project_["materials"]["rock"][std::string(5000, 'x')] = 1;
+  write_text(folder_ / "bad.talus", project_.dump());
+  const Ending ending = talus_cli({"info", (folder_ / "bad.talus").string()});
+  EXPECT_EQ(ending.exit_code, 2);
+  EXPECT_LT(ending.err.size(), 500u);
+  EXPECT_THAT(ending.err, HasSubstr("/materials/rock/x"));
+  EXPECT_THAT(ending.err, HasSubstr("use one of"));
+}
+
+TEST_F(BadInput, MassesAndStiffnessesTooFarApart) {
+  project_["materials"]["rock"]["density"] = 1e-300;
+  project_["solids"][1].update(
+      {{"box", {{"min", {-0.5, -0.5, 1}}, {"max", {0.5, 0.5, 2}}}}, {"body", "tetrahedra"}, {"mesh_size", 0.5}});
+  write_text(folder_ / "bad.talus", project_.dump());
+  const Ending ending = talus_cli({"solve", "-q", (folder_ / "bad.talus").string()});
+  EXPECT_EQ(ending.exit_code, 2) << ending.err;
+  EXPECT_THAT(ending.err, HasSubstr("too far apart"));
+}
+
+TEST_F(BadInput, AFileNameThatIsNoUtf8IsNoFault) {
+  const std::string name = (folder_ / "f\xff").string();
+  write_text(name + ".talus", project_.dump());
+  const Ending ending = talus_cli({"solve", "-q", "--json", name + ".talus", "--out", name + ".results"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_THAT(Json::parse(ending.out).at("results"), testing::EndsWith("f\uFFFD.results"));
+}
+
 TEST_F(BadInput, NotANumber) { expect_text_refused("{ \"talus\": 1, \"gravity\": [0, 0, NaN] }\n", "line 1"); }
 
 TEST_F(BadInput, UnknownKey) {

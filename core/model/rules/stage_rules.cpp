@@ -25,6 +25,9 @@ void check_length(const Stage& stage, const Place& place) {
   require(*stage.duration >= stage.time_step, place / "duration",
           "the stage is shorter than one time step of " + number_text(stage.time_step) + " s",
           "lengthen the duration or shorten the time_step");
+  constexpr double most_steps = 2147483647;  // as many as steps may be
+  require(*stage.duration / stage.time_step <= most_steps, place / "duration",
+          "the stage takes more than 2147483647 steps", "shorten the duration or lengthen the time_step");
 }
 
 void check_equilibrium(const Stage& stage, const Place& place) {

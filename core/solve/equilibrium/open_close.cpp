@@ -5,11 +5,19 @@
 #include <limits>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/stopwatch.hpp"
 
 namespace talus {
 
 namespace {
+
+/// Numbers of the input that are so unlike each other that one is lost in the rounding of another.
+InputError beyond_reason(const NotPositiveDefinite& error) {
+  return {"the equations of motion",
+          std::string("masses and stiffnesses are too far apart to compute with: ") + error.what(),
+          "check the densities, moduli, stiffnesses and sizes, and that something holds each block"};
+}
 
 /// Watches whether the residual still falls.
 class Progress {
@@ -97,10 +105,14 @@ void OpenClose::solve_at_step_start(Friction friction) {
 
 const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
   residual_.evaluate_without_inertia();
-  solve_at_step_start(Friction::frozen);
-  if (ShearContact* shear = composition_->shear; shear && shear->let_slide(-direction_)) {
-    solve_at_step_start(Friction::coupled);
-    shear->stick();
+  try {
+    solve_at_step_start(Friction::frozen);
+    if (ShearContact* shear = composition_->shear; shear && shear->let_slide(-direction_)) {
+      solve_at_step_start(Friction::coupled);
+      shear->stick();
+    }
+  } catch (const NotPositiveDefinite& error) {
+    throw beyond_reason(error);
   }
   direction_ *= -(1 - step.integration.alpha_m) / (step.integration.beta * step.length * step.length);
   return direction_;
@@ -153,7 +165,7 @@ OpenCloseResult OpenClose::converge(Increment& d, double enough) {
     return converge_within(iteration_limit_, interior_point_applies(), d);
   } catch (const NotPositiveDefinite& error) {
     // Inertia leaves no motion without stiffness, unless an iterate has gone so far astray that it is lost in rounding.
-    if (!is_dynamic_) throw;
+    if (!is_dynamic_) throw beyond_reason(error);
     if (elimination_.is_active()) elimination_.end(*composition_, residual_);
     OpenCloseResult lost;
     lost.residual = std::numeric_limits<double>::infinity();

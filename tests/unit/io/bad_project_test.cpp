@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <ctime>
+
 #include "base/error.hpp"
 #include "io/project_file.hpp"
 #include "unit/io/sample_project.hpp"
@@ -48,6 +50,8 @@ const std::vector<BadText> not_json{
     {"\"young\"", "\"density\"", "line 4, column 31", "'density' is given twice", "one of the two"},
     {"\"J2\": {", "\"J1\": {", "line 8, column 5", "'J1' is given twice", "one of the two"},
     {"  ]\n}\n", "  ]\n", "line 20, column 1", "ends before the project does", "close"},
+    {"\"slide\"", "\"sl\\u0000ide\"", "line 18, column 17", "\\u0000 stands in a text", "remove it"},
+    {"2600", std::string(500, '9'), "line 4, column 25", std::string(40, '9') + " is too large", "1.8e308"},
     {"\"slide\"", "\"sl\xFFide\"", "line 18, column 14", "not JSON", ""},
 };
 INSTANTIATE_TEST_SUITE_P(NotJson, BadProject, testing::ValuesIn(not_json));
@@ -76,6 +80,7 @@ const std::vector<BadText> against_schema{
      "number of time steps"},
     {"\"steps\": 100", "\"steps\": 99999999999999999999", "line 18, /stages/0/steps", "must be a whole number",
      "steps"},
+    {"\"steps\": 100", "\"duration\": 1e300", "line 18, /stages/0/duration", "more than 2147483647 steps", "shorten"},
     {"\"steps\": 100", "\"steps\": 3000000000", "line 18, /stages/0/steps", "must be at most 2147483647", "steps"},
     {"\"steps\": 100", "\"steps\": 100, \"duration\": 1", "line 18, /stages/0",
      "'steps' and 'duration' are given together", "exactly one"},
@@ -244,6 +249,20 @@ TEST(BadText, PathsMayLeaveTheFolderWhenAllowed) {
   const std::string text = test::replaced(small_project, "\"box\": {\"min\": [0, 0, 0], \"max\": [10, 10, 10]}",
                                           "\"file\": \"../hill.step\"");
   EXPECT_EQ(std::get<FileShape>(parse_project(text, {.allow_outside = true}).solids[0].shape).path, "../hill.step");
+}
+
+TEST(BadProjects, AListThatIsWrongInEveryEntryIsToldAtOnce) {
+  std::string list;
+  for (int i = 0; i < 100000; ++i) list += i == 0 ? "[[]" : ",[]";
+  const BadText bad{"[5, 5, 5]", list + "]", "line 15, /cuts/0/through", "must have 3 entries", "expected"};
+  const std::clock_t begin = std::clock();
+  expect_refused(test::replaced(small_project, bad.what, bad.with), bad);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 10) << "was over a minute";
+}
+
+TEST(BadProjects, ANumberBeyondWholeNumbersIsANumber) {
+  const Project project = parse_project(test::replaced(small_project, "2600", "9223372036854775808"));
+  EXPECT_EQ(project.materials.at(0).density, 9223372036854775808.0);
 }
 
 }  // namespace
