@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+"""Gives talus-cli thousands of damaged projects and results folders and tells how it ends.
+
+Every mutation is drawn from the seed, so that a failure can be made again. A run is a failure when it crashes, takes
+more than 10 s, ends with exit code 3, or complains in more than one line or in 500 characters or more.
+
+Usage: tests/fuzz/mutate.py TALUS_CLI projects|results [--count N] [--seed N] [--keep FOLDER]
+"""
+import argparse
+import collections
+import copy
+import json
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LONGEST = 10  # seconds
+NUMBERS = [0, -0.0, -1, 1e-300, -1e-300, 5e-324, 1e300, -1e300, 1.7e308, 2**31, 2**53, 2**63, -(2**63), 2**64,
+           2**70, 0.1, 89.9999999, 90, 1e9, -1e9, 1e17]
+TEXTS = ["", " ", "\0", "a\0b", "é" * 300, "x" * 5000, "../../etc/passwd", "/dev/zero", ".", "\n\n", "\x1b[31m",
+         "\ud83e\udea8", "%s%n", "~1", "a/b", '"', "\u202e", "step", "nan"]
+RESULT_FILES = ["results.h5", "history.csv", "steps.csv", "summary.json", "checkpoint.h5", "project.talus"]
+
+
+def places_in(value, above=()):
+    """The paths of everything in a JSON value."""
+    yield above
+    if isinstance(value, dict):
+        inner = value.items()
+    elif isinstance(value, list):
+        inner = enumerate(value)
+    else:
+        inner = ()
+    for key, part in inner:
+        yield from places_in(part, above + (key,))
+
+
+def long_array(draw, old):
+    """Mostly wrong: what an export or a script that went astray would leave."""
+    entry = draw.choice([0, "x", None, [], {}, old, [1, 2, 3]])
+    size = draw.choice([1000, 30000, 100000])
+    return [entry] * min(size, 10**7 // len(json.dumps(entry)))
+
+
+def other_value(draw, old):
+    """Something else where `old` stood."""
+    kind = draw.randrange(10)
+    if isinstance(old, (int, float)) and not isinstance(old, bool) and kind < 7:
+        return draw.choice(NUMBERS)
+    if isinstance(old, str) and kind < 7:
+        return draw.choice(TEXTS)
+    if isinstance(old, list) and kind < 4:
+        return old * draw.choice([0, 2, 3, 50]) if kind else old[:-1]
+    if kind == 7:
+        return long_array(draw, old)
+    return draw.choice([None, True, False, [], {}, [[]], draw.choice(NUMBERS), draw.choice(TEXTS), [old], {"a": old}])
+
+
+def mutated_value(draw, value):
+    """One thing of a project is removed, doubled, renamed or replaced."""
+    value = copy.deepcopy(value)
+    path = draw.choice(list(places_in(value))[1:])
+    holder = value
+    for key in path[:-1]:
+        holder = holder[key]
+    key, kind = path[-1], draw.randrange(6)
+    if kind == 0:
+        del holder[key]
+    elif kind == 1 and isinstance(holder, list):
+        holder.insert(key, copy.deepcopy(holder[key]))
+    elif kind == 1:
+        holder[draw.choice(TEXTS)] = copy.deepcopy(holder[key])
+    else:
+        holder[key] = other_value(draw, holder[key])
+    return value
+
+
+def mutated_bytes(draw, data):
+    """Bits flipped, bytes overwritten, a piece cut out or doubled, the end cut off."""
+    data, kind = bytearray(data), draw.randrange(6)
+    if not data:
+        return b"\xff"
+    at = draw.randrange(len(data))
+    if kind == 0:
+        return bytes(data[:at])
+    if kind == 1:
+        del data[at:at + draw.choice([1, 2, 8, 100])]
+    elif kind == 2:
+        data[at:at] = data[at:at + draw.choice([1, 8, 100])]
+    elif kind == 3:
+        size = draw.choice([1, 4, 8, 64, 1000])
+        data[at:at + size] = draw.choice([b"\0", b"\xff", b"9", b"\n"]) * size
+    else:
+        for _ in range(draw.choice([1, 1, 3, 20])):
+            data[draw.randrange(len(data))] ^= 1 << draw.randrange(8)
+    return bytes(data)
+
+
+def without_comments(text):
+    return re.sub(r'("(?:\\.|[^"\\])*")|//[^\n]*|/\*.*?\*/', lambda found: found.group(1) or "", text, flags=re.S)
+
+
+def coarser(value):
+    """The same project with few tetrahedra: what is asked is how it is read, not how long meshing takes."""
+    if isinstance(value, list):
+        return [coarser(part) for part in value]
+    if not isinstance(value, dict):
+        return value
+    return {key: 10 * part if key == "mesh_size" else coarser(part) for key, part in value.items()}
+
+
+def mutated_project(draw, text):
+    value = coarser(json.loads(without_comments(text)))
+    if draw.randrange(3) == 0:
+        return mutated_bytes(draw, json.dumps(value, indent=1, ensure_ascii=False).encode())
+    for _ in range(draw.choice([1, 1, 1, 2, 3])):
+        if isinstance(value, dict) and value:
+            value = mutated_value(draw, value)
+    return json.dumps(value, ensure_ascii=draw.random() < 0.5).encode("utf-8", "surrogatepass")
+
+
+class Watch:
+    """Runs the program and counts how it ended."""
+
+    def __init__(self, cli, keep):
+        self.cli, self.keep, self.ends, self.failures, self.slowest = cli, keep, collections.Counter(), 0, 0
+
+    def run(self, name, inputs, arguments):
+        begin = time.monotonic()
+        try:
+            done = subprocess.run([self.cli, *arguments, "-q"], capture_output=True, timeout=LONGEST, check=False)
+            code, said = done.returncode, done.stderr
+        except subprocess.TimeoutExpired:
+            code, said = "hang", b""
+        took = time.monotonic() - begin
+        self.slowest = max(self.slowest, took)
+        self.ends["crash" if code != "hang" and code < 0 else code] += 1
+        if code in (0, 1):
+            return
+        wrong = []
+        if code != 2:
+            wrong.append(f"ends with {code}")
+        elif len(said) >= 500:
+            wrong.append(f"says {len(said)} characters")
+        if said.count(b"\n") > 1:
+            wrong.append(f"says {said.count(bytes([10]))} lines")
+        if took > 1:
+            wrong.append(f"takes {took:.1f} s")
+        if not wrong:
+            return
+        self.failures += 1
+        print(f"{name} ({' '.join(arguments[:1])}): {', '.join(wrong)}: {said[:300].decode('utf-8', 'replace')!r}",
+              flush=True)
+        if self.keep:
+            target = self.keep / name
+            shutil.copytree(inputs, target, dirs_exist_ok=True) if inputs.is_dir() else shutil.copy(inputs, target)
+
+
+def try_projects(watch, count, seed, folder):
+    samples = sorted(ROOT.glob("samples/*/*.talus"))
+    for number in range(count):
+        draw = random.Random(f"{seed} {number}")
+        sample = draw.choice(samples)
+        file = folder / f"{number}.talus"
+        file.write_bytes(mutated_project(draw, sample.read_text(encoding="utf-8")))
+        watch.run(f"{number}-{sample.stem}.talus", file, ["info", str(file)])
+        file.unlink()
+
+
+def try_results(watch, count, seed, folder):
+    whole = folder / "whole.results"
+    sample = ROOT / "samples/wedge/wedge.talus"
+    text = json.loads(without_comments(sample.read_text(encoding="utf-8")))
+    for stage in text["stages"]:
+        stage.pop("duration", None)
+        stage["steps"] = 5
+    text.pop("expect", None)
+    small = folder / "small.talus"
+    small.write_text(json.dumps(text), encoding="utf-8")
+    subprocess.run([watch.cli, "solve", str(small), "--out", str(whole), "-q"], capture_output=True, check=False)
+    picture, exported = folder / "p.png", folder / "exported"
+    for number in range(count):
+        draw = random.Random(f"{seed} {number}")
+        damaged = folder / "damaged.results"
+        shutil.rmtree(damaged, ignore_errors=True)
+        shutil.copytree(whole, damaged)
+        victim = damaged / draw.choice(RESULT_FILES + ["results.h5"] * 6)
+        if victim.exists():
+            victim.write_bytes(mutated_bytes(draw, victim.read_bytes()))
+        command = draw.choice([
+            ["info", str(damaged)], ["info", str(damaged), "--json"],
+            ["plot", str(damaged), "--out", str(picture)],
+            ["export", str(damaged), "--out", str(exported), "--as", "csv"],
+            ["export", str(damaged), "--out", str(exported), "--as", "vtu"],
+            ["render", str(damaged), "--out", str(picture), "--size", "64x64"],
+        ])
+        watch.run(f"{number}-{victim.name}", damaged, command)
+        shutil.rmtree(exported, ignore_errors=True)
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("cli")
+    options.add_argument("what", choices=["projects", "results"])
+    options.add_argument("--count", type=int, default=1000)
+    options.add_argument("--seed", type=int, default=1)
+    options.add_argument("--keep", type=pathlib.Path, help="a folder for the inputs of failures")
+    chosen = options.parse_args()
+    if chosen.keep:
+        chosen.keep.mkdir(parents=True, exist_ok=True)
+    watch = Watch(chosen.cli, chosen.keep)
+    with tempfile.TemporaryDirectory() as folder:
+        work = try_projects if chosen.what == "projects" else try_results
+        work(watch, chosen.count, chosen.seed, pathlib.Path(folder))
+    print(f"{chosen.count} runs: " + ", ".join(f"{n} end with {code}" for code, n in watch.ends.most_common()))
+    print(f"{watch.failures} failures; the slowest run took {watch.slowest:.1f} s")
+    return min(watch.failures, 1)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
