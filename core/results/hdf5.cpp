@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "results/string_heap.hpp"
+
 namespace talus::hdf5 {
 
 namespace {
@@ -186,6 +188,7 @@ std::vector<std::string> read_strings(hid_t parent, const std::string& path) {
   const std::size_t count = stored_count(set, path);
   std::vector<char*> texts(count, nullptr);
   if (count == 0) return {};
+  check_strings(set, path, count);
   const Handle type = text_type();
   check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()), "cannot read " + path);
   std::vector<std::string> strings;

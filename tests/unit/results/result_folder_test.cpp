@@ -312,6 +312,31 @@ TEST(ResultFolder, WhatHoldsNoResultsIsAnInputError) {
   EXPECT_THROW(ResultReader reader(temporary.path), InputError);
 }
 
+TEST(ResultFolder, WhateverBytesAreLostTheReaderKeepsWithinItsBounds) {
+  const TemporaryFolder temporary;
+  const BlockSystem system = example_system();
+  {
+    ResultWriter writer(temporary.path, example_project(), system, "{}");
+    for (int i = 0; i < 3; ++i) writer.add_frame(example_frame(system, i));
+  }
+  const fs::path file = temporary.path / "results.h5";
+  const std::string whole = text_of(file);
+  int refused = 0;
+  constexpr std::size_t damages = 1000;
+  for (std::size_t i = 0; i < damages; ++i) {
+    std::string bytes = whole;
+    bytes.replace(i * whole.size() / damages, 8, i % 2 == 0 ? std::string(8, '\xff') : std::string(8, '\x07'));
+    std::ofstream(file, std::ios::binary) << bytes.substr(0, whole.size());
+    try {
+      const ResultReader reader(temporary.path);
+      for (std::size_t frame = 0; frame < reader.frame_times().size(); ++frame) reader.frame(static_cast<int>(frame));
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100) << "no other exception, and no crash";
+}
+
 TEST(ResultFolder, ADamagedLineOfATableIsAnInputErrorWithItsNumber) {
   const TemporaryFolder temporary;
   {
