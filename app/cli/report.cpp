@@ -8,25 +8,15 @@
 #include "command.hpp"
 #include "options.hpp"
 #include "output_file.hpp"
-#include "project_choice.hpp"
 #include "text/json_text.hpp"
 
 namespace talus::cli {
 
 namespace {
 
-/// A project that is gone or no longer understood leaves sections out, and no report.
-report::ProjectOfRun project_of(const std::filesystem::path& results) {
-  try {
-    return {read({results / "project.talus", {.allow_outside = true}}), ""};  // no file that it names is opened
-  } catch (const InputError& error) {
-    return {std::nullopt, error.what()};
-  }
-}
-
 ExitCode report_results(const std::filesystem::path& results, const std::filesystem::path& out, bool json) {
   const report::Writer write = report::writer_for(out);
-  const report::Document document = about(results, [&] { return report::report_of(results, project_of(results)); });
+  const report::Document document = about(results, [&] { return report::report_of(results); });
   write_output(out, write(document));
   if (json)
     std::cout << json_text({{"report", out.string()}}) << '\n';

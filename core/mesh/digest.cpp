@@ -2,11 +2,13 @@
 
 #include <bit>
 
+#include "base/hash.hpp"
+
 namespace talus {
 
 std::uint64_t digest(const BlockSystem& system) {
-  std::uint64_t hash = 14695981039346656037u;
-  const auto add = [&](std::uint64_t number) { hash = (hash ^ number) * 1099511628211u; };
+  std::uint64_t hash = hash_of_nothing;
+  const auto add = [&](std::uint64_t number) { hash = hash_with(hash, number); };
   const auto add_all = [&](const auto& numbers) {
     for (const auto number : numbers) add(static_cast<std::uint64_t>(number));
   };

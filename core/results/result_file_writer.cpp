@@ -214,6 +214,8 @@ struct ResultFileWriter::State : FrameTables {
   Table points, parts, times;
   std::vector<Table> offsets;
 
+  template <class Open>
+  void begin(const std::filesystem::path& results, const BlockSystem& system, int frame_count, const Open& open);
   void open_growing();
   void go_back_to(std::int64_t frame_count);
   void append(const Frame& frame);
@@ -284,43 +286,43 @@ void ResultFileWriter::State::flush() {
   mark_closed(path);
 }
 
-ResultFileWriter::ResultFileWriter(const std::filesystem::path& file, const Project& project, const BlockSystem& system)
-    : state_(std::make_unique<State>()) {
+/// `open` gives the file, in the mode of a single writer, for the blocks' flat mesh.
+template <class Open>
+void ResultFileWriter::State::begin(const std::filesystem::path& results, const BlockSystem& system, int frame_count,
+                                    const Open& open) {
   const std::lock_guard lock(hdf5::library_mutex());
   try {
     FlatMesh flat = flatten(system);
-    state_->path = file;
-    state_->node_count = flat.nodes.size() / 3;
-    state_->tetrahedron_count = flat.tetrahedra.size() / 4;
-    state_->file = create_file(file);
-    create_talus(state_->file, project, system, flat);
-    create_vtkhdf(state_->file, flat);
-    check(H5Fstart_swmr_write(state_->file), "cannot be written");
-    state_->open_growing();
-    mark_closed(file);
-    state_->nodes = std::move(flat.nodes);
+    path = results;
+    node_count = flat.nodes.size() / 3;
+    tetrahedron_count = flat.tetrahedra.size() / 4;
+    file = open(flat);
+    open_growing();
+    go_back_to(frame_count);
+    mark_closed(path);
+    nodes = std::move(flat.nodes);
   } catch (const hdf5::Error& error) {
-    throw std::runtime_error(file.string() + ": " + error.what());
+    throw std::runtime_error(results.string() + ": " + error.what());
   }
+}
+
+ResultFileWriter::ResultFileWriter(const std::filesystem::path& file, const Project& project, const BlockSystem& system)
+    : state_(std::make_unique<State>()) {
+  state_->begin(file, system, 0, [&](const FlatMesh& flat) {
+    Handle created = create_file(file);
+    create_talus(created, project, system, flat);
+    create_vtkhdf(created, flat);
+    check(H5Fstart_swmr_write(created), "cannot be written");
+    return created;
+  });
 }
 
 ResultFileWriter::ResultFileWriter(const std::filesystem::path& file, const BlockSystem& system, int frames)
     : state_(std::make_unique<State>()) {
-  const std::lock_guard lock(hdf5::library_mutex());
-  try {
-    FlatMesh flat = flatten(system);
-    state_->path = file;
-    state_->node_count = flat.nodes.size() / 3;
-    state_->tetrahedron_count = flat.tetrahedra.size() / 4;
-    state_->nodes = std::move(flat.nodes);
+  state_->begin(file, system, frames, [&](const FlatMesh&) {
     mark_closed(file);
-    state_->file = reopen_file(file);
-    state_->open_growing();
-    state_->go_back_to(frames);
-    mark_closed(file);
-  } catch (const hdf5::Error& error) {
-    throw std::runtime_error(file.string() + ": " + error.what());
-  }
+    return reopen_file(file);
+  });
 }
 
 ResultFileWriter::~ResultFileWriter() {

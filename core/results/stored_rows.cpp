@@ -2,7 +2,28 @@
 
 #include <Eigen/Core>
 
+#include <initializer_list>
+#include <string>
+
 namespace talus {
+
+namespace {
+
+/// So many numbers at a place of the row.
+struct RowField {
+  const char* name;
+  std::size_t offset;
+  hid_t number;
+  hsize_t count;
+};
+
+hdf5::Handle row_type(const std::string& what, std::size_t size, std::initializer_list<RowField> fields) {
+  hdf5::Handle type(hdf5::check(H5Tcreate(H5T_COMPOUND, size), "cannot describe " + what));
+  for (const RowField& field : fields) hdf5::insert_field(type, field.name, field.offset, field.number, field.count);
+  return type;
+}
+
+}  // namespace
 
 StoredContact stored(const ContactSample& sample) {
   StoredContact row{};
@@ -30,19 +51,15 @@ ContactSample restored(const StoredContact& row) {
 }
 
 hdf5::Handle stored_contact_type() {
-  hdf5::Handle type(hdf5::check(H5Tcreate(H5T_COMPOUND, sizeof(StoredContact)), "cannot describe a contact"));
-  const auto add = [&](const char* name, std::size_t offset, hid_t number, hsize_t count) {
-    hdf5::insert_field(type, name, offset, number, count);
-  };
-  add("position [m]", offsetof(StoredContact, position), H5T_NATIVE_DOUBLE, 3);
-  add("normal", offsetof(StoredContact, normal), H5T_NATIVE_DOUBLE, 3);
-  add("shear force [N]", offsetof(StoredContact, shear_force), H5T_NATIVE_DOUBLE, 3);
-  add("normal force [N]", offsetof(StoredContact, normal_force), H5T_NATIVE_DOUBLE, 1);
-  add("area [m2]", offsetof(StoredContact, area), H5T_NATIVE_DOUBLE, 1);
-  add("blocks", offsetof(StoredContact, blocks), H5T_NATIVE_INT32, 2);
-  add("joint", offsetof(StoredContact, joint), H5T_NATIVE_INT32, 1);
-  add("state", offsetof(StoredContact, state), H5T_NATIVE_INT32, 1);
-  return type;
+  return row_type("a contact", sizeof(StoredContact),
+                  {{"position [m]", offsetof(StoredContact, position), H5T_NATIVE_DOUBLE, 3},
+                   {"normal", offsetof(StoredContact, normal), H5T_NATIVE_DOUBLE, 3},
+                   {"shear force [N]", offsetof(StoredContact, shear_force), H5T_NATIVE_DOUBLE, 3},
+                   {"normal force [N]", offsetof(StoredContact, normal_force), H5T_NATIVE_DOUBLE, 1},
+                   {"area [m2]", offsetof(StoredContact, area), H5T_NATIVE_DOUBLE, 1},
+                   {"blocks", offsetof(StoredContact, blocks), H5T_NATIVE_INT32, 2},
+                   {"joint", offsetof(StoredContact, joint), H5T_NATIVE_INT32, 1},
+                   {"state", offsetof(StoredContact, state), H5T_NATIVE_INT32, 1}});
 }
 
 StoredMotion stored(const MotionClass& motion) {
@@ -72,19 +89,15 @@ MotionClass restored(const StoredMotion& row) {
 }
 
 hdf5::Handle stored_motion_type() {
-  hdf5::Handle type(hdf5::check(H5Tcreate(H5T_COMPOUND, sizeof(StoredMotion)), "cannot describe a motion"));
-  const auto add = [&](const char* name, std::size_t offset, hid_t number, hsize_t count) {
-    hdf5::insert_field(type, name, offset, number, count);
-  };
-  add("direction", offsetof(StoredMotion, direction), H5T_NATIVE_DOUBLE, 3);
-  add("line", offsetof(StoredMotion, line), H5T_NATIVE_DOUBLE, 3);
-  add("axis", offsetof(StoredMotion, axis), H5T_NATIVE_DOUBLE, 3);
-  add("rotation share", offsetof(StoredMotion, rotation_share), H5T_NATIVE_DOUBLE, 1);
-  add("mode", offsetof(StoredMotion, mode), H5T_NATIVE_INT32, 1);
-  add("came to rest", offsetof(StoredMotion, came_to_rest), H5T_NATIVE_INT32, 1);
-  add("joints", offsetof(StoredMotion, joints), H5T_NATIVE_INT32, 2);
-  add("against", offsetof(StoredMotion, against), H5T_NATIVE_INT32, 2);
-  return type;
+  return row_type("a motion", sizeof(StoredMotion),
+                  {{"direction", offsetof(StoredMotion, direction), H5T_NATIVE_DOUBLE, 3},
+                   {"line", offsetof(StoredMotion, line), H5T_NATIVE_DOUBLE, 3},
+                   {"axis", offsetof(StoredMotion, axis), H5T_NATIVE_DOUBLE, 3},
+                   {"rotation share", offsetof(StoredMotion, rotation_share), H5T_NATIVE_DOUBLE, 1},
+                   {"mode", offsetof(StoredMotion, mode), H5T_NATIVE_INT32, 1},
+                   {"came to rest", offsetof(StoredMotion, came_to_rest), H5T_NATIVE_INT32, 1},
+                   {"joints", offsetof(StoredMotion, joints), H5T_NATIVE_INT32, 2},
+                   {"against", offsetof(StoredMotion, against), H5T_NATIVE_INT32, 2}});
 }
 
 }  // namespace talus

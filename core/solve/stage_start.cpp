@@ -42,7 +42,7 @@ void hold_bodies_of_stage(SimulationState& s, int stage) {
   }
   if (held == s.held) return;
   s.held = held;
-  hold_bodies(s);
+  hold_bodies(s, s.sleep.asleep());
   s.detector.set_fixed(fixed);
 }
 
@@ -97,21 +97,30 @@ void give_velocities(SimulationState& s) {
   s.velocities_given = true;
 }
 
+/// `now`: the project as it holds in the stage of this number.
+void set_bodies_and_joints(SimulationState& s, const Project& now, int number) {
+  hold_bodies_of_stage(s, number);
+  s.detector.set_laws(joint_laws(now));
+  s.company.begin_stage(pulls_on_blocks(now, s.system), standing_bodies(s));
+}
+
+void set_effects(SimulationState& s, const Project& now, int number, bool with_contact) {
+  const Stage& stage = s.project.stages[number];
+  compose_effects(s, number, with_contact);
+  s.motion.emplace(now, s.system);
+  forget_steps(s, stage.time_step);
+  set_time_integration(s, stage.kind);
+}
+
 }  // namespace
 
 void begin_stage(SimulationState& s) {
   const int number = s.clock.stage();
-  const Stage& stage = s.project.stages[number];
   const Project now = project_in_stage(s.project, number);
   wake_all(s, now);
-  hold_bodies_of_stage(s, number);
-  s.detector.set_laws(joint_laws(now));
-  s.company.begin_stage(pulls_on_blocks(now, s.system), standing_bodies(s));
+  set_bodies_and_joints(s, now, number);
   look_for_company(s, 0);
-  compose_effects(s, number, s.company.any());
-  s.motion.emplace(now, s.system);
-  forget_steps(s, stage.time_step);
-  set_time_integration(s, stage.kind);
+  set_effects(s, now, number, s.company.any());
   s.free_flight.begin_stage();
   s.acceleration_reset.begin_stage(s.bodies);
   s.followed_contacts = s.dynamic() ? FollowedContacts::new_ones : FollowedContacts::none;
@@ -124,19 +133,11 @@ void begin_stage(SimulationState& s) {
 }
 
 void set_up_stage(SimulationState& s, int number, bool with_contact, const std::vector<char>& asleep) {
-  const Stage& stage = s.project.stages[number];
   const Project now = project_in_stage(s.project, number);
-  hold_bodies_of_stage(s, number);
-  s.detector.set_laws(joint_laws(now));
-  std::vector<bool> held = s.held;
-  for (std::size_t b = 0; b < held.size(); ++b) held[b] = held[b] || asleep[b];
-  s.bodies.hold(held);
+  set_bodies_and_joints(s, now, number);
+  hold_bodies(s, asleep);
   s.detector.set_asleep(asleep);
-  s.company.begin_stage(pulls_on_blocks(now, s.system), standing_bodies(s));
-  compose_effects(s, number, with_contact);
-  s.motion.emplace(now, s.system);
-  forget_steps(s, stage.time_step);
-  set_time_integration(s, stage.kind);
+  set_effects(s, now, number, with_contact);
 }
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "io/project_file.hpp"
 #include "report/html.hpp"
 #include "report/pdf.hpp"
 #include "report/sections.hpp"
@@ -23,10 +24,20 @@ std::string origin_text(const RunRecord& run) {
   return "Solved by Talus " + run.report->version + ", finished " + moment_text(run.report->finished);
 }
 
+/// A project that is gone or no longer understood leaves sections out, and no report.
+ProjectOfRun project_of_run(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "project.talus";
+  try {
+    return {read_project(file, {.allow_outside = true}), ""};  // no file that it names is opened
+  } catch (const InputError& error) {
+    return {std::nullopt, file.string() + ": " + error.what()};
+  }
+}
+
 }  // namespace
 
-Document report_of(const std::filesystem::path& folder, ProjectOfRun project) {
-  const RunRecord run(folder, std::move(project));
+Document report_of(const std::filesystem::path& folder) {
+  const RunRecord run(folder, project_of_run(folder));
   const std::string name = run.results.project_name();
   Document document{name.empty() ? folder.stem().string() : name, {}, {}};
   document.below_title = {

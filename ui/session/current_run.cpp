@@ -8,7 +8,6 @@
 #include "jobs/solver_job.hpp"
 #include "mesh/volume_sum.hpp"
 #include "render/paint/numbers.hpp"
-#include "results/checkpoint.hpp"
 #include "results/summary.hpp"
 #include "session/current_project.hpp"
 #include "session/messages.hpp"
@@ -78,18 +77,6 @@ QString shortfallOf(const RunReport& report) {
   return QObject::tr("%1 of %2 expected values missed").arg(missed).arg(report.expect.size());
 }
 
-/// The moment of the checkpoint in a results folder from which a run of the project can go on [s]: of one that was
-/// stopped or killed, or that has more to come now.
-std::optional<double> checkpointToGoOnFrom(const std::filesystem::path& folder, const std::string& text) {
-  const std::optional<CheckpointLabel> label = read_checkpoint_label(folder / "checkpoint.h5");
-  if (!label || change_since_run(label->project_text, text)) return std::nullopt;
-  const std::optional<RunReport> report = read_summary(folder / "summary.json");
-  const bool hasMoreToCome = change_since_run(text, label->project_text).has_value();
-  const bool wasOver = report && report->status != RunStatus::stopped;
-  if (wasOver && !(report->status == RunStatus::completed && hasMoreToCome)) return std::nullopt;
-  return label->time;
-}
-
 /// "1 block", "12 300 blocks".
 QString countOf(const BlockSystem& system) {
   const std::size_t count = system.blocks.size();
@@ -109,8 +96,9 @@ CurrentRun::CurrentRun(CurrentProject& project, Playback& playback, Messages& me
     emit effectsChanged();
   });
   connect(&project_.document(), &Document::projectChanged, this, &CurrentRun::effectsChanged);
-  for (const auto changed : {&Document::opened, &Document::projectChanged, &Document::savedChanged})
-    connect(&project_.document(), changed, this, &CurrentRun::lookForCheckpoint);
+  connect(&project_.document(), &Document::projectChanged, this, &CurrentRun::findCheckpoint);
+  for (const auto changed : {&Document::opened, &Document::savedChanged})
+    connect(&project_.document(), changed, this, &CurrentRun::readCheckpoint);
 }
 
 CurrentRun::~CurrentRun() = default;
@@ -221,18 +209,39 @@ void CurrentRun::keepStepsBefore(const JobNews& news) {
   std::erase_if(history_, [&](const HistoryRow& row) { return row.time >= news.history.front().time; });
 }
 
-void CurrentRun::lookForCheckpoint() {
-  std::optional<double> found;
+/// Whether the project is still that of a run which was stopped or killed, or has more to come than one that is over.
+bool CurrentRun::mayGoOn(const KeptRun& run, const std::string& text) {
+  try {
+    if (change_since_run(run.label.project_text, text)) return false;
+    if (run.status == RunStatus::completed) return change_since_run(text, run.label.project_text).has_value();
+  } catch (const InputError&) {
+    return false;  // of a project that cannot be read any more
+  }
+  return run.status == RunStatus::stopped;
+}
+
+void CurrentRun::readCheckpoint() {
   const Document& document = project_.document();
+  kept_.reset();
   if (document.isOpen() && !document.file().empty() && !job_->isBusy()) {
+    const std::filesystem::path folder = document.resultsFolder();
     try {
-      found = checkpointToGoOnFrom(document.resultsFolder(), document.text());
+      if (auto label = read_checkpoint_label(folder / "checkpoint.h5")) {
+        const std::optional<RunReport> report = read_summary(folder / "summary.json");
+        kept_ = {std::move(*label), report ? report->status : RunStatus::stopped};
+      }
     } catch (const InputError&) {
-      // Damaged, or of a project that cannot be read any more: nothing goes on from there.
+      // Damaged: nothing goes on from there.
     }
   }
-  if (found == checkpoint_) return;
-  checkpoint_ = found;
+  findCheckpoint();
+}
+
+void CurrentRun::findCheckpoint() {
+  const bool found = kept_ && mayGoOn(*kept_, project_.document().text());
+  const std::optional<double> checkpoint = found ? std::optional(kept_->label.time) : std::nullopt;
+  if (checkpoint == checkpoint_) return;
+  checkpoint_ = checkpoint;
   emit checkpointChanged();
 }
 
@@ -264,7 +273,7 @@ void CurrentRun::takeEnd(const JobEnd& end) {
   }
   if (end.report) takeReport(*end.report);
   if (!end.results.empty()) playback_.endRun(end.results);
-  lookForCheckpoint();
+  readCheckpoint();
   emit progressed();
 }
 

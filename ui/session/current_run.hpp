@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jobs/solver_parts.hpp"
+#include "results/checkpoint.hpp"
 #include "results/run_report.hpp"
 
 namespace talus {
@@ -77,7 +78,14 @@ class CurrentRun : public QObject {
  private:
   enum class Start { meshing, run, runFromCheckpoint };
   void start(Start what);
-  void lookForCheckpoint();
+  /// The run whose results lie beside the project; one that was killed is as one that was stopped.
+  struct KeptRun {
+    CheckpointLabel label;
+    RunStatus status;
+  };
+  static bool mayGoOn(const KeptRun& run, const std::string& text);
+  void readCheckpoint();
+  void findCheckpoint();
   void keepStepsBefore(const JobNews& news);
   void takeNews(const JobNews& news);
   void takeEnd(const JobEnd& end);
@@ -92,6 +100,7 @@ class CurrentRun : public QObject {
   double fraction_ = 0;
   QString activity_;
   std::optional<SceneSize> size_;     ///< of the project's blocks
+  std::optional<KeptRun> kept_;       ///< none without a checkpoint
   std::optional<double> checkpoint_;  ///< s
   std::vector<StepReport> steps_;
   std::vector<HistoryRow> history_;

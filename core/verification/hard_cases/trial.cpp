@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/hash.hpp"
 #include "base/parallel.hpp"
 #include "base/part_of_progress.hpp"
 #include "base/stopwatch.hpp"
@@ -22,10 +23,6 @@ namespace {
 constexpr int fewest_samples = 200, interpenetration_looks = 20;
 /// Nor goes any node farther between two samples than this share of the size of the smallest movable block.
 constexpr double unseen_distance = 0.25;
-
-// FNV-1a, a number at a time.
-constexpr std::uint64_t hash_of_nothing = 14695981039346656037u;
-constexpr std::uint64_t hash_with(std::uint64_t hash, std::uint64_t number) { return (hash ^ number) * 1099511628211u; }
 
 std::uint64_t hash_of(const std::vector<Vec3>& positions) {
   std::uint64_t hash = hash_of_nothing;

@@ -74,7 +74,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"ui/render/charts", {"ui/render/gl", "core/results"}},
     {"ui/render/stereonet", {"ui/render/charts", "core/orientation"}},
     {"ui/render/film", {"ui/render/scene"}},
-    {"ui/report", {"ui/render/scene", "ui/render/stereonet", "core/export"}},
+    {"ui/report", {"ui/render/scene", "ui/render/stereonet", "core/export", "core/io"}},
     {"ui/document", {"core/io"}},
     {"ui/jobs", {"core/study/forecast", "core/verification"}},
     {"ui/session", {"ui/document", "ui/jobs", "ui/render/scene", "core/removability"}},

@@ -2,7 +2,6 @@
 
 #include "export/export.hpp"
 #include "export/export_folder.hpp"
-#include "io/project_file.hpp"
 #include "io/whole_file.hpp"
 #include "render/scene/block_colours.hpp"
 #include "report/report.hpp"
@@ -26,15 +25,6 @@ void writeData(DataFormat format, const ResultReader& results, int frame, const 
   }
 }
 
-/// A project that is no longer understood leaves sections out, and no report.
-report::ProjectOfRun projectOf(const std::filesystem::path& results) {
-  try {
-    return {read_project(results / "project.talus", {.allow_outside = true}), ""};
-  } catch (const InputError& error) {
-    return {std::nullopt, error.what()};
-  }
-}
-
 }  // namespace
 
 Writing writingOfData(DataFormat format, const std::filesystem::path& results, int frame,
@@ -45,7 +35,7 @@ Writing writingOfData(DataFormat format, const std::filesystem::path& results, i
 Writing writingOfReport(const std::filesystem::path& results, const std::filesystem::path& to) {
   return [=](Progress&) {
     const report::Writer write = report::writer_for(to);
-    replace_whole_file(to, write(report::report_of(results, projectOf(results))));
+    replace_whole_file(to, write(report::report_of(results)));
   };
 }
 
