@@ -24,18 +24,25 @@ class Interrupted : public testing::Test {
     write_text(folder_ / "endless.talus", project.dump());
   }
 
-  /// Lets the endless run go until it has written that it has taken so many steps.
-  void start_and_wait(Cli& cli, int steps) {
+  /// Lets the endless run go until something that it writes is there, for a minute at most.
+  template <typename IsThere>
+  void wait_until(Cli& cli, IsThere&& is_there) {
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    for (;;) {
-      const std::string table = text_of(folder_ / "r/steps.csv");
-      if (std::count(table.begin(), table.end(), '\n') > steps) return;
+    while (!is_there()) {
       if (std::chrono::steady_clock::now() > give_up) {
         cli.send(SIGKILL);
-        FAIL() << "not so many steps after a minute: " << cli.wait().err;
+        FAIL() << "not there after a minute: " << cli.wait().err;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
+  }
+
+  /// Lets the endless run go until it has written that it has taken so many steps.
+  void start_and_wait(Cli& cli, int steps) {
+    wait_until(cli, [&] {
+      const std::string table = text_of(folder_ / "r/steps.csv");
+      return std::count(table.begin(), table.end(), '\n') > steps;
+    });
   }
 
   std::string results() const { return (folder_ / "r").string(); }
@@ -68,7 +75,7 @@ TEST_F(Interrupted, AKilledRunGoesOnToTheSameNumbers) {
 
   set_duration(19);
   Cli cli({"solve", file, "--out", results(), "--checkpoint-every", "0.01"});
-  ASSERT_NO_FATAL_FAILURE(start_and_wait(cli, 50));
+  ASSERT_NO_FATAL_FAILURE(wait_until(cli, [&] { return std::filesystem::exists(folder_ / "r/checkpoint.h5"); }));
   cli.send(SIGKILL);
   cli.wait();
   EXPECT_GT(Json::parse(talus_cli({"info", results(), "--json"}).out)["checkpoint"], 0);
