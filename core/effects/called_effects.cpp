@@ -134,11 +134,10 @@ void add_rebound(const Project& project, const Scene& scene, Calls& calls) {
   const Switch choice = given && switches.restitution == Switch::on && switches.rebound == Switch::called_for
                             ? Switch::on
                             : switches.rebound;
-  calls.add(EffectKind::rebound, choice, scene.touching && scene.dynamic, scene.no_motion, given || scene.rigid > 0,
+  calls.add(EffectKind::rebound, choice, scene.touching && scene.dynamic, scene.no_motion, true,
             given ? "restitution of " + joints_where(project, gives_restitution)
-                  : count(scene.rigid, "rigid block stays", "rigid blocks stay") +
-                        " where a contact too stiff for the step stops it",
-            "no restitution given, and no block is rigid");
+                  : "a contact too stiff for the step throws no block back",
+            "");
 }
 
 /// What is no term of the potential, and no law of impact.
@@ -146,7 +145,6 @@ void add_the_rest(const Project& project, const Scene& scene, bool rebounds, Cal
   const SolverSettings& solver = project.solver;
   const EffectSwitches& switches = solver.effects;
   const bool touches = scene.touching && scene.dynamic;
-  const bool single = scene.rigid + scene.affine > 0;
   const auto own_stiffness = [](const Joint& j) { return j.normal_stiffness.has_value(); };
   const auto lacks_stiffness = [](const Joint& j) { return !j.normal_stiffness.has_value(); };
   const bool scaled = project.joints.empty() || scene.any_joint(lacks_stiffness);
@@ -167,11 +165,8 @@ void add_the_rest(const Project& project, const Scene& scene, bool rebounds, Cal
             : multiplied    ? "multipliers keep to the penetration_tolerance: every stage is static"
                             : given,
             true, "a penetration is to be kept to", "");
-  calls.add(EffectKind::followed_springs, switches.followed_springs, scene.touching && single && scaled,
-            !scene.touching ? scene.no_touch
-            : !single       ? "every block that moves has a mesh"
-                            : given,
-            true, "contacts of rigid and affine blocks may be too stiff for a step", "");
+  calls.add(EffectKind::followed_springs, switches.followed_springs, scene.touching && scaled,
+            !scene.touching ? scene.no_touch : given, true, "contacts may be too stiff for a step", "");
   const bool moves = scene.movable > 0 && scene.dynamic;
   const std::string nothing_moves = scene.movable == 0 ? "every block is fixed" : "every stage is static";
   const bool carried = TimeIntegration::of(solver).carries_acceleration();
@@ -180,11 +175,9 @@ void add_the_rest(const Project& project, const Scene& scene, bool rebounds, Cal
             "the integrator carries accelerations on", "");
   calls.add(EffectKind::sleep, switches.sleep, moves && solver.sleep_tolerance > 0,
             moves ? "a sleep tolerance of 0 lets no block sleep" : nothing_moves, true, "blocks may come to rest", "");
-  calls.add(EffectKind::elimination, switches.elimination, scene.touching && single && newton,
-            !scene.touching ? scene.no_touch
-            : !newton       ? "contacts keep their states for a round"
-                            : "every block that moves has a mesh",
-            true, "a few blocks may be far out of balance while the others are not", "");
+  calls.add(EffectKind::elimination, switches.elimination, scene.touching && newton,
+            !scene.touching ? scene.no_touch : "contacts keep their states for a round", true,
+            "a few blocks may be far out of balance while the others are not", "");
 }
 
 }  // namespace

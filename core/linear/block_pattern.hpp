@@ -15,8 +15,8 @@ class BlockPattern {
   /// `couplings`: pairs of nodes in any order, as often as they come; the diagonal is always there.
   BlockPattern(int nodes, std::vector<std::pair<int, int>> couplings);
 
-  /// The pattern of some nodes among themselves, in ascending order; they are coupled to no others. `local`: the
-  /// number that each of them gets, by its number here. Of all slots beside the diagonal those that `are_kept`.
+  /// The pattern of some nodes among themselves, in ascending order. `local`: the number that each of them gets, by its
+  /// number here. Of all slots beside the diagonal those that `are_kept`, none of them with another node.
   template <class AreKept>
   BlockPattern part(std::span<const int> nodes, std::span<const int> local, const AreKept& are_kept) const {
     BlockPattern part;

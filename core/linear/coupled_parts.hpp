@@ -23,12 +23,10 @@ class CoupledParts {
   }
   /// Pairs of its nodes with a value in the symmetric matrix.
   int couplings(int part) const { return couplings_[part]; }
-  /// Whether a slot of the matrix holds anything but zeros.
-  bool has_value(int slot) const { return has_value_[slot]; }
 
  private:
   DisjointSets together_;
-  std::vector<char> has_value_;  // a slot
+  std::vector<char> has_value_;  // a slot: whether it holds anything but zeros
   std::vector<int> part_of_, number_of_, begin_, nodes_, couplings_;
 };
 

@@ -16,6 +16,9 @@ class DenseSolver {
   /// Unknowns up to which a new dense factor costs about as much as GMRES with an old sparse factor: 2 µs at 24, a
   /// third of a new sparse factor; at 36 it costs twice as much as GMRES.
   static constexpr int largest = 24;
+  /// Of a part of a larger system: a dense factor of that size takes less than 1 ms, a sparse one of a system that is
+  /// worth taking apart takes several.
+  static constexpr int largest_part = 192;
 
   /// Factors the equations of some nodes, ascending; others that they are coupled to are held. Throws
   /// NotPositiveDefinite, with the node, if the symmetric matrix is not.

@@ -11,9 +11,6 @@ namespace talus {
 
 namespace {
 
-/// Unknowns of a part up to which it is solved densely: a dense factor of that size takes less than 1 ms, a sparse one
-/// of a system that is worth taking apart takes several.
-constexpr int largest_dense_part = 192;
 /// A part that couples more than this fraction of all pairs that may couple is left to the factor of the whole system,
 /// which costs hardly more and can be used for longer.
 constexpr double largest_sparse_fraction = 0.9;
@@ -29,7 +26,7 @@ IndependentSystem::IndependentSystem(std::vector<int> nodes, BlockPattern patter
   right_.resize(3 * size());
   if (3 * size() <= DenseSolver::largest) return;
   sparse_ = std::make_unique<Sparse>();
-  sparse_->of_size.resize(largest_dense_part / 3 + 1);
+  sparse_->of_size.resize(DenseSolver::largest_part / 3 + 1);
   sparse_->factor.analyse(matrix_.pattern());
   // A solve touches each entry of the factor twice. The cost of a factorisation in units of that, at the rates of one
   // core, is the number of GMRES iterations that an old factor may take before a new one is cheaper.
@@ -103,13 +100,13 @@ void IndependentSystem::solve_parts(const LinearSettings& settings, double negli
       right_.segment<3>(3 * nodes[k]).setZero();
     }
     if (!(s.right.norm() > negligible_part)) continue;
-    if (3 * count <= largest_dense_part) {
+    if (3 * count <= DenseSolver::largest_part) {
       DenseSolver& dense = s.of_size[count];
       dense.factor(matrix_, unsymmetric_, nodes);
       dense.solve(s.right, s.solution);
       ++work.dense_factorisations;
     } else {
-      s.large_part.factor(matrix_, unsymmetric_, s.parts, part);
+      s.large_part.factor(matrix_, unsymmetric_, nodes);
       const int iterations = s.large_part.solve(s.right, settings, s.solution);
       work.gmres_iterations += iterations;
       if (iterations >= settings.limit) ++work.gmres_limits;

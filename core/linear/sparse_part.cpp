@@ -7,12 +7,16 @@
 namespace talus {
 
 void SparsePart::factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric,
-                        const CoupledParts& parts, int part) {
-  const std::span<const int> nodes = parts.nodes(part);
+                        std::span<const int> nodes) {
   number_.resize(matrix.nodes());
   for (std::size_t k = 0; k < nodes.size(); ++k) number_[nodes[k]] = static_cast<int>(k);
-  const auto has_value = [&](int slot) { return parts.has_value(slot); };
-  BlockPattern pattern = matrix.pattern().part(nodes, number_, has_value);
+  const auto has = [&](int node) {
+    const auto k = static_cast<std::size_t>(number_[node]);
+    return k < nodes.size() && nodes[k] == node;
+  };
+  const std::vector<int>& rows = matrix.pattern().rows();
+  const auto is_kept = [&](int slot) { return has(rows[slot]) && !matrix.value(slot).isZero(0); };
+  BlockPattern pattern = matrix.pattern().part(nodes, number_, is_kept);
   if (pattern != matrix_.pattern()) {
     factor_.analyse(pattern);
     matrix_.set_pattern(std::move(pattern));
@@ -22,13 +26,11 @@ void SparsePart::factor(const SymmetricBlocks& matrix, std::span<const Unsymmetr
   int to = 0;
   for (const int column : nodes)
     for (int slot = begin[column]; slot < begin[column + 1]; ++slot)
-      if (slot == begin[column] || has_value(slot)) matrix_.add_at(to++, matrix.value(slot));
+      if (slot == begin[column] || is_kept(slot)) matrix_.add_at(to++, matrix.value(slot));
   unsymmetric_.clear();
-  for (const UnsymmetricBlocks::Pair& pair : unsymmetric) {
-    const auto k = static_cast<std::size_t>(number_[pair.row]);
-    if (k < nodes.size() && nodes[k] == pair.row)
+  for (const UnsymmetricBlocks::Pair& pair : unsymmetric)
+    if (has(pair.row) && has(pair.column))
       unsymmetric_.push_back({number_[pair.row], number_[pair.column], pair.below, pair.above});
-  }
   try {
     factor_.factor(matrix_);
   } catch (const NotPositiveDefinite& error) {

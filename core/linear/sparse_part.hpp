@@ -3,26 +3,26 @@
 #include <span>
 #include <vector>
 
-#include "linear/coupled_parts.hpp"
 #include "linear/tangent_factor.hpp"
 #include "linear/unsymmetric_blocks.hpp"
 
 namespace talus {
 
-/// A connected part of a matrix that is too large for a dense factor. The pattern of its nonzero blocks is much sparser
-/// than that of all contacts that may close. Its Cholesky factor preconditions GMRES where it has an unsymmetric part.
+/// Some nodes of a matrix, too many for a dense factor. The pattern of their nonzero blocks is much sparser than that
+/// of all contacts that may close. Their Cholesky factor preconditions GMRES where they have an unsymmetric part.
 class SparsePart {
  public:
-  /// This part of the parts of a matrix. Throws NotPositiveDefinite with the node of the matrix.
+  /// Factors the equations of some nodes, ascending; others that they are coupled to are held. Throws
+  /// NotPositiveDefinite with the node of the matrix.
   void factor(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric,
-              const CoupledParts& parts, int part);
+              std::span<const int> nodes);
   /// Returns the number of GMRES iterations, 0 where the factor alone solves it.
   int solve(const Eigen::VectorXd& b, const LinearSettings& settings, Eigen::VectorXd& x);
 
  private:
   SymmetricBlocks matrix_;
   std::vector<UnsymmetricBlocks::Pair> unsymmetric_;  ///< by node numbers in the part
-  std::vector<int> number_;                           ///< in the part, of those of its nodes; of others anything
+  std::vector<int> number_;                           ///< of a node that was among the last ones: its number there
   TangentFactor factor_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "base/units.hpp"
 #include "geometry/block_builder.hpp"
+#include "mesh/structured_mesh.hpp"
 #include "model/stages.hpp"
 #include "verification/hard_cases/shapes.hpp"
 
@@ -165,8 +166,10 @@ void add_slope(Project& project, const Crowd& crowd, Chance& chance) {
   project.joints[0].friction_angle = crowd.kind == CrowdKind::stand ? dip + 10 : dip - below_dip;
 }
 
-TetMesh mesh_of(const SolidShape& shape) {
-  if (const auto* box = std::get_if<BoxShape>(&shape))
+TetMesh mesh_of(const SolidShape& shape, int cells) {
+  const auto* box = std::get_if<BoxShape>(&shape);
+  if (box && cells > 0) return box_mesh(box->min, box->max, cells, cells, cells);
+  if (box)
     return convex_mesh(shape_at(cube_shape,
                                 [&](const Vec3& corner) -> Vec3 {
                                   return (box->min + box->max) / 2 + corner.cwiseProduct(box->max - box->min) / 2;
@@ -187,6 +190,8 @@ constexpr const char* word(CrowdKind kind) {
 std::string name_of(const Crowd& crowd) {
   std::string name = word(crowd.kind) + (" " + std::to_string(crowd.n));
   if (crowd.seed != 1) name += ", seed " + std::to_string(crowd.seed);
+  if (crowd.cells > 0)
+    return name + ", of " + std::to_string(6 * crowd.cells * crowd.cells * crowd.cells) + " tetrahedra";
   return crowd.body == BodyKind::rigid ? name : name + ", " + std::string(to_string(crowd.body));
 }
 
@@ -228,7 +233,8 @@ CaseScene scene_of(const Crowd& crowd) {
     return scene;
   }
   scene.system.joint_names = {"j"};
-  for (const Solid& one : scene.project.solids) scene.add_block(one.name, mesh_of(one.shape), one.body);
+  for (const Solid& one : scene.project.solids)
+    scene.add_block(one.name, mesh_of(one.shape, one.body == BodyKind::fixed ? 0 : crowd.cells), one.body);
   return scene;
 }
 

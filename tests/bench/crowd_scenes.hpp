@@ -23,6 +23,7 @@ struct Crowd {
   double time_step = 0.01;  ///< s, of one dynamic stage
   int steps = 20;
   bool sleeps = false;  ///< blocks at rest may sleep
+  int cells = 0;  ///< of a pile of tetrahedra: along an edge of a cube, of six tetrahedra each; 0: as few as can be
 };
 
 /// "slope 12, affine".

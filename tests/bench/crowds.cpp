@@ -50,8 +50,8 @@ CaseScene built(Project project, const std::filesystem::path& folder = ".") {
   return {std::move(project), std::move(system)};
 }
 
-Entry crowd(CrowdKind kind, int n, Entry more = {}, BodyKind body = BodyKind::rigid, int seed = 1) {
-  const Crowd asked{kind, n, seed, body, 0.01, more.skip + more.steps, more.sleeps};
+Entry crowd(CrowdKind kind, int n, Entry more = {}, BodyKind body = BodyKind::rigid, int seed = 1, int cells = 0) {
+  const Crowd asked{kind, n, seed, body, 0.01, more.skip + more.steps, more.sleeps, cells};
   more.title = name_of(asked);
   if (body == BodyKind::rigid && seed == 1) more.kind = more.title.substr(0, more.title.find(' '));
   more.name = more.title;
@@ -92,6 +92,9 @@ std::vector<Entry> all_entries() {
       crowd(pile, 6),
       crowd(pile, 10),
       crowd(pile, 22, {.large = true}),
+      crowd(pile, 3, {}, BodyKind::tetrahedra, 1, 4),
+      crowd(pile, 5, {.large = true}, BodyKind::tetrahedra, 1, 4),
+      crowd(pile, 8, {.large = true}, BodyKind::tetrahedra, 1, 4),
       crowd(slide, 5),
       crowd(slide, 10),
       crowd(slope, 6),

@@ -7,8 +7,6 @@ namespace talus {
 
 namespace {
 
-bool deforms(const Body& body) { return !body.fixed && !body.single_body(); }
-
 double inverse_mass(const Body& body) { return body.fixed ? 0 : 1 / body.mass(); }
 
 void scale(ContactPoint& point, double scaling) {
@@ -20,6 +18,11 @@ void scale(ContactPoint& point, double scaling) {
 }
 
 }  // namespace
+
+bool FollowedSprings::is_meshed(const ContactPoint& point) const {
+  return std::any_of(std::begin(point.bodies), std::end(point.bodies),
+                     [&](int b) { return !bodies_.bodies[b].fixed && !bodies_.bodies[b].single_body(); });
+}
 
 double FollowedSprings::limit_of(const ContactPoint& point, double length, double gravity, double penetration) const {
   const double first = inverse_mass(bodies_.bodies[point.bodies[0]]),
@@ -36,11 +39,8 @@ void FollowedSprings::limit(const Project& project, double length, double penetr
   const auto is_limited = [&](const ContactPoint& p) { return p.is_new || which == FollowedContacts::all; };
   by_pair_.clear();
   if (std::none_of(points.begin(), points.end(), is_limited)) return;
-  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-    const ContactPoint& p = points[i];
-    if (deforms(bodies_.bodies[p.bodies[0]]) || deforms(bodies_.bodies[p.bodies[1]])) continue;
-    if (!project.joints[p.joint].normal_stiffness) by_pair_.push_back(i);
-  }
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+    if (!project.joints[points[i].joint].normal_stiffness) by_pair_.push_back(i);
   std::sort(by_pair_.begin(), by_pair_.end(), [&](int i, int j) {
     return bodies_of(points[i]) != bodies_of(points[j]) ? bodies_of(points[i]) < bodies_of(points[j]) : i < j;
   });
@@ -53,7 +53,8 @@ void FollowedSprings::limit(const Project& project, double length, double penetr
       if (!is_limited(points[*i])) stiffest = std::max(stiffest, points[*i].penalty_scaling);
     }
     const double followed = limit_of(points[*first], length, project.gravity.norm(), penetration) / stiffness;
-    const double scaling = std::max(std::min(followed, 1.0), stiffest);
+    const double least = is_meshed(points[*first]) ? tolerances_.beside_elements / project.solver.contact_stiffness : 0;
+    const double scaling = std::max(std::min(std::max(followed, least), 1.0), stiffest);
     for (auto i = first; i != last; ++i) {
       ContactPoint& point = points[*i];
       if (is_limited(point)) scale(point, point.is_new ? scaling : std::min(scaling, point.penalty_scaling));

@@ -17,11 +17,11 @@ enum class FollowedContacts {
   all,
 };
 
-/// Springs of contacts between rigid and affine bodies: no stiffer than the step can follow. Those between two bodies
-/// of masses m₁ and m₂ are together at most (ωΔ/Δ)² / (1/m₁ + 1/m₂): stiffer ones give the same motion in many more
-/// iterations ("near-rigid" contact, Castro, Permenter & Han 2022). Nor are they so soft that the lighter body's weight
-/// would press them deeper than is allowed; nor softer than the stiffest that goes on between the same bodies, which
-/// has shown what they need. Joints keep a stiffness of their own.
+/// Springs of contacts: no stiffer than the step can follow. Those between two bodies of masses m₁ and m₂ are together
+/// at most (ωΔ/Δ)² / (1/m₁ + 1/m₂): stiffer ones give the same motion in many more iterations ("near-rigid" contact,
+/// Castro, Permenter & Han 2022). Nor are they so soft that the lighter body's weight would press them deeper than is
+/// allowed, nor, on a body with elements, softer than these; nor softer than the stiffest that goes on between the same
+/// bodies, which has shown what they need. Joints keep a stiffness of their own.
 class FollowedSprings {
  public:
   /// `bodies` outlive them.
@@ -33,6 +33,8 @@ class FollowedSprings {
   void limit(const Project& project, double length, double penetration, FollowedContacts which, ContactSet& contacts);
 
  private:
+  /// Whether one of its bodies moves and has elements.
+  bool is_meshed(const ContactPoint& point) const;
   double limit_of(const ContactPoint& point, double length, double gravity, double penetration) const;
 
   const BodySet& bodies_;

@@ -73,12 +73,11 @@ void Impacts::add_up_springs(const ContactSet& contacts, const std::vector<Conta
 bool Impacts::left_to_springs(const ContactPoint& point, double step) const {
   if (point.restitution) return false;
   const double followed = tolerances_.followed_oscillation;
-  const auto deforms = [&](int b) { return !set_.bodies[b].fixed && set_.bodies[b].kind != BodyKind::rigid; };
   const auto swings_slowly = [&](int b) {
     return springs_[b] * step * step < followed * followed * mass_of(set_.bodies[b]);
   };
   const auto& [a, b] = point.bodies;
-  return deforms(a) || deforms(b) || (swings_slowly(a) && swings_slowly(b));
+  return swings_slowly(a) && swings_slowly(b);
 }
 
 double Impacts::let_go_landed(ContactSet& contacts, const StepContext& step,

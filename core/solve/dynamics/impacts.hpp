@@ -26,7 +26,7 @@ struct ImpactEnergy {
 /// never pulls, and shears by no more than its strength. With friction Newton's law can make energy (Kane & Levinson
 /// 1985): where rigid bodies that strike each other would have more after a step than before, all of them part at a
 /// smaller restitution, the largest at which they do not. Where a joint has no restitution, the rebound is left to
-/// blocks that deform and to springs that the step can follow; rigid bodies that stiffer springs stop do not part.
+/// springs that the step can follow; bodies that stiffer ones stop do not part.
 class Impacts {
  public:
   /// `set` outlives the impacts.
@@ -35,9 +35,9 @@ class Impacts {
 
   /// Before a step is accepted: bodies and contacts are as at its start.
   void note_speeds(const ContactSet& contacts, const StepContext& step);
-  /// Before effects and contacts remember the step: springs that have stopped a landing between rigid bodies are let
-  /// go, for what they would push out later is speed that the law of impact has not given. What is in by then stays out
-  /// of account until the contact opens. Returns the energy that was in them [J].
+  /// Before effects and contacts remember the step: springs that have stopped a landing are let go, for what they would
+  /// push out later is speed that the law of impact has not given. What is in by then stays out of account until the
+  /// contact opens. Returns the energy that was in them [J].
   double let_go_landed(ContactSet& contacts, const StepContext& step, const std::vector<ContactOutcome>& outcomes);
   /// After it was accepted, and bodies have moved; forces and gaps are those at its end. What impacts give to bodies
   /// comes out of `reserve` first.

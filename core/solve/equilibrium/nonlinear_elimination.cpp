@@ -27,11 +27,7 @@ bool NonlinearElimination::pick_bodies(const Composition& composition, const Ste
     return false;
   is_picked_.assign(set.bodies.size(), 0);
   for (const int b : bodies_) {
-    const int body = set.moving[b];
-    if (!set.bodies[body].single_body()) return false;
-    is_picked_[body] = 1;
-  }
-  for (const int b : bodies_) {
+    is_picked_[set.moving[b]] = 1;
     const auto [first, end] = residual.dof_blocks_of(b);
     for (int block = first; block < end; ++block) dof_blocks_.push_back(block);
   }
@@ -83,8 +79,13 @@ void NonlinearElimination::solve(const SymmetricBlocks& matrix, const Unsymmetri
     begin = end;
     right_.resize(static_cast<Eigen::Index>(3 * system.size()));
     for (std::size_t k = 0; k < system.size(); ++k) right_.segment<3>(3 * k) = b.segment<3>(3 * system[k]);
-    dense_.factor(matrix, unsymmetric.pairs(), system);
-    dense_.solve(right_, solution_);
+    if (3 * system.size() <= DenseSolver::largest_part) {
+      dense_.factor(matrix, unsymmetric.pairs(), system);
+      dense_.solve(right_, solution_);
+    } else {
+      sparse_.factor(matrix, unsymmetric.pairs(), system);
+      sparse_.solve(right_, linear_, solution_);
+    }
     for (std::size_t k = 0; k < system.size(); ++k) x.segment<3>(3 * system[k]) = solution_.segment<3>(3 * k);
   }
 }

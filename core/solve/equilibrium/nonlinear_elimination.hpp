@@ -5,6 +5,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "linear/dense_solver.hpp"
+#include "linear/sparse_part.hpp"
 #include "solve/equilibrium/step_residual.hpp"
 
 namespace talus {
@@ -16,7 +17,8 @@ namespace talus {
 /// elimination"). An iteration on them looks at their contacts alone and solves small dense systems.
 class NonlinearElimination {
  public:
-  explicit NonlinearElimination(const EliminationTolerances& tolerances) : tolerances_(tolerances) {}
+  NonlinearElimination(const EliminationTolerances& tolerances, LinearSettings linear)
+      : tolerances_(tolerances), linear_(linear) {}
 
   /// Picks the bodies that are to be balanced alone at the gradient of the residual. If there are any, contact effects
   /// and the residual look at them alone from now on.
@@ -25,7 +27,8 @@ class NonlinearElimination {
   void end(const Composition& composition, StepResidual& residual);
   bool is_active() const { return !dof_blocks_.empty(); }
 
-  /// x = T⁻¹ b of the bodies that were picked, zero elsewhere. Throws NotPositiveDefinite.
+  /// x = T⁻¹ b of the bodies that were picked, zero elsewhere: exactly, or to the tolerance of the settings where many
+  /// touch each other. Throws NotPositiveDefinite.
   void solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks& unsymmetric, const Eigen::VectorXd& b,
              Eigen::VectorXd& x);
 
@@ -35,6 +38,7 @@ class NonlinearElimination {
   void split(const BlockPattern& pattern);
 
   EliminationTolerances tolerances_;
+  LinearSettings linear_;
   std::vector<int> bodies_, dof_blocks_;
   std::vector<char> is_picked_;                 // a body
   std::vector<std::vector<int>> points_;        // of each normal contact, and of shear contact
@@ -44,6 +48,7 @@ class NonlinearElimination {
   std::vector<std::size_t> system_ends_;        // of each in grouped_
   DisjointSets together_;
   DenseSolver dense_;
+  SparsePart sparse_;
   Eigen::VectorXd right_, solution_;
 };
 

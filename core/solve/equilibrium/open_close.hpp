@@ -42,9 +42,10 @@ class OpenClose {
         method_(method),
         balances_alone_(balances_alone),
         residual_(tolerances.convergence),
-        linear_({.tolerance = tolerances.convergence.gmres, .limit = tolerances.convergence.gmres_limit}),
+        linear_settings_{.tolerance = tolerances.convergence.gmres, .limit = tolerances.convergence.gmres_limit},
+        linear_(linear_settings_),
         search_(tolerances.convergence),
-        elimination_(tolerances.elimination),
+        elimination_(tolerances.elimination, linear_settings_),
         elimination_limit_(tolerances.elimination.iterations),
         interior_(tolerances.interior_point) {}
 
@@ -142,6 +143,7 @@ class OpenClose {
   ContactStates states_;  ///< of the paper's method
   StepResidual residual_;
   UnsymmetricBlocks unsymmetric_;
+  LinearSettings linear_settings_;
   LinearSystem linear_;
   PartwiseLineSearch search_;
   NonlinearElimination elimination_;

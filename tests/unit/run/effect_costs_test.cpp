@@ -83,8 +83,8 @@ TEST(EffectCosts, WhatIsOffCostsNothingAndPaysForNothing) {
     EXPECT_EQ(cost.active, !cost.items.empty()) << to_string(cost.kind);
     off += cost.active ? 0 : 1;
   }
-  EXPECT_EQ(off, 11) << "neo-Hookean elasticity, initial stress, constraint, load, shear, cohesion, rebound, damping, "
-                        "restitution, followed springs, elimination";
+  EXPECT_EQ(off, 8)
+      << "neo-Hookean elasticity, initial stress, constraint, load, shear, cohesion, damping, restitution";
 }
 
 TEST(EffectCosts, SaysInWordsWhatIsPaidFor) {

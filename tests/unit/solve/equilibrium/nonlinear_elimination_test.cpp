@@ -85,7 +85,7 @@ class ChipLeftBehind : public testing::Test {
   std::vector<std::pair<int, int>> couplings_;
   Composition composition_;
   StepResidual residual_;
-  NonlinearElimination elimination_{EliminationTolerances{}};
+  NonlinearElimination elimination_{EliminationTolerances{}, {.tolerance = 1e-4, .limit = 50}};
   Increment d_;
 };
 
