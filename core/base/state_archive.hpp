@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -20,14 +21,26 @@ namespace talus {
 /// `archive(auto& state)`, for both. The bytes are this machine's and this program's: where a list changes, so do they.
 class StateArchive {
  public:
+  /// Where what is written goes, piece by piece, in order.
+  using Sink = std::function<void(std::string_view)>;
+  static constexpr std::size_t piece = 1 << 20;  ///< bytes, of all pieces but the last
+
   /// Writes.
   StateArchive() = default;
+  /// Writes, and keeps no more than a piece: a state may be as large as all else that a run holds. pass_on() ends it.
+  explicit StateArchive(Sink sink) : sink_(std::move(sink)) {}
   /// Reads what another has written; `bytes` outlive it.
   explicit StateArchive(std::string_view bytes) : reads_(true), left_(bytes) {}
 
   bool reads() const { return reads_; }
   bool all_read() const { return left_.empty(); }
-  const std::string& bytes() const { return bytes_; }  ///< written so far
+  const std::string& bytes() const { return bytes_; }  ///< written so far, and not passed on
+
+  /// Gives the sink what it has not got yet.
+  void pass_on() {
+    if (!bytes_.empty()) sink_(bytes_);
+    bytes_.clear();
+  }
 
   /// Throws std::runtime_error where less is left to read than a value takes.
   template <class... Values>
@@ -42,13 +55,20 @@ class StateArchive {
   static constexpr bool is_matrix = std::is_base_of_v<Eigen::DenseBase<T>, T>;
 
   void exchange_bytes(void* data, std::size_t size) {
-    if (!reads_) {
-      bytes_.append(static_cast<const char*>(data), size);
-      return;
-    }
+    if (!reads_) return write({static_cast<const char*>(data), size});
     if (size > left_.size()) throw std::runtime_error("the state of the run ends too early");
     if (size > 0) std::memcpy(data, left_.data(), size);
     left_.remove_prefix(size);
+  }
+
+  void write(std::string_view bytes) {
+    while (sink_ && bytes_.size() + bytes.size() >= piece) {
+      const std::size_t part = piece - bytes_.size();
+      bytes_.append(bytes.substr(0, part));
+      bytes.remove_prefix(part);
+      pass_on();
+    }
+    bytes_.append(bytes);
   }
 
   /// That of a list, of which each entry takes a byte at least.
@@ -146,6 +166,7 @@ class StateArchive {
   }
 
   bool reads_ = false;
+  Sink sink_;
   std::string bytes_;
   std::string_view left_;
 };

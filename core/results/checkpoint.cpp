@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 
 #include "base/error.hpp"
 #include "results/folder.hpp"
@@ -18,22 +19,52 @@ namespace {
 
 constexpr hsize_t largest_piece = 1 << 20;  // bytes of which a checksum is kept
 
-/// With checksums: a disk may lose bits.
-void write_state(hid_t file, const std::string& state) {
-  const hsize_t size = state.size(), piece = std::clamp<hsize_t>(size, 1, largest_piece);
-  const Handle space(check(H5Screate_simple(1, &size, nullptr), "cannot describe the state"));
-  const Handle layout(check(H5Pcreate(H5P_DATASET_CREATE), "cannot lay out the state"));
-  check(H5Pset_chunk(layout, 1, &piece), "cannot lay out the state");
-  check(H5Pset_fletcher32(layout), "cannot lay out the state");
-  const Handle set(check(H5Dcreate2(file, "state", H5T_NATIVE_UINT8, space, H5P_DEFAULT, layout, H5P_DEFAULT),
-                         "cannot make the state"));
-  check(H5Dwrite(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, state.data()), "cannot be written");
-  check(H5Dflush(set), "cannot be written");
+/// The state in the file, which grows. With checksums: a disk may lose bits.
+class StateSet {
+ public:
+  /// `piece`: bytes that the first piece has.
+  StateSet(hid_t file, hsize_t piece) {
+    const hsize_t none = 0, any = H5S_UNLIMITED, chunk = std::clamp<hsize_t>(piece, 1, largest_piece);
+    const Handle space(check(H5Screate_simple(1, &none, &any), "cannot describe the state"));
+    const Handle layout(check(H5Pcreate(H5P_DATASET_CREATE), "cannot lay out the state"));
+    check(H5Pset_chunk(layout, 1, &chunk), "cannot lay out the state");
+    check(H5Pset_fletcher32(layout), "cannot lay out the state");
+    set_ = Handle(check(H5Dcreate2(file, "state", H5T_NATIVE_UINT8, space, H5P_DEFAULT, layout, H5P_DEFAULT),
+                        "cannot make the state"));
+  }
+
+  void append(std::string_view bytes) {
+    const hsize_t first = size_, count = bytes.size();
+    size_ += count;
+    check(H5Dset_extent(set_, &size_), "cannot be written");
+    const Handle there(check(H5Dget_space(set_), "cannot describe the state"));
+    check(H5Sselect_hyperslab(there, H5S_SELECT_SET, &first, nullptr, &count, nullptr), "cannot describe the state");
+    const Handle here(check(H5Screate_simple(1, &count, nullptr), "cannot describe the state"));
+    check(H5Dwrite(set_, H5T_NATIVE_UINT8, here, there, H5P_DEFAULT, bytes.data()), "cannot be written");
+  }
+
+  void flush() { check(H5Dflush(set_), "cannot be written"); }
+
+ private:
+  Handle set_;
+  hsize_t size_ = 0;
+};
+
+void write_state(hid_t file, const StateSource& state) {
+  std::optional<StateSet> set;
+  state([&](std::string_view bytes) {
+    if (!set) set.emplace(file, bytes.size());
+    set->append(bytes);
+  });
+  if (!set) set.emplace(file, 1);
+  set->flush();
 }
 
 std::string read_state(hid_t file) {
-  const std::vector<std::uint8_t> bytes = hdf5::read_all<std::uint8_t>(file, "state");
-  return {bytes.begin(), bytes.end()};
+  const Handle set = hdf5::open_dataset(file, "state");
+  std::string bytes(hdf5::stored_count(set, "state"), '\0');
+  hdf5::read_rows(set, "state", H5T_NATIVE_UINT8, bytes.data(), 0, bytes.size());
+  return bytes;
 }
 
 CheckpointLabel read_label(hid_t file) {
@@ -59,22 +90,22 @@ auto read(const fs::path& path, const Part& part) -> std::optional<decltype(part
   }
 }
 
-void write_whole(const fs::path& path, const Checkpoint& checkpoint) {
+void write_whole(const fs::path& path, const CheckpointLabel& label, const StateSource& state) {
   Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), "cannot be made"));
-  hdf5::write_strings(file, "version", {checkpoint.label.version});
-  hdf5::write_strings(file, "project", {checkpoint.label.project_text});
-  hdf5::write_fixed(file, "time", std::vector<double>{checkpoint.label.time});
-  write_state(file, checkpoint.state);
+  hdf5::write_strings(file, "version", {label.version});
+  hdf5::write_strings(file, "project", {label.project_text});
+  hdf5::write_fixed(file, "time", std::vector<double>{label.time});
+  write_state(file, state);
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), "cannot be written");
 }
 
 }  // namespace
 
-void write_checkpoint(const fs::path& file, const Checkpoint& checkpoint) {
+void write_checkpoint(const fs::path& file, const CheckpointLabel& label, const StateSource& state) {
   const fs::path fresh = file.string() + ".new";
   try {
     const std::lock_guard lock(hdf5::library_mutex());
-    write_whole(fresh, checkpoint);
+    write_whole(fresh, label, state);
   } catch (const hdf5::Error& error) {
     std::error_code ignored;  // it takes room on a disk that has none
     fs::remove(fresh, ignored);

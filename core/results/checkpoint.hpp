@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace talus {
 
@@ -19,8 +21,12 @@ struct Checkpoint {
   std::string state;  ///< bytes of a StateArchive
 };
 
-/// Writes the file whole or not at all, and has it on the disk before the old one goes. Throws WriteError.
-void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
+/// Gives the bytes of a state, piece by piece, to who writes them.
+using StateSource = std::function<void(const std::function<void(std::string_view)>&)>;
+
+/// Writes the file whole or not at all, and has it on the disk before the old one goes. Holds one piece of the state at
+/// a time. Throws WriteError.
+void write_checkpoint(const std::filesystem::path& file, const CheckpointLabel& label, const StateSource& state);
 
 /// None where there is no file. Throws InputError where it is none of ours or damaged.
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file);

@@ -33,17 +33,6 @@ Extent extent_of(hid_t dataset, const std::string& path) {
   return {size[0], size[1]};
 }
 
-/// How many numbers to make room for. Nothing is stored packed: more than the file has bytes are none.
-std::size_t stored_count(hid_t dataset, const std::string& path) {
-  const Extent extent = extent_of(dataset, path);
-  const Handle file(check(H5Iget_file_id(dataset), "cannot read the size of " + path));
-  hsize_t most = 0;
-  check(H5Fget_filesize(file, &most), "cannot read the size of " + path);
-  const hsize_t width = std::max<hsize_t>(extent.width, 1);
-  if (extent.rows > most / width) throw Error(path + " is larger than the file");
-  return extent.rows * width;
-}
-
 /// An attribute that is one number or one text.
 Handle open_attribute(hid_t object, const std::string& name) {
   Handle attribute(check(H5Aopen(object, name.c_str(), H5P_DEFAULT), "cannot open " + name));
@@ -168,6 +157,16 @@ void read_rows(hid_t dataset, const std::string& path, hid_t type, void* data, h
   const auto selected = static_cast<hsize_t>(check(H5Sget_select_npoints(file_space), "cannot select in " + path));
   const Handle memory_space = simple_space(selected, 0, false);
   check(H5Dread(dataset, type, memory_space, file_space, H5P_DEFAULT, data), "cannot read " + path);
+}
+
+std::size_t stored_count(hid_t dataset, const std::string& path) {
+  const Extent extent = extent_of(dataset, path);
+  const Handle file(check(H5Iget_file_id(dataset), "cannot read the size of " + path));
+  hsize_t most = 0;
+  check(H5Fget_filesize(file, &most), "cannot read the size of " + path);
+  const hsize_t width = std::max<hsize_t>(extent.width, 1);
+  if (extent.rows > most / width) throw Error(path + " is larger than the file");
+  return extent.rows * width;
 }
 
 template <class Number>

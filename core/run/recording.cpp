@@ -116,12 +116,14 @@ void Recording::keep_checkpoint() {
     const Stopwatch watch(seconds);
     WrittenResults written = writer_->written();
     std::uint64_t blocks = digest(system_);
-    StateArchive state;
-    state(blocks, written);
-    simulation_.archive(state);
-    archive(state);
-    write_checkpoint(options_.out / "checkpoint.h5",
-                     {{version, options_.project_text, simulation_.time()}, state.bytes()});
+    const CheckpointLabel label{version, options_.project_text, simulation_.time()};
+    write_checkpoint(options_.out / "checkpoint.h5", label, [&](const StateArchive::Sink& sink) {
+      StateArchive state(sink);
+      state(blocks, written);
+      simulation_.archive(state);
+      archive(state);
+      state.pass_on();
+    });
   }
   report_.phases.write += seconds;
   report_.wall_seconds += seconds;

@@ -76,6 +76,24 @@ TEST(StateArchive, ReadsBackToTheLastBit) {
                                                       testing::Pair(std::pair(0, 3), testing::IsEmpty())));
 }
 
+TEST(StateArchive, PassesTheSameBytesOnPieceByPiece) {
+  Everything all = filled();
+  all.vector = Eigen::VectorXd::LinSpaced(400000, 0, 1);  // 3.2 MB
+  const std::string bytes = written(all);
+  std::vector<std::size_t> sizes;
+  std::string passed_on;
+  StateArchive state([&](std::string_view piece) {
+    sizes.push_back(piece.size());
+    passed_on += piece;
+  });
+  state(all);
+  state.pass_on();
+  EXPECT_EQ(passed_on, bytes);
+  ASSERT_EQ(sizes.size(), 4u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(sizes[i], StateArchive::piece);
+  EXPECT_TRUE(state.bytes().empty());
+}
+
 TEST(StateArchive, RefusesAStateThatEndsTooEarly) {
   const std::string bytes = written(filled());
   for (std::size_t size = 0; size < bytes.size(); ++size) {

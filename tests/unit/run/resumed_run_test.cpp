@@ -173,7 +173,7 @@ TEST_F(ResumedRun, RefusesTheCheckpointOfAnotherVersion) {
   const fs::path file = folder_ / "run" / "checkpoint.h5";
   Checkpoint checkpoint = read_checkpoint(file).value();
   checkpoint.label.version = "0.0.1, state 1";
-  write_checkpoint(file, checkpoint);
+  write_checkpoint(file, checkpoint.label, [&](const auto& sink) { sink(checkpoint.state); });
   try {
     run_to_end("run", true);
     FAIL();
