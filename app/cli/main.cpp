@@ -84,7 +84,7 @@ int with_output(int code) {
   std::cout.flush();
   if (std::cout) return code;
   complain("standard output cannot be written; is the disk full?");
-  return code == done ? bad_input : code;
+  return code == done ? failed : code;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <iterator>
 
+#include "base/memory_limit.hpp"
 #include "command.hpp"
 #include "geometry/block_builder.hpp"
 #include "io/whole_file.hpp"
@@ -16,6 +17,18 @@ void add_project(CLI::App& command, ProjectChoice& choice, const std::string& na
   command.add_option(name, choice.file, help)->required()->type_name("PATH");
   command.add_flag("--allow-outside", choice.reading.allow_outside,
                    "Let the project name files outside its own folder");
+  command
+      .add_option_function<std::string>(
+          "--max-memory",
+          [](const std::string& size) {
+            const auto bytes = bytes_from(size);
+            if (!bytes) throw CLI::ValidationError("--max-memory", size + " is no size; give it as 16GB");
+            set_memory_limit(*bytes);
+          },
+          "What cutting, meshing and solving may hold, as 16GB; what is foreseen to take more is refused (default: "
+          "what "
+          "the machine has free)")
+      ->type_name("SIZE");
 }
 
 std::string text_of(const ProjectChoice& choice) {

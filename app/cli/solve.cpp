@@ -13,6 +13,7 @@
 #include "results/checkpoint.hpp"
 #include "results/summary.hpp"
 #include "run/run.hpp"
+#include "run/run_estimate.hpp"
 #include "text/effect_text.hpp"
 #include "text/json_text.hpp"
 #include "text/report_text.hpp"
@@ -102,6 +103,7 @@ RunReport solve(const SolveOptions& options) {
   if (options.resume) check_resumable(options, text);
   catch_interrupts();
   const BlockSystem system = build(project, options.project);
+  about(options.project.name(), [&] { require_room(run_estimate(project, system), results); });
   std::cerr << switched_effects_text(project);
   Watch watch(project, deadline);
   return about(options.project.name(), [&] {

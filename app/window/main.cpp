@@ -12,6 +12,7 @@
 #include <memory>
 #include <string_view>
 
+#include "base/memory_limit.hpp"
 #include "screenshot.hpp"
 #include "version/version.hpp"
 #include "widgets/kit/language.hpp"
@@ -89,8 +90,12 @@ int main(int argc, char** argv) {
   const QCommandLineOption languageOption(QStringLiteral("language"),
                                           QStringLiteral("en or de; without it, as chosen or as the system has it"),
                                           QStringLiteral("code"));
-  parser.addOptions({versionOption, newOption, languageOption, themeOption, pageOption, sizeOption, fieldOption,
-                     timeOption, selectOption, screenshotOption});
+  const QCommandLineOption memoryOption(
+      QStringLiteral("max-memory"),
+      QStringLiteral("What cutting, meshing and solving may hold; without it, what the machine has free"),
+      QStringLiteral("16GB"));
+  parser.addOptions({memoryOption, versionOption, newOption, languageOption, themeOption, pageOption, sizeOption,
+                     fieldOption, timeOption, selectOption, screenshotOption});
   parser.process(*app);
   if (parser.isSet(versionOption)) return std::puts(talus::version_text("talus").c_str()) < 0 ? bad_usage : 0;
 
@@ -101,6 +106,11 @@ int main(int argc, char** argv) {
     return complain(QStringLiteral("--theme: there is no theme \"%1\"; give light or dark").arg(themeName));
   if (const QString code = parser.value(languageOption); !talus::language::install(code) && !code.isEmpty())
     return complain(QStringLiteral("--language: \"%1\" is not spoken; give en or de").arg(code));
+  if (parser.isSet(memoryOption)) {
+    const auto bytes = talus::bytes_from(parser.value(memoryOption).toStdString());
+    if (!bytes) return complain(QStringLiteral("--max-memory is no size; give it as 16GB"));
+    talus::set_memory_limit(*bytes);
+  }
   if (parser.positionalArguments().size() > 1) return complain(QStringLiteral("one file at a time; see talus --help"));
   talus::theme::install(themeName == QLatin1String("dark"));
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/memory_limit.hpp"
 #include "geometry/block_description.hpp"
 #include "geometry/corner_solids.hpp"
 #include "geometry/kept_meshes.hpp"
@@ -14,6 +15,8 @@
 #include "geometry/mesher_process.hpp"
 #include "geometry/mesher_solids.hpp"
 #include "geometry/solid_surface.hpp"
+#include "model/about_text.hpp"
+#include "model/number_text.hpp"
 #include "model/rules/validate.hpp"
 #include "model/solid_shape.hpp"
 #include "orientation/drawn_planes.hpp"
@@ -93,6 +96,19 @@ Project without_what_moves_no_choice(Project project) {
   return project;
 }
 
+/// Throws InputError for blocks whose meshes are more than the project allows, however coarse, or that take more memory
+/// than there is.
+void require_cuts_that_fit(const Project& project, const MesherCutAhead& ahead) {
+  constexpr double least_tetrahedra = 4;  // of a block, one on each of its triangles
+  const std::string blocks = "about " + about_text(ahead.blocks) + " blocks", fewer = "take fewer or shorter cuts";
+  if (ahead.blocks * least_tetrahedra > project.mesh.most_tetrahedra)
+    throw InputError("/cuts",
+                     "they would make " + blocks + ", which no mesh of " + number_text(project.mesh.most_tetrahedra) +
+                         " tetrahedra holds",
+                     fewer + ", or allow more by most_tetrahedra of the mesh");
+  require_memory(ahead.bytes, "/cuts", "cutting " + blocks, fewer);
+}
+
 /// How finely blocks are meshed, once they are known.
 using Sizes = std::function<MesherSizes(const MesherCutModel&, const std::vector<Block>&)>;
 
@@ -138,7 +154,9 @@ BlockSystem cut_and_mesh(const Project& project, const std::filesystem::path& fo
   std::size_t meshed = 0;  // blocks
   for (;;) {
     const auto message = answers.next();
-    if (message.kind == MessageKind::cut) {
+    if (message.kind == MessageKind::ahead) {
+      require_cuts_that_fit(project, from_bytes<MesherCutAhead>(message.bytes));
+    } else if (message.kind == MessageKind::cut) {
       const auto cut = from_bytes<MesherCutModel>(message.bytes);
       take_report(system, cut);
       system.blocks = described_blocks(project, cut);

@@ -6,9 +6,11 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/memory_limit.hpp"
 #include "geometry/block_description.hpp"
 #include "geometry/corner_solids.hpp"
 #include "mesh/size_field.hpp"
+#include "model/about_text.hpp"
 #include "model/number_text.hpp"
 
 namespace talus {
@@ -227,11 +229,13 @@ MeshEstimate mesh_estimate(const Project& project, const BlockSystem& cut) {
 }
 
 void require_a_mesh_that_fits(const Project& project, const MeshEstimate& estimate) {
-  if (estimate.tetrahedra <= project.mesh.most_tetrahedra) return;
-  throw InputError("/mesh/most_tetrahedra",
-                   "the mesh would have about " + significant(estimate.tetrahedra, 2) + " tetrahedra, more than " +
-                       number_text(project.mesh.most_tetrahedra),
-                   "make mesh sizes larger, blocks rigid or affine, or allow more");
+  const std::string coarser = "make mesh sizes larger, blocks rigid or affine";
+  if (estimate.tetrahedra > project.mesh.most_tetrahedra)
+    throw InputError("/mesh/most_tetrahedra",
+                     "the mesh would have about " + significant(estimate.tetrahedra, 2) + " tetrahedra, more than " +
+                         number_text(project.mesh.most_tetrahedra),
+                     coarser + ", or allow more");
+  require_memory(estimate.bytes, "/mesh", "meshing about " + about_text(estimate.tetrahedra) + " tetrahedra", coarser);
 }
 
 }  // namespace talus

@@ -15,18 +15,35 @@ namespace {
 
 }  // namespace
 
+void MesherAnswers::hear(double fraction, const std::string& what) {
+  last_fraction_ = fraction;
+  last_words_ = what;
+  heard_ = Clock::now();
+  seconds_told_ = 0;
+  progress_.report(fraction, what);
+}
+
+void MesherAnswers::wait_on() {
+  const auto seconds = static_cast<int>(std::chrono::floor<std::chrono::seconds>(Clock::now() - heard_).count());
+  if (seconds == seconds_told_) return;
+  seconds_told_ = seconds;
+  progress_.report(last_fraction_, last_words_ + ", for " + std::to_string(seconds) + " s");
+}
+
 MesherProcess::Message MesherAnswers::next() {
   constexpr int patience = 50;  // ms, how long a cancelled wait may last
   for (;;) {
     const bool come = mesher_.wait(patience);
     if (progress_.cancelled()) throw Cancelled{};
-    if (!come) continue;
+    if (!come) {
+      wait_on();
+      continue;
+    }
     auto message = mesher_.receive();
     if (!message) throw InputError("geometry", "the mesher crashed while " + last_words_, remedy_);
     if (message->kind == MessageKind::progress) {
       const auto told = from_bytes<MesherProgress>(message->bytes);
-      last_words_ = told.what;
-      progress_.report(told.fraction, told.what);
+      hear(told.fraction, told.what);
     } else if (message->kind == MessageKind::error) {
       throw_error(from_bytes<MesherError>(message->bytes));
     } else if (message->kind == MessageKind::fault) {

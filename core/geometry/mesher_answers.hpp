@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "base/progress.hpp"
@@ -14,15 +15,25 @@ class MesherAnswers {
   MesherAnswers(MesherProcess& mesher, Progress& progress, std::string remedy)
       : mesher_(mesher), progress_(progress), remedy_(std::move(remedy)) {}
 
-  /// The next message that is neither progress nor error. Throws Cancelled as soon as `progress` says so, InputError
-  /// for the mesher's errors and where it crashed, std::runtime_error for its faults.
+  /// The next message that is neither progress nor error. While the mesher is silent, as in one long call of
+  /// OpenCASCADE, its last words are repeated each second, with for how long they have been true. Throws Cancelled as
+  /// soon as `progress` says so, InputError for the mesher's errors and where it crashed, std::runtime_error for its
+  /// faults.
   MesherProcess::Message next();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  void hear(double fraction, const std::string& what);
+  void wait_on();
+
   MesherProcess& mesher_;
   Progress& progress_;
   std::string remedy_;
   std::string last_words_ = "starting";
+  double last_fraction_ = 0;
+  Clock::time_point heard_ = Clock::now();
+  int seconds_told_ = 0;
 };
 
 }  // namespace talus

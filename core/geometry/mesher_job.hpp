@@ -10,10 +10,10 @@
 #include "mesh/tet_mesh.hpp"
 #include "model/project.hpp"
 
-/// What passes between the program and the mesher, a program of its own: a job goes out, and what cutting made of it
-/// comes back; how finely to mesh each block goes out, and blocks and at last an end come back. Or a job goes out of
-/// which the solids are only looked at, and a SolidSurface of each and an end come back. Progress comes between, and an
-/// error or a fault instead. Names are resolved to indices before.
+/// What passes between the program and the mesher, a program of its own: a job goes out, and what cutting will come to
+/// and then what it made of it come back; how finely to mesh each block goes out, and blocks and at last an end come
+/// back. Or a job goes out of which the solids are only looked at, and a SolidSurface of each and an end come back.
+/// Progress comes between, and an error or a fault instead. Names are resolved to indices before.
 namespace talus {
 
 /// Where a solid lies: a point of its shape, less the origin of the files' coordinates, is turned and then moved.
@@ -152,6 +152,18 @@ struct MesherSplinter : Splinter {
   }
 };
 
+/// What cutting will come to, before it is done.
+struct MesherCutAhead {
+  double blocks = 0;
+  double seconds = 0;
+  double bytes = 0;  ///< that the mesher holds of it
+
+  template <class Stream>
+  void fields(Stream& stream) {
+    stream(blocks, seconds, bytes);
+  }
+};
+
 /// A block that is cut and named but not meshed yet.
 struct MesherCutBlock {
   std::string name;
@@ -266,7 +278,7 @@ struct MesherFault {
   }
 };
 
-enum class MessageKind : std::uint32_t { job, cut, sizes, look, surface, progress, block, end, error, fault };
+enum class MessageKind : std::uint32_t { job, ahead, cut, sizes, look, surface, progress, block, end, error, fault };
 
 /// Precedes every message.
 struct MessageHeader {

@@ -62,6 +62,46 @@ TEST_F(Interrupted, CtrlCStopsAfterTheStepAndSaysSo) {
   EXPECT_EQ(Json::parse(text_of(folder_ / "r/summary.json"))["status"], "stopped");
 }
 
+TEST_F(Interrupted, OneWishToStopMayComeAsTwoSignals) {
+  // As `timeout` sends it: to the process and to its group.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    Cli cli({"solve", (folder_ / "endless.talus").string(), "--out", results(), "--json"});
+    ASSERT_NO_FATAL_FAILURE(start_and_wait(cli, 50));
+    cli.send(signal);
+    cli.send(signal);
+    const Ending ending = cli.wait();
+    EXPECT_EQ(ending.exit_code, 1) << signal;
+    EXPECT_EQ(Json::parse(text_of(folder_ / "r/summary.json"))["status"], "stopped") << signal;
+    std::filesystem::remove_all(folder_ / "r");
+  }
+}
+
+TEST_F(Interrupted, CuttingAndMeshingStopAtOnce) {
+  Json project = Json::parse(text_of(folder_ / "endless.talus"));
+  project["solids"] = {{{"name", "b"},
+                        {"box", {{"min", {0, 0, 0}}, {"max", {10, 10, 10}}}},
+                        {"material", "rock"},
+                        {"body", "tetrahedra"}}};
+  project["cuts"] = Json::array();
+  for (int i = 0; i < 100; ++i)
+    project["cuts"].push_back(
+        {{"joint", "J1"}, {"dip", 0.9 * i}, {"dip_direction", 37 * i % 360}, {"through", {0.1 * i, 5, 3}}});
+  project.erase("monitors");
+  write_text(folder_ / "many.talus", project.dump());
+  const std::pair<const char*, int> tries[] = {{"mesh", SIGTERM}, {"info", SIGINT}, {"solve", SIGHUP}};
+  for (const auto& [command, signal] : tries) {
+    Cli cli({command, (folder_ / "many.talus").string()});
+    std::this_thread::sleep_for(std::chrono::milliseconds(4500));
+    const auto sent = std::chrono::steady_clock::now();
+    cli.send(signal);
+    const Ending ending = cli.wait();
+    EXPECT_LT(std::chrono::steady_clock::now() - sent, std::chrono::seconds(1)) << command;
+    EXPECT_EQ(ending.exit_code, 1) << command;
+    EXPECT_THAT(ending.err, HasSubstr("cutting ")) << command << " tells what it does, and for how long";
+    EXPECT_THAT(ending.err, HasSubstr("talus-cli: stopped; nothing was written\n")) << command;
+  }
+}
+
 TEST_F(Interrupted, AKilledRunGoesOnToTheSameNumbers) {
   Json project = Json::parse(text_of(folder_ / "endless.talus"));
   const auto file = (folder_ / "fall.talus").string();

@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "geometry/kept_meshes.hpp"
 #include "model/rules/validate.hpp"
+#include "run/run_estimate.hpp"
 
 namespace talus {
 
@@ -26,7 +27,12 @@ SolverParts solverParts() {
                                                              const std::filesystem::path& folder, Progress& progress) {
     return build_blocks(project, folder, progress, *kept);
   };
-  return {build, sizeWhereItCanRun, run};
+  const auto solve = [](const Project& project, const BlockSystem& system, const RunOptions& options,
+                        RunObserver& observer) {
+    require_room(run_estimate(project, system), options.out);
+    return run(project, system, options, observer);
+  };
+  return {build, sizeWhereItCanRun, solve};
 }
 
 }  // namespace talus

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 namespace talus::cli {
 
@@ -23,9 +24,26 @@ constexpr std::chrono::seconds quiet_start{2};
 volatile std::sig_atomic_t interrupt_count = 0;
 bool quiet = false;
 
+/// `timeout` and batch systems send a signal to the process and to its group, so that it comes twice at once: that is
+/// one wish to stop.
+constexpr time_t seconds_of_one_wish = 1;
+volatile time_t interrupted_at = 0;
+
+/// s, of a clock that never goes back; safe in a signal handler.
+time_t now_in_handler() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec;
+}
+
 extern "C" void on_interrupt(int signal_number) {
+  const time_t now = now_in_handler();
+  if (interrupt_count != 0 && now - interrupted_at > seconds_of_one_wish) {
+    std::signal(signal_number, SIG_DFL);
+    std::raise(signal_number);
+  }
+  if (interrupt_count == 0) interrupted_at = now;
   interrupt_count = 1;
-  std::signal(signal_number, SIG_DFL);
 }
 
 /// Whether a line there can be drawn anew.

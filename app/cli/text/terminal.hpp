@@ -8,7 +8,8 @@
 
 namespace talus::cli {
 
-/// Makes Ctrl-C (and a polite kill) set a flag instead of ending the program; the second one ends it at once.
+/// Makes Ctrl-C (and a polite kill) set a flag instead of ending the program; one that comes two
+/// seconds later ends it at once.
 void catch_interrupts();
 bool interrupted();
 

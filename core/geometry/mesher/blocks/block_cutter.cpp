@@ -42,8 +42,8 @@ void append(std::vector<CutBlock>& blocks, const std::vector<CutBlock>& more) {
 }
 
 void cut_as_cells(const MesherJob& job, const ImportedModel& model, int solid, const std::vector<ActingJoint>& joints,
-                  CutModel& result, std::vector<bool>& hit, int& next_tag) {
-  CutCells cut = cut_cells(job, model, solid, joints, next_tag);
+                  CutModel& result, std::vector<bool>& hit, int& next_tag, const std::function<void(double)>& report) {
+  CutCells cut = cut_cells(job, model, solid, joints, next_tag, report);
   for (const CutBlock& block : cut.blocks)
     if (!block.facets.empty()) next_tag = std::min(next_tag, block.facets.begin()->first - 1);
   append(result.blocks, cut.blocks);
@@ -66,10 +66,13 @@ CutModel cut_solids(const MesherJob& job, const ImportedModel& model,
   for (std::size_t s = 0; s < job.solids.size(); ++s) {
     if (!model.solids[s].is_body()) continue;
     const int solid = static_cast<int>(s);
-    report(static_cast<double>(s) / static_cast<double>(job.solids.size()), "cutting " + job.solids[s].name);
+    const auto report_part = [&](double part) {
+      report((static_cast<double>(s) + part) / static_cast<double>(job.solids.size()), "cutting " + job.solids[s].name);
+    };
+    report_part(0);
     const std::vector<ActingJoint> joints = acting_joints(job, solid, model.origin, model.solids[s].bounds);
     if (model.solids[s].is_cells()) {
-      cut_as_cells(job, model, solid, joints, result, hit, next_tag);
+      cut_as_cells(job, model, solid, joints, result, hit, next_tag, report_part);
       continue;
     }
     SolidCutter cutter(job, model, solid, result.planes);

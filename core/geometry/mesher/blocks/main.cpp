@@ -17,12 +17,14 @@
 #include "geometry/mesher/blocks/splinters.hpp"
 #include "geometry/mesher/cells/cell_mesher.hpp"
 #include "geometry/mesher/cells/facet_outlines.hpp"
+#include "geometry/mesher/cut_estimate.hpp"
 #include "geometry/mesher/occ_volumes.hpp"
 #include "geometry/mesher/overlap.hpp"
 #include "geometry/mesher/solid_views.hpp"
 #include "geometry/mesher/tet_mesher.hpp"
 #include "geometry/splinters_found.hpp"
 #include "mesh/size_field.hpp"
+#include "model/about_text.hpp"
 
 namespace talus {
 namespace {
@@ -216,6 +218,13 @@ void look(const MesherJob& job) {
   send_message(MessageKind::end, MesherEnd{});
 }
 
+/// Nothing where cutting takes no time to speak of.
+std::string words_of(const MesherCutAhead& ahead) {
+  constexpr double a_while = 3;  // s
+  if (ahead.seconds < a_while) return {};
+  return ", about " + about_text(ahead.blocks) + " blocks in some " + about_text(ahead.seconds) + " s";
+}
+
 void work(const MesherJob& job) {
   constexpr double imported = 0.05, cut_done = 0.2;  // shares of the whole
   gmsh::model::add("rock");
@@ -223,8 +232,10 @@ void work(const MesherJob& job) {
     report(imported * fraction, what);
   });
   check_no_overlap(model, job.solids);
-  const CutModel cut = cut_solids(job, model, [](double fraction, std::string_view what) {
-    report(imported + (cut_done - imported) * fraction, what);
+  const MesherCutAhead ahead = cut_ahead(job, model);
+  send_message(MessageKind::ahead, ahead);
+  const CutModel cut = cut_solids(job, model, [&](double fraction, std::string_view what) {
+    report(imported + (cut_done - imported) * fraction, std::string(what) + words_of(ahead));
   });
   const KeptBlocks kept = keep_blocks(job, model, cut);
   const MesherCutModel told = cut_model(model, cut, kept);

@@ -142,7 +142,7 @@ void give_joint(KnownPlane& plane, int cut, const MesherJob& job, const std::str
 }  // namespace
 
 CutCells cut_cells(const MesherJob& job, const ImportedModel& model, int solid, const std::vector<ActingJoint>& joints,
-                   int first_tag) {
+                   int first_tag, const std::function<void(double)>& report) {
   const auto s = static_cast<std::size_t>(solid);
   const std::string place = "solid " + job.solids[s].name;
   const ImportedSolid& imported = model.solids[s];
@@ -157,6 +157,7 @@ CutCells cut_cells(const MesherJob& job, const ImportedModel& model, int solid, 
   result.solid.joints.assign(static_cast<std::size_t>(cells.flat_faces), -1);
   for (const ActingJoint& joint : joints) {
     const MesherCut& cut = job.cuts[static_cast<std::size_t>(joint.cut)];
+    report(static_cast<double>(result.hit.size()) / static_cast<double>(joints.size()));
     if (joint.ends()) {
       throw InputError(cut.title, "ends, and " + place + " is cut along planes without end alone: it has many faces",
                        "limit the cut to other \"solids\", or let it go through");

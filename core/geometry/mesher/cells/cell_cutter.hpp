@@ -19,8 +19,8 @@ struct CutCells {
 
 /// Cuts a triangulated or convex solid along planes without end: cell by cell, then cells that no joint parts are one
 /// block. `solid`: index into the job's; `first_tag`: negative, below the tags of all facets so far. Throws InputError
-/// for joints that end, and where volume is lost.
+/// for joints that end, and where volume is lost. `report`: the fraction of the joints that have cut.
 CutCells cut_cells(const MesherJob& job, const ImportedModel& model, int solid, const std::vector<ActingJoint>& joints,
-                   int first_tag);
+                   int first_tag, const std::function<void(double)>& report);
 
 }  // namespace talus
