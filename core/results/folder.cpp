@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 13> our_files = {
-    "results.h5",       "results.xdmf",  "frames.h5",        "history.csv",  "steps.csv",
-    "checkpoint.h5",    "log.txt",       "project.talus",    "summary.json", "summary.json.new",
-    "results.xdmf.new", "frames.h5.new", "checkpoint.h5.new"};
+constexpr std::array<std::string_view, 14> our_files = {
+    "results.h5",       "results.xdmf",  "frames.h5",         "history.csv",   "steps.csv",
+    "checkpoint.h5",    "log.txt",       "project.talus",     "summary.json",  "summary.json.new",
+    "results.xdmf.new", "frames.h5.new", "checkpoint.h5.new", "results.h5.new"};
 
 bool is_ours(const fs::path& entry) { return std::ranges::count(our_files, entry.filename().string()) > 0; }
 
@@ -45,7 +45,8 @@ void prepare_results_folder(const fs::path& folder) {
   for (const fs::directory_entry& entry : entries) {
     empty = false;
     if (is_ours(entry.path()) && entry.is_regular_file()) earlier.push_back(entry.path());
-    has_results = has_results || entry.path().filename() == "results.h5";
+    has_results = has_results || entry.path().filename() == "results.h5" ||
+                  entry.path().filename() == "results.h5.new";  // of a run that was killed in its first moments
   }
   // A folder with nothing but a project.talus may be the user's own.
   if (!empty && !has_results) throw InputError(place, "holds files that are not results", "choose another --out");
@@ -65,6 +66,14 @@ FolderLock::FolderLock(const fs::path& folder) : descriptor_(::open(folder.c_str
 }
 
 FolderLock::~FolderLock() { ::close(descriptor_); }
+
+bool is_written_to(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool taken = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return taken;
+}
 
 void cut_off(const fs::path& file, std::uint64_t size) {
   std::error_code problem;

@@ -35,6 +35,9 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
+/// Whether a run holds the folder's lock.
+bool is_written_to(const std::filesystem::path& folder);
+
 /// Cuts a file off behind its first `size` bytes. Throws std::runtime_error, with the path, where it has fewer.
 void cut_off(const std::filesystem::path& file, std::uint64_t size);
 

@@ -8,11 +8,11 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "results/folder.hpp"
 #include "results/frame_tables.hpp"
 #include "results/hdf5.hpp"
 #include "results/result_file.hpp"
 #include "results/stored_rows.hpp"
-#include "results/superblock.hpp"
 
 namespace talus {
 
@@ -32,18 +32,11 @@ constexpr std::chrono::milliseconds between_attempts{2};
 /// damaged, and a millisecond is enough.
 constexpr unsigned piece_attempts = 30, piece_attempts_in_closed_file = 20;
 
-bool somebody_writes(const std::filesystem::path& path) {
-  try {
-    return is_marked_open(path);
-  } catch (const std::runtime_error&) {
-    return false;  // it has not even a beginning
-  }
-}
-
 Handle open_file(const std::filesystem::path& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  check(H5Pset_metadata_read_attempts(access, somebody_writes(path) ? piece_attempts : piece_attempts_in_closed_file),
+  check(H5Pset_metadata_read_attempts(
+            access, is_written_to(path.parent_path()) ? piece_attempts : piece_attempts_in_closed_file),
         "cannot be told how often to read");
   for (int attempt = 1; attempt < attempts; ++attempt) {
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access);

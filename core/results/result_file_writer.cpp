@@ -7,6 +7,7 @@
 #include "results/folder.hpp"
 #include "results/frame_tables.hpp"
 #include "results/hdf5.hpp"
+#include "results/readable_file.hpp"
 #include "results/result_file.hpp"
 #include "results/stored_rows.hpp"
 #include "results/superblock.hpp"
@@ -180,11 +181,12 @@ void append_list(const std::vector<Thing>& things, Table& table, Table& ends, st
   ends.append(&end, 1);
 }
 
-/// Of the newest format, which single-writer–multiple-readers mode asks for.
+/// Of the newest format, which single-writer–multiple-readers mode asks for, and readable by others meanwhile.
 Handle newest_format() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
   Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "cannot be made"));
   check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "cannot be made");
+  hdf5::write_readably(access);
   return access;
 }
 
@@ -272,19 +274,18 @@ void ResultFileWriter::State::append(const Frame& frame) {
   }
 }
 
-/// Makes the frame known once everything of it has left this process: a reader counts the rows of Values.
+/// Makes the frame known once everything of it has left this process: readers count the rows of Values, or, as VTKHDF
+/// has it, ask for NSteps.
 void ResultFileWriter::State::announce(double time) {
   flush();
   times.append(&time, 1);
+  flush();
   ++frames;
   check(H5Awrite(step_count, H5T_NATIVE_INT64, &frames), "cannot write NSteps");
   flush();
 }
 
-void ResultFileWriter::State::flush() {
-  check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot be written");
-  mark_closed(path);
-}
+void ResultFileWriter::State::flush() { check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot be written"); }
 
 /// `open` gives the file, in the mode of a single writer, for the blocks' flat mesh.
 template <class Open>
@@ -299,7 +300,6 @@ void ResultFileWriter::State::begin(const std::filesystem::path& results, const 
     file = open(flat);
     open_growing();
     go_back_to(frame_count);
-    mark_closed(path);
     nodes = std::move(flat.nodes);
   } catch (const hdf5::Error& error) {
     throw std::runtime_error(results.string() + ": " + error.what());
@@ -309,10 +309,13 @@ void ResultFileWriter::State::begin(const std::filesystem::path& results, const 
 ResultFileWriter::ResultFileWriter(const std::filesystem::path& file, const Project& project, const BlockSystem& system)
     : state_(std::make_unique<State>()) {
   state_->begin(file, system, 0, [&](const FlatMesh& flat) {
-    Handle created = create_file(file);
+    const std::filesystem::path fresh = file.string() + ".new";  // until all is in it that readers ask for
+    Handle created = create_file(fresh);
     create_talus(created, project, system, flat);
     create_vtkhdf(created, flat);
     check(H5Fstart_swmr_write(created), "cannot be written");
+    check(H5Fflush(created, H5F_SCOPE_LOCAL), "cannot be written");
+    rename_file(fresh, file);
     return created;
   });
 }

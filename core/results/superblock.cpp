@@ -14,16 +14,13 @@ namespace talus {
 
 namespace {
 
-// HDF5 File Format Specification 3.0, II.A: superblock version 3 with eight-byte addresses.
 constexpr std::array<unsigned char, 11> beginning = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n', 3, 8, 8};
-constexpr std::size_t flags_at = 11, end_of_file_at = 28, checksum_at = 44, superblock_size = 48;
-
-using Superblock = std::array<unsigned char, superblock_size>;
+constexpr std::size_t flags_at = 11, end_of_file_at = 28, checksum_at = 44;
 
 Superblock read_superblock(std::istream& stream, const std::filesystem::path& file) {
   Superblock block;
   if (!stream.read(reinterpret_cast<char*>(block.data()), block.size()) ||
-      !std::equal(beginning.begin(), beginning.end(), block.begin()))
+      !begins_as_superblock(block.data(), block.size()))
     throw std::runtime_error(file.string() + ": has not the superblock that results.h5 begins with");
   return block;
 }
@@ -56,15 +53,24 @@ std::uint32_t lookup3(const Superblock& bytes) {
 
 }  // namespace
 
-void mark_closed(const std::filesystem::path& file) {
+bool begins_as_superblock(const void* bytes, std::size_t size) {
+  return size >= std::tuple_size_v<Superblock> && std::memcmp(bytes, beginning.data(), beginning.size()) == 0;
+}
+
+Superblock closed(const void* bytes, std::uint64_t end) {
   static_assert(std::endian::native == std::endian::little);
-  std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
-  Superblock block = read_superblock(stream, file);
+  Superblock block;
+  std::memcpy(block.data(), bytes, block.size());
   block[flags_at] = 0;
-  const std::uint64_t end = std::filesystem::file_size(file);
   std::memcpy(&block[end_of_file_at], &end, sizeof end);
   const std::uint32_t checksum = lookup3(block);
   std::memcpy(&block[checksum_at], &checksum, sizeof checksum);
+  return block;
+}
+
+void mark_closed(const std::filesystem::path& file) {
+  std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+  const Superblock block = closed(read_superblock(stream, file).data(), std::filesystem::file_size(file));
   stream.seekp(0);
   stream.write(reinterpret_cast<const char*>(block.data()), block.size());
   if (!stream.flush()) throw WriteError(file);
