@@ -159,8 +159,9 @@ bool has_order_in_the_step(const Project& project) {
 
 Forecast forecast(const Project& project, const BlockSystem& system, double budget, Progress& progress) {
   const double begin = processor_seconds_of_thread();
-  PartOfProgress first(progress, 0, of_beginning, ""), second(progress, of_beginning, of_outline, ""),
-      third(progress, of_beginning + of_outline, of_finer, "");
+  PartOfProgress first(progress, 0, of_beginning, "the first steps"),
+      second(progress, of_beginning, of_outline, "the run in outline"),
+      third(progress, of_beginning + of_outline, of_finer, "the same in half steps");
   Forecast result;
   for (const Stage& stage : project.stages) result.steps += std::lround(std::ceil(length_of(stage) / stage.time_step));
   const RunBeginning beginning = run_beginning(project, system, of_beginning * budget, first);

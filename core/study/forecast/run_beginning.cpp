@@ -18,8 +18,9 @@ constexpr double of_first_look = 0.05;  ///< share of the budget, to see what a 
 constexpr int least_steps = 2;        ///< the first step is unlike all others: so many are seen, whatever they cost …
 constexpr int few_steps = 4;          ///< … and so many, …
 constexpr double share_wanted = 0.1;  ///< … and this share of the run, unless …
-constexpr double for_long_runs = 5;   ///< … so many times the budget is spent
-constexpr double of_static = 0.5;     ///< share of the budget that all static stages may take, in …
+constexpr double for_long_runs = 5;   ///< … so many times the budget is spent, or would …
+constexpr double worth_looking = 0.1;  ///< … show less than this part of that share
+constexpr double of_static = 0.5;      ///< share of the budget that all static stages may take, in …
 constexpr int fewest_static_steps = 10, most_static_steps = 100;  ///< … so many steps each
 constexpr int static_leaps = 2;                                   ///< through what is left of a static stage
 constexpr double worthwhile = 1.5;                ///< times as many steps: a stage of fewer is gone through as it is
@@ -99,7 +100,7 @@ class StepTimer final : public RunObserver {
   void on_frame(std::shared_ptr<const Frame>) override {}
   bool go_on() override {
     if (in_steps_ == 0) since_ = processor_seconds_of_thread();
-    const bool saw_enough = steps_ >= few_steps && fraction_ >= look_.share;
+    const bool saw_enough = steps_ >= few_steps && (fraction_ >= look_.share || has_no_end_in_sight());
     const bool goes_on = steps_ < least_steps || in_steps_ < (saw_enough ? look_.budget : look_.most);
     return goes_on && !progress_.cancelled();
   }
@@ -113,6 +114,9 @@ class StepTimer final : public RunObserver {
   }
 
  private:
+  /// All that may be spent would show next to nothing of the run.
+  bool has_no_end_in_sight() const { return fraction_ * look_.most < worth_looking * look_.share * in_steps_; }
+
   void note(const Part& part, const StepReport& step, double seconds) {
     stages_.resize(part.of + 1);
     const Phases& p = step.phases;

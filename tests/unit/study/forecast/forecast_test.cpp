@@ -105,6 +105,17 @@ TEST(RunBeginning, SeesATenthOfALongRunOrSpendsFiveTimesItsBudget) {
   EXPECT_GE(seen.seconds, seconds);
 }
 
+TEST(RunBeginning, OfARunWithoutAnEndInSightSpendsNoMoreThanItsBudget) {
+  NoProgress progress;
+  const double budget = 0.05;
+  const RunBeginning seen = run_beginning(sliding(20000000), test::cube_on_slab(), budget, progress);
+  double seconds = 0;
+  for (const StageBeginning& stage : seen.stages)
+    for (const TimedStep& step : stage.steps) seconds += step.seconds;
+  EXPECT_GE(seconds, budget);
+  EXPECT_LT(seconds, 2 * budget);
+}
+
 /// It slides without an iteration once its contacts are known.
 TEST(RunOutline, TellsHowManyIterationsStepsTake) {
   NoProgress progress;
