@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "geometry/byte_stream.hpp"
@@ -278,13 +279,14 @@ struct MesherFault {
   }
 };
 
-enum class MessageKind : std::uint32_t { job, ahead, cut, sizes, look, surface, progress, block, end, error, fault };
+enum class MessageKind : std::uint64_t { job, ahead, cut, sizes, look, surface, progress, block, end, error, fault };
 
 /// Precedes every message.
 struct MessageHeader {
   MessageKind kind = MessageKind::job;
   std::uint64_t size = 0;  ///< bytes that follow
 };
+static_assert(std::has_unique_object_representations_v<MessageHeader>, "all of its bytes are sent");
 
 template <class T>
 std::string to_bytes(T value) {

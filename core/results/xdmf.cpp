@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "base/xml_text.hpp"
@@ -84,7 +85,8 @@ void add_view(hid_t group, const FrameTable& of, hsize_t frame, hsize_t frames) 
 }
 
 /// Virtual datasets (HDF5 1.10), some hundred bytes each, that read their numbers from results.h5: /0/points,
-/// /0/displacement, /0/velocity, /0/stress, /1/…
+/// /0/displacement, /0/velocity, /0/stress, /1/… Some frames at a time: the library keeps 70 kB of each in memory as
+/// long as the file is open.
 void write_views(const std::filesystem::path& file, hsize_t frames, hsize_t nodes, hsize_t tetrahedra) {
   const FrameTable tables[] = {
       {"points", "/VTKHDF/Points", H5T_NATIVE_DOUBLE, nodes, 3},
@@ -94,13 +96,19 @@ void write_views(const std::filesystem::path& file, hsize_t frames, hsize_t node
   };
   const hdf5::Handle access(hdf5::check(H5Pcreate(H5P_FILE_ACCESS), "cannot describe a file"));
   hdf5::check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_LATEST), "cannot describe a file");
-  const hdf5::Handle views(
-      hdf5::check(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "cannot be written"));
-  for (hsize_t frame = 0; frame < frames; ++frame) {
-    const hdf5::Handle group = hdf5::create_group(views, "/" + std::to_string(frame));
-    for (const FrameTable& table : tables) add_view(group, table, frame, frames);
-  }
-  hdf5::check(H5Fflush(views, H5F_SCOPE_GLOBAL), "cannot be written");
+  constexpr hsize_t at_a_time = 25;
+  hsize_t frame = 0;
+  do {
+    const hdf5::Handle views(hdf5::check(frame == 0 ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
+                                                    : H5Fopen(file.c_str(), H5F_ACC_RDWR, access),
+                                         "cannot be written"));
+    const hsize_t end = std::min(frames, frame + at_a_time);
+    for (; frame < end; ++frame) {
+      const hdf5::Handle group = hdf5::create_group(views, "/" + std::to_string(frame));
+      for (const FrameTable& table : tables) add_view(group, table, frame, frames);
+    }
+    hdf5::check(H5Fflush(views, H5F_SCOPE_GLOBAL), "cannot be written");
+  } while (frame < frames);
 }
 
 }  // namespace
