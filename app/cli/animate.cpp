@@ -23,7 +23,8 @@ struct AnimateOptions {
 /// One legend for the whole film: a colour means the same in every picture.
 ValueRange range_of_all(const ResultReader& results, int count, const Field& field) {
   ValueRange range;
-  for (int i = 0; i < count; ++i) range.include(field_range(results.system(), results.frame(i), field));
+  const FieldValues fields(results.system());
+  for (int i = 0; i < count; ++i) range.include(field_range(fields, results.frame(i), field));
   return legend_range(field, range);
 }
 
@@ -32,7 +33,8 @@ ExitCode animate(const AnimateOptions& options, bool json) {
   const ResultReader results(options.results);
   const int count = about(options.results, [&] { return frame_index(results, {}) + 1; });
   SceneSettings settings = scene_settings(options.look, results);
-  if (settings.field) settings.range = range_of_all(results, count, *settings.field);
+  about(options.results, [&] { need_field(results.frame(count - 1), settings); });
+  if (settings.field && !settings.range) settings.range = range_of_all(results, count, *settings.field);
   Scene scene(results.system(), settings);
   scene.set_stage_names(results.stage_names());
   for (int i = 0; i < count; ++i) scene.include_in_view(results.frame(i));

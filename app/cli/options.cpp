@@ -24,6 +24,16 @@ PictureSize parsed_size(const std::string& text) {
   return size;
 }
 
+ValueRange parsed_range(const std::string& text) {
+  ValueRange range;
+  int read = 0;
+  const int numbers = std::sscanf(text.c_str(), "%lf,%lf%n", &range.low, &range.high, &read);
+  const bool whole = numbers == 2 && static_cast<std::size_t>(read) == text.size();
+  if (!whole || !std::isfinite(range.low) || !std::isfinite(range.high) || range.low >= range.high)
+    throw CLI::ValidationError("--range", "write it LOW,HIGH with LOW below HIGH, like 0,2.5e6, not '" + text + "'");
+  return range;
+}
+
 std::string field_names() {
   std::string names;
   for (const Field& field : all_fields()) names += (names.empty() ? "" : ", ") + std::string(field.name);
@@ -92,6 +102,12 @@ void add_look(CLI::App& command, Look& look) {
   command.add_option("--field", look.field, "Colour by a field (default: a colour a block): " + field_names())
       ->type_name("NAME");
   command
+      .add_option_function<std::string>(
+          "--range", [&look](const std::string& text) { look.range = parsed_range(text); },
+          "Lowest and highest value of the legend, in the field's SI unit, like 0,2.5e6 (default: of the frame; of a "
+          "film, of all frames)")
+      ->type_name("LOW,HIGH");
+  command
       .add_option("--view", look.view,
                   "Where to look from: auto (before the slope or what moves), iso, front, back, left, right or "
                   "top; or azimuth (clockwise from north) and elevation in degrees, like 300,25")
@@ -109,6 +125,13 @@ void add_look(CLI::App& command, Look& look) {
       ->check(CLI::Validator(CLI::PositiveNumber).description(""))
       ->type_name("N")
       ->capture_default_str();
+  command
+      .add_option("--explode", look.explosion,
+                  "Draw blocks apart, by this part of their way from the middle of all; fields of joints are seen on "
+                  "their walls then")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->type_name("N")
+      ->capture_default_str();
   command.add_flag("--contacts", look.contacts, "Show contact points: open grey, stick blue, slip orange");
   command.add_flag("--trouble,--struggles", look.troubles,
                    "Mark the contacts at which steps were cut or took many iterations (--struggles is the old name)");
@@ -121,9 +144,17 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
   settings.edges = look.edges;
   settings.contacts = look.contacts;
   settings.deformation_scale = look.scale;
+  settings.explosion = look.explosion;
+  settings.range = look.range;
   settings.title = results.project_name();
   if (!look.field.empty()) settings.field = field_named(look.field);
   return settings;
+}
+
+void need_field(const Frame& frame, const SceneSettings& settings) {
+  if (!settings.field) return;
+  if (const std::string absent = why_absent(frame, *settings.field); !absent.empty())
+    throw InputError("field " + std::string(settings.field->name), absent, "solve the project again");
 }
 
 void mark_troubles(const Look& look, const ResultReader& results, Scene& scene) {

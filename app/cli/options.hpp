@@ -38,11 +38,14 @@ struct Look {
   Theme theme = Theme::light;
   Edges edges = Edges::blocks;
   bool contacts = false, troubles = false;
-  double scale = 1;
+  double scale = 1, explosion = 0;
+  std::optional<ValueRange> range;  ///< of the legend, SI
 };
 void add_look(CLI::App& command, Look& look);
 /// Throws InputError for a field or a view there is not.
 SceneSettings scene_settings(const Look& look, const ResultReader& results);
+/// Throws InputError where the frame does not tell of the field that is to be shown.
+void need_field(const Frame& frame, const SceneSettings& settings);
 /// Marks where the run was hard, if that was asked for; of a run that was killed nothing is known.
 void mark_troubles(const Look& look, const ResultReader& results, Scene& scene);
 /// Points the camera of a scene that shows `results`. Throws InputError for a view there is not.

@@ -107,7 +107,9 @@ ExitCode render(const RenderOptions& options, bool json) {
   const int index = about(options.results, [&] { return frame_index(results, options.choice); });
   Scene scene(results.system(), scene_settings(options.look, results));
   scene.set_stage_names(results.stage_names());
-  scene.set_frame(std::make_shared<const Frame>(results.frame(index)));
+  const auto frame = std::make_shared<const Frame>(results.frame(index));
+  about(options.results, [&] { need_field(*frame, scene.settings()); });
+  scene.set_frame(frame);
   mark_troubles(options.look, results, scene);
   point_camera(options.look, results, scene);
   const Image drawn = draw_image(scene, options.size.width, options.size.height);

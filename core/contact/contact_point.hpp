@@ -45,6 +45,7 @@ struct ContactPoint {
   double cohesion = 0;                  ///< N, c·A while bonded, else 0
   double tension = 0;                   ///< N, σ_t·A while bonded, else 0
   bool bonded = false;
+  bool broken = false;              ///< a bond of the faces that it lies between has broken
   bool is_new = true;               ///< goes on from no former contact
   bool stiffened = false;           ///< its spring was made stiffer in this step, as it went too deep
   bool let_go = false;              ///< it stopped a landing, and pushes nothing out from the end of the step on
@@ -57,7 +58,7 @@ struct ContactPoint {
 
   void archive(auto& state) {
     state(key, bodies, smooth_faces, joint, position, normal, gap, initial_interference, size, area);
-    state(normal_stiffness, shear_stiffness, penalty_scaling, restitution, friction, cohesion, tension, bonded);
+    state(normal_stiffness, shear_stiffness, penalty_scaling, restitution, friction, cohesion, tension, bonded, broken);
     state(is_new, stiffened, let_go, shear_start, slip_start, multiplier, stencil_begin, stencil_end, mode);
   }
 };
@@ -94,6 +95,9 @@ struct RestingContact {
   double normal_force;  ///< N, compression positive
   Vec3 shear_force;     ///< N, on the first body
   double area;          ///< m²
+  double friction;      ///< tan φ
+  double cohesion;      ///< N, c·A while bonded, else 0
+  bool bonded, broken;  ///< as ContactPoint's
 };
 
 /// What a contact point came to at the end of an accepted step; handed back to the memory.

@@ -1,5 +1,6 @@
 #include "export/export.hpp"
 
+#include <cmath>
 #include <ostream>
 
 #include "base/line_attitude.hpp"
@@ -77,9 +78,17 @@ std::string_view state_word(ContactState state) {
   return "slip";
 }
 
+/// Its strength in three columns; empty ones of results that do not tell of it.
+std::string strength_columns(const ContactSample& contact) {
+  if (std::isnan(contact.friction)) return ",,";
+  constexpr std::string_view bonds[] = {"none", "whole", "broken"};
+  return csv_line({contact.friction, contact.cohesion}) + ',' +
+         std::string(bonds[static_cast<std::size_t>(contact.bond)]);
+}
+
 void write_contacts(std::ostream& stream, const BlockSystem& system, const Frame& frame) {
   stream << "block 1,block 2,joint,state,x [m],y [m],z [m],normal.x,normal.y,normal.z,normal force [N],"
-            "shear force.x [N],shear force.y [N],shear force.z [N],area [m2]\n";
+            "shear force.x [N],shear force.y [N],shear force.z [N],area [m2],friction,cohesion [Pa],bond\n";
   for (const ContactSample& contact : frame.contacts) {
     const Vec3 &x = contact.position, &n = contact.normal, &f = contact.shear_force;
     const bool named = contact.joint >= 0 && contact.joint < static_cast<int>(system.joint_names.size());
@@ -87,7 +96,7 @@ void write_contacts(std::ostream& stream, const BlockSystem& system, const Frame
            << (named ? csv_field(system.joint_names[contact.joint]) : "") << ',' << state_word(contact.state) << ','
            << csv_line(
                   {x.x(), x.y(), x.z(), n.x(), n.y(), n.z(), contact.normal_force, f.x(), f.y(), f.z(), contact.area})
-           << '\n';
+           << ',' << strength_columns(contact) << '\n';
   }
 }
 

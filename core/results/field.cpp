@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "base/error.hpp"
@@ -35,6 +36,14 @@ constexpr std::array fields = {
     Field{"stress.xy", "Stress xy", "Pa", Source::stress, Measure::component, 3},
     Field{"stress.yz", "Stress yz", "Pa", Source::stress, Measure::component, 4},
     Field{"stress.zx", "Stress zx", "Pa", Source::stress, Measure::component, 5},
+    Field{"joint.normal_stress", "Normal stress on joints", "Pa", Source::joint, Measure::normal},
+    Field{"joint.shear_stress", "Shear stress on joints", "Pa", Source::joint, Measure::shear},
+    Field{"joint.mobilised", "Mobilised shear strength", "", Source::joint, Measure::mobilised},
+    Field{"joint.slip", "Slip of joints", "m", Source::joint, Measure::slip},
+    Field{"joint.opening", "Opening of joints", "m", Source::joint, Measure::opening},
+    Field{"joint.state", "State of joints", "", Source::joint, Measure::state},
+    Field{"joint.bond", "Bonds of joints", "", Source::joint, Measure::bond},
+    Field{"joint.cohesion", "Cohesion left", "Pa", Source::joint, Measure::cohesion},
 };
 
 double value(const Vec3& vector, const Field& field) {
@@ -53,7 +62,7 @@ double value(const Voigt& stress, const Field& field) {
       return principal_stresses(stress)[0];
     case Measure::min_principal:
       return principal_stresses(stress)[2];
-    case Measure::max_shear:
+    default:
       break;
   }
   const Vec3 principal = principal_stresses(stress);
@@ -88,9 +97,11 @@ std::vector<double> values(const Frame& frame, const Field& field) {
     case Source::velocity:
       return values_of(frame.velocity, field);
     case Source::stress:
+      return values_of(frame.stress, field);
+    case Source::joint:
       break;
   }
-  return values_of(frame.stress, field);
+  throw std::invalid_argument(std::string(field.name) + " asks for the blocks as well");
 }
 
 double von_mises(const Voigt& stress) {

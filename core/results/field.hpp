@@ -8,28 +8,42 @@
 
 namespace talus {
 
-enum class FieldPlace { node, tetrahedron };
+/// What a field has a value of each. A wall is a point of the surface (fields/joint_walls).
+enum class FieldPlace { node, tetrahedron, wall };
 
 /// A scalar that a frame can be coloured, plotted or exported by.
 struct Field {
-  enum class Source { displacement, velocity, stress };
+  enum class Source { displacement, velocity, stress, joint };
   enum class Measure {
     magnitude,      ///< length of the vector; of stress: von Mises
     component,      ///< `index` of x, y, z or of xx, yy, zz, xy, yz, zx
     mean,           ///< of stress from here on
     max_principal,  ///< largest tension
     min_principal,  ///< largest compression
-    max_shear
+    max_shear,
+    normal,     ///< of joints from here on: stress, compression positive
+    shear,      ///< stress
+    mobilised,  ///< shear stress over shear strength
+    cohesion,   ///< of bonds that are whole
+    slip,       ///< how far places that touched at the start have gone along each other
+    opening,    ///< … and apart
+    state,      ///< a class: WallState of fields/field_values
+    bond        ///< a class: Bond
   };
 
   std::string_view name;   ///< as in `--field`, for example "stress.von_mises"
   std::string_view title;  ///< for a legend, for example "von Mises stress"
-  std::string_view unit;   ///< SI, "m", "m/s" or "Pa"
+  std::string_view unit;   ///< SI, "m", "m/s" or "Pa"; empty: a ratio, or a class
   Source source;
   Measure measure;
   int index = 0;
 
-  FieldPlace place() const { return source == Source::stress ? FieldPlace::tetrahedron : FieldPlace::node; }
+  FieldPlace place() const {
+    if (source == Source::joint) return FieldPlace::wall;
+    return source == Source::stress ? FieldPlace::tetrahedron : FieldPlace::node;
+  }
+  /// Its values number classes, which have words and no order.
+  bool is_class() const { return measure == Measure::state || measure == Measure::bond; }
   bool operator==(const Field& other) const { return name == other.name; }
 };
 
@@ -40,7 +54,8 @@ std::span<const Field> all_fields();
 /// Throws InputError that lists the names.
 const Field& field_named(std::string_view name);
 
-/// The field in its SI unit, one value a node or a tetrahedron as `field.place()` says.
+/// The field in its SI unit, one value a node or a tetrahedron as `field.place()` says. Those that need to know the
+/// blocks as well are told by FieldValues (fields/field_values); here they are std::invalid_argument.
 std::vector<double> values(const Frame& frame, const Field& field);
 
 /// √(3 J₂) of a stress [Pa].

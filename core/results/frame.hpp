@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -9,6 +10,9 @@
 namespace talus {
 
 enum class ContactState : std::uint8_t { open, stick, slip };
+
+/// Whether a contact is held by cohesion or tension: never was, is, or was until it broke.
+enum class Bond : std::uint8_t { none, whole, broken };
 
 /// One contact point of a frame, for drawing and for export.
 struct ContactSample {
@@ -20,6 +24,10 @@ struct ContactSample {
   double normal_force;  ///< N, positive in compression
   Vec3 shear_force;     ///< N, on the first block
   double area;          ///< m²; 0 for points without an area of their own
+  // Not known (no number) of results that earlier versions have written.
+  double friction = std::numeric_limits<double>::quiet_NaN();  ///< tan φ that holds now
+  double cohesion = std::numeric_limits<double>::quiet_NaN();  ///< Pa, of a whole bond; else 0
+  Bond bond = Bond::none;
 };
 
 /// What is known at one moment. Nodes and tetrahedra run through the blocks in BlockSystem's order.

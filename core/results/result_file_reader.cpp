@@ -160,12 +160,12 @@ InputError unreadable(const std::filesystem::path& file, const std::exception& e
 
 /// The rows of a frame that has as many as it likes.
 template <class Row, class Thing>
-std::vector<Thing> read_list(const Table& table, const Table& ends, hsize_t frame) {
+std::vector<Thing> read_list(const Table& table, const Table& ends, hsize_t frame, const Row& unknown) {
   std::int64_t begin = 0, end = 0;
   ends.read(&end, frame, 1);
   if (frame > 0) ends.read(&begin, frame - 1, 1);
   need(begin >= 0 && begin <= end && static_cast<hsize_t>(end) <= table.rows(), "the ends of its lists are wrong");
-  std::vector<Row> rows(static_cast<std::size_t>(end - begin));
+  std::vector<Row> rows(static_cast<std::size_t>(end - begin), unknown);
   table.read(rows.data(), static_cast<hsize_t>(begin), rows.size());
   std::vector<Thing> things;
   for (const Row& row : rows) things.push_back(restored(row));
@@ -213,14 +213,15 @@ Frame ResultFileReader::State::read(int number, double time) const {
   t.velocity.read(frame.velocity.data(), row * node_count, node_count);
   t.stress.read(frame.stress.data(), row * tetrahedron_count, tetrahedron_count);
 
-  frame.contacts = read_list<StoredContact, ContactSample>(t.contacts, t.contact_ends, row);
+  frame.contacts = read_list<StoredContact, ContactSample>(t.contacts, t.contact_ends, row, unknown_contact());
   for (const ContactSample& contact : frame.contacts) {
     for (const int block : contact.blocks) need(is_index(block, block_count), "a contact's block is not there");
     need(is_index_or_none(contact.joint, joint_count), "a contact's joint is not there");
     need(contact.state <= ContactState::slip, "a contact's state is not known");
+    need(contact.bond <= Bond::broken, "a contact's bond is not known");
   }
   if (!t.has_motions) return frame;
-  frame.motions = read_list<StoredMotion, MotionClass>(t.motions, t.motion_ends, row);
+  frame.motions = read_list<StoredMotion, MotionClass>(t.motions, t.motion_ends, row, StoredMotion{});
   need(frame.motions.empty() || frame.motions.size() == block_count, "the blocks' motions are not whole");
   for (const MotionClass& motion : frame.motions)
     need(motion.mode <= MotionMode::sliding_and_torsional, "a motion is not known");

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <initializer_list>
+#include <limits>
 #include <string>
 
 namespace talus {
@@ -25,6 +26,12 @@ hdf5::Handle row_type(const std::string& what, std::size_t size, std::initialize
 
 }  // namespace
 
+StoredContact unknown_contact() {
+  StoredContact row{};
+  row.friction = row.cohesion = std::numeric_limits<double>::quiet_NaN();
+  return row;
+}
+
 StoredContact stored(const ContactSample& sample) {
   StoredContact row{};
   Eigen::Map<Vec3>(row.position) = sample.position;
@@ -36,6 +43,9 @@ StoredContact stored(const ContactSample& sample) {
   row.blocks[1] = sample.blocks[1];
   row.joint = sample.joint;
   row.state = static_cast<std::int32_t>(sample.state);
+  row.friction = sample.friction;
+  row.cohesion = sample.cohesion;
+  row.bond = static_cast<std::int32_t>(sample.bond);
   return row;
 }
 
@@ -47,7 +57,10 @@ ContactSample restored(const StoredContact& row) {
           .state = static_cast<ContactState>(row.state),
           .normal_force = row.normal_force,
           .shear_force = Eigen::Map<const Vec3>(row.shear_force),
-          .area = row.area};
+          .area = row.area,
+          .friction = row.friction,
+          .cohesion = row.cohesion,
+          .bond = static_cast<Bond>(row.bond)};
 }
 
 hdf5::Handle stored_contact_type() {
@@ -59,7 +72,10 @@ hdf5::Handle stored_contact_type() {
                    {"area [m2]", offsetof(StoredContact, area), H5T_NATIVE_DOUBLE, 1},
                    {"blocks", offsetof(StoredContact, blocks), H5T_NATIVE_INT32, 2},
                    {"joint", offsetof(StoredContact, joint), H5T_NATIVE_INT32, 1},
-                   {"state", offsetof(StoredContact, state), H5T_NATIVE_INT32, 1}});
+                   {"state", offsetof(StoredContact, state), H5T_NATIVE_INT32, 1},
+                   {"friction", offsetof(StoredContact, friction), H5T_NATIVE_DOUBLE, 1},
+                   {"cohesion [Pa]", offsetof(StoredContact, cohesion), H5T_NATIVE_DOUBLE, 1},
+                   {"bond", offsetof(StoredContact, bond), H5T_NATIVE_INT32, 1}});
 }
 
 StoredMotion stored(const MotionClass& motion) {

@@ -12,7 +12,13 @@ namespace talus {
 struct StoredContact {
   double position[3], normal[3], shear_force[3], normal_force, area;
   std::int32_t blocks[2], joint, state;
+  double friction, cohesion;
+  std::int32_t bond;
 };
+
+/// What a row is before it is read: of results that earlier versions have written HDF5 leaves fields as they are that
+/// the file does not have.
+StoredContact unknown_contact();
 
 StoredContact stored(const ContactSample& sample);
 ContactSample restored(const StoredContact& row);

@@ -5,6 +5,12 @@
 
 namespace talus {
 
+namespace {
+
+Bond bond_of(bool whole, bool broken) { return whole ? Bond::whole : broken ? Bond::broken : Bond::none; }
+
+}  // namespace
+
 void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, const Composition& composition,
                            const Increment& d, bool keep_multipliers) {
   samples_.clear();
@@ -21,6 +27,7 @@ void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, cons
     point.mode = !touches ? ContactMode::open : slip > 0 ? ContactMode::slip : ContactMode::stick;
     outcomes_.push_back({normal, shear, gap, slip, point.bonded && (slip > 0 || pulled_off || yields)});
     outcomes_.back().multiplier = keep_multipliers ? point.multiplier : 0;
+    const bool whole = point.bonded && !outcomes_.back().broke;
     samples_.push_back({point.position,
                         point.normal,
                         {point.bodies[0], point.bodies[1]},
@@ -28,7 +35,10 @@ void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, cons
                         static_cast<ContactState>(point.mode),
                         normal,
                         shear,
-                        point.area});
+                        point.area,
+                        point.friction,
+                        whole && point.area > 0 ? point.cohesion / point.area : 0,
+                        bond_of(whole, point.broken || outcomes_.back().broke)});
     if (!touches) continue;
     max_penetration_ = std::max(max_penetration_, point.initial_interference - gap);
     max_relative_penetration_ = std::max(max_relative_penetration_, (point.initial_interference - gap) / point.size);
@@ -53,7 +63,10 @@ ContactSample sample_of(const RestingContact& contact) {
           static_cast<ContactState>(contact.mode),
           contact.normal_force,
           contact.shear_force,
-          contact.area};
+          contact.area,
+          contact.friction,
+          contact.area > 0 ? contact.cohesion / contact.area : 0,
+          bond_of(contact.bonded, contact.broken)};
 }
 
 double multiplier_error(const ContactLinks& links, const Increment& d) {

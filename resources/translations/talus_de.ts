@@ -4013,6 +4013,10 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
         <source>Component or measure</source>
         <translation>Komponente oder Maß</translation>
     </message>
+    <message>
+        <source>Joints</source>
+        <translation>Klüfte</translation>
+    </message>
 </context>
 <context>
     <name>talus::FormField</name>

@@ -31,7 +31,7 @@ std::optional<ValueRange> Display::legendRange() const {
   const auto frame = playback_.frame();
   if (!frame || !settings_.field || !project_.system() || !rangeFollowsRun_) return std::nullopt;
   ValueRange range = whole_.known();
-  if (range.empty()) range = field_range(*project_.system(), *frame, *settings_.field);  // until the others are read
+  if (range.empty()) range = whole_.rangeOf(*frame);  // until the others are read
   return range.empty() ? std::nullopt : std::optional<ValueRange>(legend_range(*settings_.field, range));
 }
 

@@ -27,6 +27,16 @@ void RunRange::follow(const std::optional<Field>& field) {
   takeFrames();
 }
 
+ValueRange RunRange::rangeOf(const Frame& frame) const {
+  if (!field_ || !project_.system()) return {};
+  if (system_ != project_.system()) {
+    fields_.reset();
+    system_ = project_.system();
+  }
+  if (!fields_) fields_ = std::make_unique<const FieldValues>(*system_);
+  return field_range(*fields_, frame, *field_);
+}
+
 void RunRange::takeFrames() {
   if (playback_.folder() != folder_ || playback_.times().empty()) {
     // Another run: nothing of the one before may be read any more. Of one that has just ended all is known already.
@@ -41,7 +51,7 @@ void RunRange::takeFrames() {
   for (const auto& frame : playback_.liveFrames()) {
     if (lastLive_ && frame->time <= *lastLive_) continue;
     lastLive_ = frame->time;
-    known_.include(field_range(*project_.system(), *frame, *field_));
+    known_.include(rangeOf(*frame));
   }
   if (!folder_.empty() && !playback_.times().empty() && !job_) readAll();
 }
@@ -56,10 +66,11 @@ void RunRange::readAll() {
   const auto read = [system = project_.system(), source = playback_.source(), field = *field_, count](
                         Progress& progress, const auto& tell) {
     ValueRange range;
+    const FieldValues fields(*system);
     try {
       for (int i = 0; i < count; ++i) {
         if (progress.cancelled()) throw Cancelled{};
-        range.include(field_range(*system, *source(i), field));
+        range.include(field_range(fields, *source(i), field));
         if (i % frames_at_once == frames_at_once - 1) tell(range);
       }
     } catch (const std::exception&) {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "render/scene/field_range.hpp"
+#include "render/fields/field_range.hpp"
 #include "results/field.hpp"
 #include "results/frame.hpp"
 
@@ -29,6 +29,8 @@ class RunRange : public QObject {
   void follow(const std::optional<Field>& field);
   /// As far as it is known, SI.
   const ValueRange& known() const { return known_; }
+  /// Of the field that is followed in a frame of the project's blocks; empty where there are none.
+  ValueRange rangeOf(const Frame& frame) const;
 
  signals:
   void changed();
@@ -42,9 +44,11 @@ class RunRange : public QObject {
   Playback& playback_;
   std::optional<Field> field_;
   ValueRange known_;
-  std::optional<double> lastLive_;           ///< s, of the newest frame of a run that goes on that is in it
-  std::filesystem::path folder_;             ///< whose frames are read; empty while a run goes on
-  std::map<std::string, ValueRange> whole_;  ///< of the folder, by the field's name
+  mutable std::shared_ptr<const BlockSystem> system_;  ///< that fields_ is of
+  mutable std::unique_ptr<const FieldValues> fields_;  ///< made once: of some fields that takes a while
+  std::optional<double> lastLive_;                     ///< s, of the newest frame of a run that goes on that is in it
+  std::filesystem::path folder_;                       ///< whose frames are read; empty while a run goes on
+  std::map<std::string, ValueRange> whole_;            ///< of the folder, by the field's name
   std::unique_ptr<BackgroundJob> job_;
 };
 

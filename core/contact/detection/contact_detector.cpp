@@ -235,7 +235,8 @@ void ContactDetector::State::bond(std::span<ContactPoint> points) const {
 void ContactDetector::State::weaken_broken(std::span<ContactPoint> points) const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContactPoint& p = points[i];
-    if (!p.bonded && memory.ever_broken(found.points[origins[i]].family)) p.friction = laws[p.joint].residual_friction;
+    p.broken = !p.bonded && memory.ever_broken(found.points[origins[i]].family);
+    if (p.broken) p.friction = laws[p.joint].residual_friction;
   }
 }
 

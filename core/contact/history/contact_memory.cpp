@@ -219,8 +219,11 @@ void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const
                           .slip = p.slip_start + o.slip,
                           .initial_interference = p.initial_interference + given_by,
                           .penalty_scaling = p.penalty_scaling,
+                          .friction = p.friction,
+                          .cohesion = bonded ? p.cohesion : 0,
                           .mode = p.mode,
                           .bonded = bonded,
+                          .broken = p.broken || o.broke,
                           .continues = false});
   }
   if (broken_.size() > broken_before) {

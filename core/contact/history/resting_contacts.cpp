@@ -47,8 +47,18 @@ void RestingContacts::list(const std::function<bool(int, int)>& are_wanted, std:
   for (const auto& [bodies, histories] : pairs_) {
     if (!are_wanted(bodies.first, bodies.second)) continue;
     for (const ContactHistory& m : histories) {
-      rows.push_back(
-          {{m.bodies[0], m.bodies[1]}, m.joint, m.position, m.normal, m.mode, m.normal_force, m.shear, m.area});
+      rows.push_back({.bodies = {m.bodies[0], m.bodies[1]},
+                      .joint = m.joint,
+                      .position = m.position,
+                      .normal = m.normal,
+                      .mode = m.mode,
+                      .normal_force = m.normal_force,
+                      .shear_force = m.shear,
+                      .area = m.area,
+                      .friction = m.friction,
+                      .cohesion = m.cohesion,
+                      .bonded = m.bonded,
+                      .broken = m.broken});
     }
   }
 }

@@ -24,13 +24,15 @@ struct ContactHistory {
   double spring_energy;  ///< J, at the end of the step …
   double shear_energy;   ///< J, … and what of it shear holds
   double slip, initial_interference, penalty_scaling;
+  double friction, cohesion;  ///< as ContactPoint's
   ContactMode mode;
-  bool bonded;
+  bool bonded, broken;
   bool continues;  ///< a point of this step has its key
 
   void archive(auto& state) {
     state(key, family, bodies, joint, position, normal, shear, gap, size, area, normal_force, multiplier);
-    state(spring_energy, shear_energy, slip, initial_interference, penalty_scaling, mode, bonded, continues);
+    state(spring_energy, shear_energy, slip, initial_interference, penalty_scaling, friction, cohesion);
+    state(mode, bonded, broken, continues);
   }
 };
 

@@ -132,7 +132,9 @@ TEST_F(Export, CsvHoldsTheFramesNumbers) {
   EXPECT_EQ(read_text_table(out / "history.csv", 14).size(), 1u);
   EXPECT_EQ(read_text_table(out / "steps.csv", 31).size(), 1u);
   EXPECT_THAT(text_of(out / "contacts_00002.csv"),
-              testing::AllOf(testing::HasSubstr("\n0,1,,open,"), testing::HasSubstr("\n0,1,J1,stick,")));
+              testing::AllOf(testing::HasSubstr("\n0,1,,open,"), testing::HasSubstr("\n0,1,J1,stick,"),
+                             testing::HasSubstr(",area [m2],friction,cohesion [Pa],bond\n"),
+                             testing::ContainsRegex(",broken\n0,1,J1,stick,.*,none\n")));
   EXPECT_THAT(text_of(out / "motions_00001.csv"),
               testing::AllOf(testing::StartsWith(
                                  "block,name,mode,motion,trend [deg],plunge [deg],share of rotation\n0,B1,carried,"),

@@ -107,7 +107,10 @@ inline Frame example_frame(const BlockSystem& system, int index) {
                               .state = static_cast<ContactState>(i),
                               .normal_force = 1e7 * number(index, i, 2),
                               .shear_force = Vec3(1, number(index, i, 3), 0),
-                              .area = number(index, i, 4)});
+                              .area = number(index, i, 4),
+                              .friction = number(index, i, 5),
+                              .cohesion = 1e5 * number(index, i, 6),
+                              .bond = static_cast<Bond>((index + i) % 3)});
   if (index % 2 == 1)
     for (std::size_t b = 0; b < system.blocks.size(); ++b)
       frame.motions.push_back({.mode = static_cast<MotionMode>((static_cast<std::size_t>(index) + b) % 9),
@@ -124,7 +127,8 @@ inline Frame example_frame(const BlockSystem& system, int index) {
 inline bool same(const ContactSample& a, const ContactSample& b) {
   return a.position == b.position && a.normal == b.normal && a.blocks[0] == b.blocks[0] && a.blocks[1] == b.blocks[1] &&
          a.joint == b.joint && a.state == b.state && a.normal_force == b.normal_force &&
-         a.shear_force == b.shear_force && a.area == b.area;
+         a.shear_force == b.shear_force && a.area == b.area && a.friction == b.friction && a.cohesion == b.cohesion &&
+         a.bond == b.bond;
 }
 
 /// Bit for bit, stresses too where they were floats to begin with.

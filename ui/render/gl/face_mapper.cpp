@@ -2,9 +2,24 @@
 
 #include "render/gl/face_mapper.hpp"
 
+#include <vtkActor.h>
 #include <vtkObjectFactory.h>
+#include <vtkPlane.h>
+#include <vtkProperty.h>
 
 namespace talus {
+
+void make_matt(vtkProperty& property) {
+  property.SetInterpolationToFlat();
+  property.SetAmbient(0.36);
+  property.SetDiffuse(0.74);
+  property.SetSpecular(0);
+}
+
+void clip(vtkActor& actor, vtkPlane* plane) {
+  actor.GetMapper()->RemoveAllClippingPlanes();
+  if (plane) actor.GetMapper()->AddClippingPlane(plane);
+}
 
 vtkStandardNewMacro(FaceMapper)
 

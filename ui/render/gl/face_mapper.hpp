@@ -2,7 +2,17 @@
 
 #include <vtkOpenGLPolyDataMapper.h>
 
+class vtkActor;
+class vtkPlane;
+class vtkProperty;
+
 namespace talus {
+
+/// Rock breaks along planes: its faces are flat and matt. Normals then need no upkeep while it moves.
+void make_matt(vtkProperty& property);
+
+/// Only what lies on the side of the plane's normal is drawn; null: all of it.
+void clip(vtkActor& actor, vtkPlane* plane);
 
 /// Draws faces as if they lay a little farther from the viewer, so that lines on them are seen whole. Beside the middle
 /// of a line, a face that is seen at a flat angle is nearer to the viewer than the line by many pixels, one that is

@@ -30,13 +30,6 @@ void set_colour(vtkProperty& property, Rgb colour) {
   property.SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
 }
 
-void matt(vtkProperty& property) {
-  property.SetInterpolationToFlat();  // rock breaks along planes; normals then need no upkeep while it moves
-  property.SetAmbient(0.36);
-  property.SetDiffuse(0.74);
-  property.SetSpecular(0);
-}
-
 /// Makes the cells those of `corners` vertices each which follow one another.
 void set_cells(vtkCellArray& cells, int corners, std::span<const int> vertices) {
   vtkNew<vtkTypeInt32Array> connectivity;
@@ -102,11 +95,6 @@ void add_lines(vtkRenderer& renderer, vtkPolyData& lines, vtkActor& actor) {
   renderer.AddActor(&actor);
 }
 
-void clip(vtkActor& actor, vtkPlane* plane) {
-  actor.GetMapper()->RemoveAllClippingPlanes();
-  if (plane) actor.GetMapper()->AddClippingPlane(plane);
-}
-
 constexpr double lift_of_mesh = 0.4, lift_of_edges = 0.7, lift_of_marks = 1;  // pixels
 
 }  // namespace
@@ -126,7 +114,7 @@ BlockActors::BlockActors(BlockSurface surface, const Vec3& origin)
   mapper_->SetInputData(faces_);
   mapper_->SetInterpolateScalarsBeforeMapping(true);
   face_actor_->SetMapper(mapper_);
-  matt(*face_actor_->GetProperty());
+  make_matt(*face_actor_->GetProperty());
   show(std::vector<bool>(from_origin_.size(), true));
   show_mesh_lines(0);
   if (!surface_.edges.empty())

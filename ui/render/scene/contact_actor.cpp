@@ -10,21 +10,9 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "render/paint/colour.hpp"
+#include "render/fields/field_classes.hpp"
 
 namespace talus {
-
-Rgb state_colour(ContactState state) {
-  switch (state) {
-    case ContactState::stick:
-      return rgb(0x0068a8);
-    case ContactState::slip:
-      return rgb(0xd2580a);
-    case ContactState::open:
-      break;
-  }
-  return rgb(0x868e89);
-}
 
 ContactActor::ContactActor() {
   vtkNew<vtkPolyDataMapper> mapper;

@@ -6,15 +6,11 @@
 
 #include <span>
 
-#include "render/paint/colour.hpp"
 #include "results/frame.hpp"
 
 class vtkRenderer;
 
 namespace talus {
-
-/// The colour of a contact's state, the same in both themes.
-Rgb state_colour(ContactState state);
 
 /// Contact points as dots in front of everything (they lie between blocks): open grey, stick blue, slip orange.
 class ContactActor {

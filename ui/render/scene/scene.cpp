@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 #include <stdexcept>
 
-#include "render/paint/colour_map.hpp"
 #include "render/scene/picking.hpp"
 #include "render/scene/scene_state.hpp"
 
@@ -76,6 +75,7 @@ void Scene::State::cut_open() {
   vtkPlane* const plane = is_cut() ? section_plane.Get() : nullptr;
   for (BlockActors* part : {&fixed, &movable}) part->cut_by(plane);
   for (Highlight* marked : {&concern, &selection, &hover, &face}) marked->cut_by(plane);
+  walls.cut_by(plane);
   section_is_stale = true;
 }
 
@@ -90,15 +90,16 @@ void Scene::State::fill_section() {
     for (std::size_t i = 0; i < places.size(); ++i) places[i] += settings.deformation_scale * frame->displacement[i];
   std::vector<bool> shown = flags(hidden);
   shown.flip();
-  const ValueRange range = field_values.empty() ? ValueRange{} : colour_range();
+  const auto of_field = field_values.empty() ? std::function<Rgb(double)>() : field_colours();
   const auto colour = [&](const BlockSection::Triangle& triangle, const BlockSection::Corner& corner) {
     const bool fixed_rock = system.blocks[static_cast<std::size_t>(triangle.block)].body == BodyKind::fixed;
-    if (field_values.empty() || fixed_rock || triangle.tetrahedron < 0) return colour_of(triangle.block);
+    if (field_values.empty() || shows_walls() || fixed_rock || triangle.tetrahedron < 0)
+      return colour_of(triangle.block);
     const bool at_nodes = settings.field->place() == FieldPlace::node;
     const auto value = [&](int i) { return field_values[static_cast<std::size_t>(i)]; };
     const double seen = at_nodes ? value(corner.one) + corner.share * (value(corner.other) - value(corner.one))
                                  : value(triangle.tetrahedron);
-    return (is_signed(*settings.field) ? vik() : batlow()).at((seen - range.low) / (range.high - range.low));
+    return of_field(seen);
   };
   section.show(section_of(system, places, shown, *settings.section), origin, colour);
 }
@@ -269,7 +270,7 @@ std::optional<Pick> Scene::pick(double x, double y) const {
   for (int i = 0; i < 3; ++i) pick.rest += hit->weights[i] * surface.rest[triangle.vertices[i]];
   const auto nearest = std::max_element(hit->weights.begin(), hit->weights.end()) - hit->weights.begin();
   pick.node = surface.nodes[triangle.vertices[nearest]];
-  const bool coloured = !state_->field_values.empty() && hit->part == &state_->movable;
+  const bool coloured = !state_->field_values.empty() && !state_->shows_walls() && hit->part == &state_->movable;
   if (coloured && state_->settings.field->place() == FieldPlace::node) {
     pick.value = 0;
     for (int i = 0; i < 3; ++i)
@@ -314,7 +315,7 @@ Rgb Scene::block_colour(int block) const {
 }
 
 std::optional<ValueRange> Scene::shown_range() const {
-  if (state_->field_values.empty()) return {};
+  if (state_->field_values.empty() || state_->settings.field->is_class()) return {};
   return state_->colour_range();
 }
 

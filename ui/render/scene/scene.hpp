@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "mesh/block.hpp"
+#include "render/fields/field_range.hpp"
 #include "render/paint/theme.hpp"
 #include "render/scene/action_glyphs.hpp"
 #include "render/scene/block_colours.hpp"
-#include "render/scene/field_range.hpp"
 #include "render/scene/joint_face.hpp"
 #include "results/convergence_trouble.hpp"
 #include "results/frame.hpp"

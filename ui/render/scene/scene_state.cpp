@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "base/units.hpp"
+#include "render/fields/field_classes.hpp"
 #include "render/paint/numbers.hpp"
 #include "render/scene/contact_places.hpp"
 
@@ -111,10 +112,13 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
       selection({&fixed, &movable}),
       hover({&fixed, &movable}),
       face({&fixed, &movable}),
-      joints(origin) {
+      joints(origin),
+      fields(blocks),
+      walls(origin) {
   backdrop.add_to(*renderer);
   for (BlockActors* part : {&fixed, &movable}) part->add_faces_to(*renderer);
   section.add_to(*renderer);
+  walls.add_to(*renderer);
   for (BlockActors* part : {&fixed, &movable}) part->add_lines_to(*renderer);
   concern.add_to(*renderer);
   selection.add_to(*renderer);
@@ -184,19 +188,20 @@ void Scene::State::style() {
   renderer->SetGradientBackground(!occludes());
   backdrop.show(occludes());
   renderer->GetActiveCamera()->SetParallelProjection(settings.parallel_projection);
-  for (BlockActors* part : {&fixed, &movable}) part->let_through(settings.rock_opacity);
+  for (BlockActors* part : {&fixed, &movable}) part->let_through(opacity());
   joints.use(settings.theme);
 }
 
 void Scene::State::take(std::shared_ptr<const Frame> shown) {
   frame = std::move(shown);
+  style();
   move();
   colour();
   make_overlay();
 }
 
 void Scene::State::move() {
-  section_is_stale = true;
+  section_is_stale = walls_are_stale = true;
   movable.move(frame ? std::span<const Vec3>(frame->displacement) : std::span<const Vec3>(), settings.deformation_scale,
                settings.explosion);
   place_contacts();
@@ -214,6 +219,7 @@ const BlockColours* Scene::State::chosen_colours() const {
 
 Rgb Scene::State::colour_of(int block) const {
   const auto index = static_cast<std::size_t>(block);
+  if (shows_walls()) return colours(settings.theme).rock;
   if (const BlockColours* chosen = chosen_colours(); chosen && !(frame && settings.field))
     return chosen->colours[index];
   const bool is_fixed = system.blocks[index].body == BodyKind::fixed;
@@ -221,10 +227,10 @@ Rgb Scene::State::colour_of(int block) const {
 }
 
 void Scene::State::colour() {
-  section_is_stale = true;
+  section_is_stale = walls_are_stale = true;
   fixed.colour_by_block([this](int block) { return colour_of(block); });
-  field_values = frame && settings.field ? values(*frame, *settings.field) : std::vector<double>{};
-  if (field_values.empty()) {
+  field_values = frame && settings.field ? fields.of(*frame, *settings.field) : std::vector<double>{};
+  if (field_values.empty() || shows_walls()) {
     movable.colour_by_block([this](int block) { return colour_of(block); });
     return;
   }
@@ -266,7 +272,7 @@ void Scene::State::apply_lines() {
   const ThemeColours& c = colours(settings.theme);
   const double unit = text_height() / 14;
   // Where rock is seen through its edges lie on the background.
-  const bool on_dark = settings.theme == Theme::dark && settings.rock_opacity < 1;
+  const bool on_dark = settings.theme == Theme::dark && opacity() < 1;
   const Rgb edge = mix(c.edge, c.rock, on_dark ? 0.8 : 0.25);
   const double thin = std::max(0.9 * unit, 1.2);
   const double wide = settings.edges == Edges::none ? 0 : thin, fine = settings.edges == Edges::mesh ? 0.75 * unit : 0;
@@ -282,6 +288,7 @@ void Scene::State::apply_lines() {
   hover.style(c.pick, unit, 0, pixel);
   joints.style(1.4 * unit);
   section.style(thin, edge, pixel);
+  walls.style(pixel);
   face.style(c.pick, 2 * unit, 0.35, pixel);
   const bool with_contacts = !contact_dots.empty();
   contacts.show(with_contacts ? std::span<const ContactSample>(frame->contacts) : std::span<const ContactSample>(),
@@ -324,15 +331,7 @@ void Scene::State::make_overlay() {
   for (const Kind kind : {Kind::load, Kind::support, Kind::velocity, Kind::stress, Kind::monitor})
     if (settings.legend && settings.actions && std::ranges::find(actions, kind, &ActionGlyph::kind) != actions.end())
       overlay.key.push_back({action_colour(kind, settings.theme), action_meaning(kind, largest_of(actions, kind))});
-  if (settings.legend && !field_values.empty()) {
-    const ValueRange range = colour_range();
-    const DisplayUnit unit = display_unit(settings.field->unit, std::max(std::abs(range.low), std::abs(range.high)));
-    overlay.legend = Legend{.title = std::string(settings.field->title),
-                            .unit = unit.name,
-                            .map = is_signed(*settings.field) ? &vik() : &batlow(),
-                            .low = range.low * unit.factor,
-                            .high = range.high * unit.factor};
-  }
+  if (!field_values.empty()) explain_field();
 }
 
 void Scene::State::reset_extent() {
@@ -343,7 +342,7 @@ void Scene::State::reset_extent() {
 
 void Scene::State::prepare_drawing() {
   renderer->SetUseSSAO(occludes());
-  renderer->SetUseDepthPeeling(settings.rock_opacity < 1);  // what is seen through rock, from the back to the front
+  renderer->SetUseDepthPeeling(opacity() < 1);  // what is seen through rock, from the back to the front
   renderer->SetMaximumNumberOfPeels(settings.fine ? most_layers : layers_in_motion);
   renderer->SetUseFXAA(settings.fine && settings.smooth_outlines && pixel_scale == 1);
   overlay.text_height = text_height();
@@ -351,6 +350,7 @@ void Scene::State::prepare_drawing() {
   const PixelRect area = area_for_rock(width, height);
   if (fits_itself && (fit_is_stale || fitted_area != area)) fit_to(width, height);
   if (section_is_stale) fill_section();
+  if (walls_are_stale) draw_walls();
   apply_lines();
   shape_actions();
   // The camera looks at the middle of the free part, not of the picture.

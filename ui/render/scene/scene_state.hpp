@@ -5,6 +5,8 @@
 #include <vtkPlane.h>
 #include <vtkRenderer.h>
 
+#include "fields/field_values.hpp"
+#include "render/fields/wall_actor.hpp"
 #include "render/scene/backdrop.hpp"
 #include "render/scene/block_actors.hpp"
 #include "render/scene/camera_fit.hpp"
@@ -77,8 +79,17 @@ struct Scene::State {
   bool is_cut() const { return settings.section && settings.explosion == 0; }
   void cut_open();
   void fill_section();
+  /// The field is one of the walls of joints: these have its colours, and the rock is in their way.
+  bool shows_walls() const;
+  void draw_walls();
+  /// Of the rock: seen through where it is in the way, unless blocks are drawn apart.
+  double opacity() const;
+  /// Colours of values of the field that is shown.
+  std::function<Rgb(double value)> field_colours() const;
+  /// What the colours of the field mean: a scale, or words.
+  void explain_field();
   /// Corners are shaded: where nothing moves, and nothing is seen through.
-  bool occludes() const { return settings.fine && settings.rock_opacity == 1; }
+  bool occludes() const { return settings.fine && opacity() == 1; }
   /// Just before VTK draws: what depends on the camera and on the window's size.
   void prepare_drawing();
 
@@ -108,6 +119,9 @@ struct Scene::State {
   SectionActor section;
   vtkNew<vtkPlane> section_plane;
   bool section_is_stale = false;
+  FieldValues fields;
+  WallActor walls;
+  bool walls_are_stale = false;
   std::vector<int> hidden, selected;
   std::optional<int> hovered;
   std::optional<Pick> marked_face;

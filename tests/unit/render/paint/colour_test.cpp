@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "render/fields/field_range.hpp"
 #include "render/paint/colour_map.hpp"
 #include "render/paint/theme.hpp"
-#include "render/scene/field_range.hpp"
 
 namespace talus {
 namespace {

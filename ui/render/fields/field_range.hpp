@@ -3,16 +3,15 @@
 #include <span>
 #include <string>
 
+#include "fields/field_values.hpp"
 #include "render/paint/value_range.hpp"
-#include "results/field.hpp"
 
 namespace talus {
 
-struct BlockSystem;
-
-/// Range of a field in one frame over the movable blocks: fixed rock is not coloured and does not count.
-/// Unite the ranges of all frames for a legend that holds over a whole run.
-ValueRange field_range(const BlockSystem& system, const Frame& frame, const Field& field);
+/// Range of a field in one frame over the movable blocks: fixed rock is not coloured and does not count, but for the
+/// walls of joints, of whose stresses the outer hundredths are left out. Unite the ranges of all frames for a legend
+/// that holds over a whole run.
+ValueRange field_range(const FieldValues& fields, const Frame& frame, const Field& field);
 /// The same from values that are at hand.
 ValueRange field_range(const BlockSystem& system, std::span<const double> values, const Field& field);
 
@@ -21,7 +20,7 @@ ValueRange field_range(const BlockSystem& system, std::span<const double> values
 bool is_signed(const Field& field);
 
 /// The range of a legend that shows `values`: from zero or symmetric about it, ended at a round number, never of no
-/// length.
+/// length. That of normal stress on joints reaches from the largest tension to the largest compression.
 ValueRange legend_range(const Field& field, const ValueRange& values);
 
 }  // namespace talus

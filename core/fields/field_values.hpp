@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fields/joint_walls.hpp"
+#include "results/field.hpp"
+
+namespace talus {
+
+/// The classes of the field "joint.state": what contacts do, and that bonds hold them.
+enum class WallState : std::uint8_t { open, sticks, slides, bonded };
+
+/// Values of fields on these blocks. What a field needs of the blocks at rest is made when it is asked for first.
+/// Keeps a reference to `system`, which must outlive it. One thread at a time.
+class FieldValues {
+ public:
+  explicit FieldValues(const BlockSystem& system);
+  ~FieldValues();
+
+  const BlockSystem& system() const { return system_; }
+  const JointWalls& walls() const;
+
+  /// One value a node, a tetrahedron or a point of `walls()`, as `field.place()` says, SI; no number where there is
+  /// none. Values of joints that come from contacts are those of ContactArea at the place of the wall in this frame.
+  /// Slip and opening compare the place with the one that lay against it at the start: what has come between them
+  /// along the wall and across it, as the wall lay at the start. Where `why_absent` has something to say all are absent.
+  std::vector<double> of(const Frame& frame, const Field& field) const;
+
+ private:
+  std::vector<double> of_walls(const Frame& frame, const Field& field) const;
+
+  const BlockSystem& system_;
+  std::vector<double> sizes_;  // m, a block
+  mutable std::unique_ptr<const JointWalls> walls_;
+};
+
+/// Why the frame does not tell of a field, as a sentence: results of earlier versions lack some. Empty where it does.
+std::string why_absent(const Frame& frame, const Field& field);
+
+}  // namespace talus

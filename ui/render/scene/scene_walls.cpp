@@ -1,0 +1,75 @@
+// Fields of joints on the walls of joints, and what a field's colours mean.
+#include <algorithm>
+#include <cmath>
+
+#include "render/fields/field_classes.hpp"
+#include "render/paint/colour_map.hpp"
+#include "render/paint/numbers.hpp"
+#include "render/scene/scene_state.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr double opacity_before_walls = 0.16;
+
+}  // namespace
+
+bool Scene::State::shows_walls() const {
+  return frame && settings.field && settings.field->place() == FieldPlace::wall;
+}
+
+double Scene::State::opacity() const {
+  const bool in_the_way = shows_walls() && settings.explosion == 0;
+  return in_the_way ? std::min(settings.rock_opacity, opacity_before_walls) : settings.rock_opacity;
+}
+
+std::function<Rgb(double)> Scene::State::field_colours() const {
+  const Field& field = *settings.field;
+  if (field.is_class())
+    return [classes = classes_of(field)](double value) { return classes.at(static_cast<std::size_t>(value)).colour; };
+  const ColourMap* const map = is_signed(field) ? &vik() : &batlow();
+  return [map, range = colour_range()](double value) {
+    return map->at((value - range.low) / (range.high - range.low));
+  };
+}
+
+void Scene::State::draw_walls() {
+  walls_are_stale = false;
+  if (!shows_walls()) return walls.hide();
+  std::vector<Vec3> at(frame->displacement.size());  // a node, as it is drawn
+  for (const BlockActors* part : parts()) {
+    const BlockSurface& surface = part->surface();
+    for (std::size_t v = 0; v < surface.nodes.size(); ++v)
+      at[static_cast<std::size_t>(surface.nodes[v])] = part->positions()[v];
+  }
+  std::vector<Vec3> places;
+  for (const WallPoint& point : fields.walls().points)
+    places.push_back(SurfacePlace{point.place.nodes, point.corner}.of(at));
+  std::vector<bool> shown = flags(hidden);
+  shown.flip();
+  walls.show(fields.walls(), places, field_values, shown, {field_colours(), settings.field->is_class()});
+}
+
+void Scene::State::explain_field() {
+  const Field& field = *settings.field;
+  if (const std::string absent = why_absent(*frame, field); !absent.empty()) {
+    overlay.remarks = absent;
+    return;
+  }
+  if (!settings.legend) return;
+  if (field.is_class()) {
+    overlay.colour_key = ColourKey{std::string(field.title), {}};
+    for (const FieldClass& each : classes_of(field)) overlay.colour_key->entries.push_back({each.colour, each.word});
+    return;
+  }
+  const ValueRange range = colour_range();
+  const DisplayUnit unit = display_unit(field.unit, std::max(std::abs(range.low), std::abs(range.high)));
+  overlay.legend = Legend{.title = std::string(field.title),
+                          .unit = unit.name,
+                          .map = is_signed(field) ? &vik() : &batlow(),
+                          .low = range.low * unit.factor,
+                          .high = range.high * unit.factor};
+}
+
+}  // namespace talus
