@@ -22,8 +22,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
             [](const Vec2& a, const Vec2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
   std::vector<Vec2> hull;
   const auto grow = [&hull](const Vec2& point, std::size_t fixed) {
-    while (hull.size() >= fixed + 2 &&
-           cross(hull.back() - hull[hull.size() - 2], point - hull[hull.size() - 2]) <= 0)
+    while (hull.size() >= fixed + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull[hull.size() - 2]) <= 0)
       hull.pop_back();
     hull.push_back(point);
   };
@@ -90,8 +89,7 @@ std::optional<JointTraction> ContactArea::at(const Vec3& place, const Vec3& outw
   return result;
 }
 
-ContactAreas::ContactAreas(std::span<const double> sizes, const Frame& frame)
-    : sizes_(sizes), of_block_(sizes.size()) {
+ContactAreas::ContactAreas(std::span<const double> sizes, const Frame& frame) : sizes_(sizes), of_block_(sizes.size()) {
   for (const ContactSample& contact : frame.contacts)
     if (contact.area > 0) add(contact);
   for (ContactArea& area : areas_) area.close();

@@ -11,18 +11,18 @@ namespace talus {
 
 /// What is told of a joint at a place where two blocks touch, SI.
 struct JointTraction {
-  double normal = 0;             ///< Pa, compression positive
-  double shear = 0;              ///< Pa
-  double strength = 0;           ///< Pa, of shear that the joint could bear there: c + σ tan φ
-  double cohesion = 0;           ///< Pa, of bonds that are whole
+  double normal = 0;                        ///< Pa, compression positive
+  double shear = 0;                         ///< Pa
+  double strength = 0;                      ///< Pa, of shear that the joint could bear there: c + σ tan φ
+  double cohesion = 0;                      ///< Pa, of bonds that are whole
   ContactState state = ContactState::open;  ///< of the nearest contact point
   Bond bond = Bond::none;                   ///< likewise
 };
 
-/// Where two blocks touch in a frame: the contact points of a pair of blocks that lie in about one plane, and the convex
-/// hull of those that have an area. Values within it are the sums of the points' forces over the sum of their areas,
-/// both weighted by the inverse square of the distance: at a point those of that point alone, far from all of them the
-/// mean. Points without an area of their own (where a vertex or an edge touches) count for nothing.
+/// Where two blocks touch in a frame: the contact points of a pair of blocks that lie in about one plane, and the
+/// convex hull of those that have an area. Values within it are the sums of the points' forces over the sum of their
+/// areas, both weighted by the inverse square of the distance: at a point those of that point alone, far from all of
+/// them the mean. Points without an area of their own (where a vertex or an edge touches) count for nothing.
 class ContactArea {
  public:
   /// At a place of the surface of one of the two blocks [m], with its outward unit normal; empty outside the hull, and

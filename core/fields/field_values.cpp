@@ -1,11 +1,15 @@
 #include "fields/field_values.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "base/units.hpp"
+#include "bodies/block_pose.hpp"
 #include "fields/contact_areas.hpp"
 
 namespace talus {
@@ -66,6 +70,15 @@ double told(const JointTraction& traction, Measure measure) {
   }
 }
 
+/// Of a deformation gradient.
+double strain_measure(const Mat3& gradient, Measure measure) {
+  if (measure == Measure::volumetric) return gradient.determinant() - 1;
+  const Mat3 strain = 0.5 * (gradient.transpose() * gradient - Mat3::Identity());
+  const Vec3 principal = Eigen::SelfAdjointEigenSolver<Mat3>(strain, Eigen::EigenvaluesOnly).eigenvalues();
+  if (measure == Measure::max_principal) return principal[2];
+  return measure == Measure::min_principal ? principal[0] : principal[2] - principal[0];
+}
+
 bool compares_walls(const Field& field) { return field.measure == Measure::slip || field.measure == Measure::opening; }
 
 bool needs_strength(const Field& field) {
@@ -75,6 +88,7 @@ bool needs_strength(const Field& field) {
 }  // namespace
 
 std::string why_absent(const Frame& frame, const Field& field) {
+  if (field.measure == Measure::motion && frame.motions.empty()) return "how blocks move was not noted in this frame";
   if (field.source != Field::Source::joint || !needs_strength(field)) return {};
   const auto lacks = [](const ContactSample& contact) { return std::isnan(contact.friction); };
   if (!std::ranges::any_of(frame.contacts, lacks)) return {};
@@ -96,7 +110,50 @@ const JointWalls& FieldValues::walls() const {
 }
 
 std::vector<double> FieldValues::of(const Frame& frame, const Field& field) const {
+  if (field.source == Field::Source::strain) return strains(frame, field);
+  if (field.place() == FieldPlace::block) return of_blocks(frame, field);
   return field.place() == FieldPlace::wall ? of_walls(frame, field) : values(frame, field);
+}
+
+std::vector<double> FieldValues::of_blocks(const Frame& frame, const Field& field) const {
+  std::vector<double> result;
+  std::size_t first = 0;
+  for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
+    const Block& block = system_.blocks[b];
+    if (field.measure == Measure::body) {
+      result.push_back(static_cast<double>(block.body));
+    } else if (field.measure == Measure::motion) {
+      result.push_back(frame.motions.empty() ? none : static_cast<double>(frame.motions[b].mode));
+    } else {
+      if (!poses_) poses_ = std::make_unique<const PoseFit>(system_);
+      std::vector<Vec3> moved = block.mesh.nodes;
+      for (std::size_t n = 0; n < moved.size(); ++n) moved[n] += frame.displacement[first + n];
+      const Mat3 turned = poses_->pose(static_cast<int>(b), block.mesh.nodes.data(), moved.data()).rotation;
+      result.push_back(degrees(Eigen::AngleAxisd(turned).angle()));
+    }
+    first += block.mesh.nodes.size();
+  }
+  return result;
+}
+
+std::vector<double> FieldValues::strains(const Frame& frame, const Field& field) const {
+  constexpr double rounding = 1e-12;
+  std::vector<double> result;
+  std::size_t first = 0;
+  for (const Block& block : system_.blocks) {
+    for (const auto& nodes : block.mesh.tetrahedra) {
+      Mat3 rest, moved;
+      const auto at = [&](int i) { return static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)]); };
+      for (int i = 0; i < 3; ++i) {
+        rest.col(i) = block.mesh.nodes[at(i + 1)] - block.mesh.nodes[at(0)];
+        moved.col(i) = rest.col(i) + frame.displacement[first + at(i + 1)] - frame.displacement[first + at(0)];
+      }
+      const double value = strain_measure(moved * rest.inverse(), field.measure);
+      result.push_back(std::abs(value) < rounding ? 0 : value);
+    }
+    first += block.mesh.nodes.size();
+  }
+  return result;
 }
 
 std::vector<double> FieldValues::of_walls(const Frame& frame, const Field& field) const {
@@ -128,8 +185,7 @@ std::vector<double> FieldValues::of_walls(const Frame& frame, const Field& field
   each([&](const WallPoint& point) {
     if (!areas.touches(point.block)) return none;
     const auto block = static_cast<std::size_t>(point.block);
-    const Vec3 at =
-        rest_of(system_.blocks[block], first_node[block], point.place) + point.place.of(frame.displacement);
+    const Vec3 at = rest_of(system_.blocks[block], first_node[block], point.place) + point.place.of(frame.displacement);
     const auto traction = areas.at(at, normal_in(system_, first_node[block], point, frame), point.block);
     return traction ? told(*traction, field.measure) : none;
   });

@@ -11,10 +11,10 @@ namespace talus {
 
 namespace {
 
-constexpr double parts_of_model = 150;      // a wall's triangle is no longer than the model's size over this …
+constexpr double parts_of_model = 150;          // a wall's triangle is no longer than the model's size over this …
 constexpr std::size_t most_triangles = 200000;  // … unless that made more than these
-constexpr int most_parts = 128;             // of an edge
-constexpr double inset = 0.01;              // of the way to the middle of the triangle
+constexpr int most_parts = 128;                 // of an edge
+constexpr double inset = 0.01;                  // of the way to the middle of the triangle
 constexpr int faces_worth_a_thread = 8;
 
 double longest_edge(const Block& block, const SurfaceTriangle& triangle) {
@@ -110,8 +110,7 @@ class Opposites {
         Vec3 at = Vec3::Zero();
         for (std::size_t i = 0; i < 3; ++i)
           at += point.place.weights[static_cast<int>(i)] *
-                block.mesh.nodes[static_cast<std::size_t>(
-                    block.surface[static_cast<std::size_t>(facet)].nodes[i])];
+                block.mesh.nodes[static_cast<std::size_t>(block.surface[static_cast<std::size_t>(facet)].nodes[i])];
         for (const int t : other.triangles) {
           const auto& n = against.surface[static_cast<std::size_t>(t)].nodes;
           const auto node = [&](std::size_t i) -> const Vec3& {

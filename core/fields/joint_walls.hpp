@@ -11,8 +11,8 @@ namespace talus {
 
 /// A place of a block's surface that goes with it, from the corners of a surface triangle.
 struct SurfacePlace {
-  std::array<int, 3> nodes{};     ///< numbered through all blocks
-  Vec3 weights = Vec3::UnitX();   ///< their sum is 1
+  std::array<int, 3> nodes{};    ///< numbered through all blocks
+  Vec3 weights = Vec3::UnitX();  ///< their sum is 1
 
   /// Of a vector at all nodes.
   Vec3 of(std::span<const Vec3> nodal) const {
@@ -25,11 +25,11 @@ struct SurfacePlace {
 /// A point at which values of joints are told.
 struct WallPoint {
   int block = 0;
-  SurfacePlace place;                ///< a little inside its triangle: there it is told which face lies against it
-  Vec3 corner = Vec3::UnitX();       ///< weights of the same nodes, where the point is drawn
-  Vec3 normal = Vec3::UnitZ();       ///< unit, outwards, at rest
-  int opposite = -1;                 ///< the block that lay against it at the start; −1: none
-  SurfacePlace across;               ///< the place of that one which it touched
+  SurfacePlace place;           ///< a little inside its triangle: there it is told which face lies against it
+  Vec3 corner = Vec3::UnitX();  ///< weights of the same nodes, where the point is drawn
+  Vec3 normal = Vec3::UnitZ();  ///< unit, outwards, at rest
+  int opposite = -1;            ///< the block that lay against it at the start; −1: none
+  SurfacePlace across;          ///< the place of that one which it touched
 };
 
 /// The walls of joints: the surfaces of all blocks, on which values of joints are drawn, in triangles that are small

@@ -25,6 +25,7 @@ constexpr std::array fields = {
     Field{"velocity.x", "Velocity x", "m/s", Source::velocity, Measure::component, 0},
     Field{"velocity.y", "Velocity y", "m/s", Source::velocity, Measure::component, 1},
     Field{"velocity.z", "Velocity z", "m/s", Source::velocity, Measure::component, 2},
+    Field{"rotation", "Rotation", "°", Source::rotation, Measure::magnitude},
     Field{"stress.von_mises", "Von Mises stress", "Pa", Source::stress, Measure::magnitude},
     Field{"stress.max_principal", "Largest principal stress", "Pa", Source::stress, Measure::max_principal},
     Field{"stress.min_principal", "Smallest principal stress", "Pa", Source::stress, Measure::min_principal},
@@ -36,6 +37,12 @@ constexpr std::array fields = {
     Field{"stress.xy", "Stress xy", "Pa", Source::stress, Measure::component, 3},
     Field{"stress.yz", "Stress yz", "Pa", Source::stress, Measure::component, 4},
     Field{"stress.zx", "Stress zx", "Pa", Source::stress, Measure::component, 5},
+    Field{"strain.volumetric", "Volumetric strain", "", Source::strain, Measure::volumetric},
+    Field{"strain.max_principal", "Largest principal strain", "", Source::strain, Measure::max_principal},
+    Field{"strain.min_principal", "Smallest principal strain", "", Source::strain, Measure::min_principal},
+    Field{"strain.max_shear", "Largest shear strain", "", Source::strain, Measure::max_shear},
+    Field{"body", "Kind of body", "", Source::block, Measure::body},
+    Field{"motion", "Motion of blocks", "", Source::block, Measure::motion},
     Field{"joint.normal_stress", "Normal stress on joints", "Pa", Source::joint, Measure::normal},
     Field{"joint.shear_stress", "Shear stress on joints", "Pa", Source::joint, Measure::shear},
     Field{"joint.mobilised", "Mobilised shear strength", "", Source::joint, Measure::mobilised},
@@ -98,7 +105,7 @@ std::vector<double> values(const Frame& frame, const Field& field) {
       return values_of(frame.velocity, field);
     case Source::stress:
       return values_of(frame.stress, field);
-    case Source::joint:
+    default:
       break;
   }
   throw std::invalid_argument(std::string(field.name) + " asks for the blocks as well");

@@ -9,41 +9,59 @@
 namespace talus {
 
 /// What a field has a value of each. A wall is a point of the surface (fields/joint_walls).
-enum class FieldPlace { node, tetrahedron, wall };
+enum class FieldPlace { node, tetrahedron, block, wall };
 
 /// A scalar that a frame can be coloured, plotted or exported by.
 struct Field {
-  enum class Source { displacement, velocity, stress, joint };
+  enum class Source { displacement, velocity, rotation, stress, strain, block, joint };
   enum class Measure {
-    magnitude,      ///< length of the vector; of stress: von Mises
+    magnitude,      ///< length of the vector; of stress: von Mises; of rotation: its angle
     component,      ///< `index` of x, y, z or of xx, yy, zz, xy, yz, zx
-    mean,           ///< of stress from here on
+    mean,           ///< of stress and strain from here on
     max_principal,  ///< largest tension
     min_principal,  ///< largest compression
     max_shear,
-    normal,     ///< of joints from here on: stress, compression positive
-    shear,      ///< stress
-    mobilised,  ///< shear stress over shear strength
-    cohesion,   ///< of bonds that are whole
-    slip,       ///< how far places that touched at the start have gone along each other
-    opening,    ///< … and apart
-    state,      ///< a class: WallState of fields/field_values
-    bond        ///< a class: Bond
+    volumetric,  ///< of strain
+    body,        ///< of blocks, a class: BodyKind
+    motion,      ///< likewise: MotionMode
+    normal,      ///< of joints from here on: stress, compression positive
+    shear,       ///< stress
+    mobilised,   ///< shear stress over shear strength
+    cohesion,    ///< of bonds that are whole
+    slip,        ///< how far places that touched at the start have gone along each other
+    opening,     ///< … and apart
+    state,       ///< a class: WallState of fields/field_values
+    bond         ///< a class: Bond
   };
 
   std::string_view name;   ///< as in `--field`, for example "stress.von_mises"
   std::string_view title;  ///< for a legend, for example "von Mises stress"
-  std::string_view unit;   ///< SI, "m", "m/s" or "Pa"; empty: a ratio, or a class
+  std::string_view unit;   ///< SI, "m", "m/s", "Pa" or "°"; empty: a ratio, or a class
   Source source;
   Measure measure;
   int index = 0;
 
   FieldPlace place() const {
-    if (source == Source::joint) return FieldPlace::wall;
-    return source == Source::stress ? FieldPlace::tetrahedron : FieldPlace::node;
+    switch (source) {
+      case Source::displacement:
+      case Source::velocity:
+        return FieldPlace::node;
+      case Source::stress:
+      case Source::strain:
+        return FieldPlace::tetrahedron;
+      case Source::rotation:
+      case Source::block:
+        return FieldPlace::block;
+      case Source::joint:
+        break;
+    }
+    return FieldPlace::wall;
   }
   /// Its values number classes, which have words and no order.
-  bool is_class() const { return measure == Measure::state || measure == Measure::bond; }
+  bool is_class() const {
+    return measure == Measure::state || measure == Measure::bond || measure == Measure::body ||
+           measure == Measure::motion;
+  }
   bool operator==(const Field& other) const { return name == other.name; }
 };
 
@@ -54,8 +72,9 @@ std::span<const Field> all_fields();
 /// Throws InputError that lists the names.
 const Field& field_named(std::string_view name);
 
-/// The field in its SI unit, one value a node or a tetrahedron as `field.place()` says. Those that need to know the
-/// blocks as well are told by FieldValues (fields/field_values); here they are std::invalid_argument.
+/// The field in its SI unit, one value a node or a tetrahedron as `field.place()` says: displacement, velocity and
+/// stress. Those that need to know the blocks as well are told by FieldValues (fields/field_values); here they are
+/// std::invalid_argument.
 std::vector<double> values(const Frame& frame, const Field& field);
 
 /// √(3 J₂) of a stress [Pa].

@@ -38,12 +38,14 @@ ValueRange field_range(const FieldValues& fields, const Frame& frame, const Fiel
 }
 
 ValueRange field_range(const BlockSystem& system, std::span<const double> values, const Field& field) {
-  const bool at_nodes = field.place() == FieldPlace::node;
+  const FieldPlace place = field.place();
   ValueRange range;
   if (field.place() == FieldPlace::wall) return range_of_walls(values, field);
   std::size_t begin = 0;
   for (const Block& block : system.blocks) {
-    const std::size_t count = at_nodes ? block.mesh.nodes.size() : block.mesh.tetrahedra.size();
+    const std::size_t count = place == FieldPlace::block  ? 1
+                              : place == FieldPlace::node ? block.mesh.nodes.size()
+                                                          : block.mesh.tetrahedra.size();
     if (block.body != BodyKind::fixed) range.include(values.subspan(begin, count));
     begin += count;
   }
@@ -53,7 +55,7 @@ ValueRange field_range(const BlockSystem& system, std::span<const double> values
 bool is_signed(const Field& field) {
   using enum Field::Measure;
   return field.measure == component || field.measure == mean || field.measure == max_principal ||
-         field.measure == min_principal;
+         field.measure == min_principal || field.measure == volumetric;
 }
 
 ValueRange legend_range(const Field& field, const ValueRange& values) {

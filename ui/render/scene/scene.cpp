@@ -90,10 +90,9 @@ void Scene::State::fill_section() {
     for (std::size_t i = 0; i < places.size(); ++i) places[i] += settings.deformation_scale * frame->displacement[i];
   std::vector<bool> shown = flags(hidden);
   shown.flip();
-  const auto of_field = field_values.empty() ? std::function<Rgb(double)>() : field_colours();
   const auto colour = [&](const BlockSection::Triangle& triangle, const BlockSection::Corner& corner) {
     const bool fixed_rock = system.blocks[static_cast<std::size_t>(triangle.block)].body == BodyKind::fixed;
-    if (field_values.empty() || shows_walls() || fixed_rock || triangle.tetrahedron < 0)
+    if (field_values.empty() || shows_walls() || shows_blocks() || fixed_rock || triangle.tetrahedron < 0)
       return colour_of(triangle.block);
     const bool at_nodes = settings.field->place() == FieldPlace::node;
     const auto value = [&](int i) { return field_values[static_cast<std::size_t>(i)]; };
@@ -275,6 +274,8 @@ std::optional<Pick> Scene::pick(double x, double y) const {
     pick.value = 0;
     for (int i = 0; i < 3; ++i)
       *pick.value += hit->weights[i] * state_->field_values[surface.nodes[triangle.vertices[i]]];
+  } else if (coloured && state_->shows_blocks()) {
+    if (!state_->settings.field->is_class()) pick.value = state_->field_values[static_cast<std::size_t>(pick.block)];
   } else if (coloured && triangle.tetrahedron >= 0) {
     pick.value = state_->field_values[triangle.tetrahedron];
   }

@@ -220,6 +220,7 @@ const BlockColours* Scene::State::chosen_colours() const {
 Rgb Scene::State::colour_of(int block) const {
   const auto index = static_cast<std::size_t>(block);
   if (shows_walls()) return colours(settings.theme).rock;
+  if (shows_blocks()) return colour_by_field(block);
   if (const BlockColours* chosen = chosen_colours(); chosen && !(frame && settings.field))
     return chosen->colours[index];
   const bool is_fixed = system.blocks[index].body == BodyKind::fixed;
@@ -228,9 +229,10 @@ Rgb Scene::State::colour_of(int block) const {
 
 void Scene::State::colour() {
   section_is_stale = walls_are_stale = true;
-  fixed.colour_by_block([this](int block) { return colour_of(block); });
   field_values = frame && settings.field ? fields.of(*frame, *settings.field) : std::vector<double>{};
-  if (field_values.empty() || shows_walls()) {
+  of_field = field_values.empty() ? nullptr : field_colours();
+  fixed.colour_by_block([this](int block) { return colour_of(block); });
+  if (field_values.empty() || shows_walls() || shows_blocks()) {
     movable.colour_by_block([this](int block) { return colour_of(block); });
     return;
   }

@@ -81,9 +81,13 @@ struct Scene::State {
   void fill_section();
   /// The field is one of the walls of joints: these have its colours, and the rock is in their way.
   bool shows_walls() const;
+  /// The field has a value a block.
+  bool shows_blocks() const;
   void draw_walls();
   /// Of the rock: seen through where it is in the way, unless blocks are drawn apart.
   double opacity() const;
+  /// Of a block by its own value; rock where it has none, or is fixed and not of a class.
+  Rgb colour_by_field(int block) const;
   /// Colours of values of the field that is shown.
   std::function<Rgb(double value)> field_colours() const;
   /// What the colours of the field mean: a scale, or words.
@@ -139,6 +143,7 @@ struct Scene::State {
   std::shared_ptr<const Frame> frame;
   std::vector<Vec3> contact_dots;    ///< where the frame's contact points are drawn, m; none where they are not
   std::vector<double> field_values;  ///< of the frame, SI
+  std::function<Rgb(double value)> of_field;  ///< their colours; none where no field is shown
   std::vector<std::string> stage_names;
   ViewExtent extent;
   bool fits_itself = true;  ///< no pose was set since the last look or fit

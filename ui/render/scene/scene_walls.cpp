@@ -1,4 +1,4 @@
-// Fields of joints on the walls of joints, and what a field's colours mean.
+// Fields of joints on the walls of joints, those of whole blocks, and what a field's colours mean.
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +19,17 @@ bool Scene::State::shows_walls() const {
   return frame && settings.field && settings.field->place() == FieldPlace::wall;
 }
 
+bool Scene::State::shows_blocks() const {
+  return frame && settings.field && settings.field->place() == FieldPlace::block;
+}
+
+Rgb Scene::State::colour_by_field(int block) const {
+  const auto index = static_cast<std::size_t>(block);
+  const bool told = settings.field->is_class() || system.blocks[index].body != BodyKind::fixed;
+  const double value = field_values[index];
+  return told && std::isfinite(value) ? of_field(value) : colours(settings.theme).rock;
+}
+
 double Scene::State::opacity() const {
   const bool in_the_way = shows_walls() && settings.explosion == 0;
   return in_the_way ? std::min(settings.rock_opacity, opacity_before_walls) : settings.rock_opacity;
@@ -29,9 +40,8 @@ std::function<Rgb(double)> Scene::State::field_colours() const {
   if (field.is_class())
     return [classes = classes_of(field)](double value) { return classes.at(static_cast<std::size_t>(value)).colour; };
   const ColourMap* const map = is_signed(field) ? &vik() : &batlow();
-  return [map, range = colour_range()](double value) {
-    return map->at((value - range.low) / (range.high - range.low));
-  };
+  return
+      [map, range = colour_range()](double value) { return map->at((value - range.low) / (range.high - range.low)); };
 }
 
 void Scene::State::draw_walls() {
@@ -48,7 +58,7 @@ void Scene::State::draw_walls() {
     places.push_back(SurfacePlace{point.place.nodes, point.corner}.of(at));
   std::vector<bool> shown = flags(hidden);
   shown.flip();
-  walls.show(fields.walls(), places, field_values, shown, {field_colours(), settings.field->is_class()});
+  walls.show(fields.walls(), places, field_values, shown, {of_field, settings.field->is_class()});
 }
 
 void Scene::State::explain_field() {
@@ -60,7 +70,10 @@ void Scene::State::explain_field() {
   if (!settings.legend) return;
   if (field.is_class()) {
     overlay.colour_key = ColourKey{std::string(field.title), {}};
-    for (const FieldClass& each : classes_of(field)) overlay.colour_key->entries.push_back({each.colour, each.word});
+    double value = 0;
+    for (const FieldClass& each : classes_of(field))  // of blocks those that are there: they may be many
+      if (std::ranges::count(field_values, value++) > 0 || !shows_blocks())
+        overlay.colour_key->entries.push_back({each.colour, each.word});
     return;
   }
   const ValueRange range = colour_range();

@@ -19,7 +19,8 @@ QString componentTitle(const Field& field) {
     title.remove(QStringLiteral(" stress")).remove(QStringLiteral("Stress "));
     return title;
   }
-  if (field.source == Field::Source::joint) return text(field.title);
+  const bool isVector = field.source == Field::Source::displacement || field.source == Field::Source::velocity;
+  if (!isVector) return text(field.title);
   if (field.measure == Field::Measure::magnitude) return QObject::tr("Magnitude");
   const char* axes[] = {"East, x", "North, y", "Up, z"};
   return QObject::tr(axes[field.index]);
@@ -35,7 +36,10 @@ FieldChooser::FieldChooser(Display& display, QObject* parent)
   quantity_->addItem(tr("Block"), block_colours);
   quantity_->addItem(tr("Displacement"), static_cast<int>(Field::Source::displacement));
   quantity_->addItem(tr("Velocity"), static_cast<int>(Field::Source::velocity));
+  quantity_->addItem(tr("Rotation"), static_cast<int>(Field::Source::rotation));
   quantity_->addItem(tr("Stress"), static_cast<int>(Field::Source::stress));
+  quantity_->addItem(tr("Strain"), static_cast<int>(Field::Source::strain));
+  quantity_->addItem(tr("Kind"), static_cast<int>(Field::Source::block));
   quantity_->addItem(tr("Joints"), static_cast<int>(Field::Source::joint));
   quantity_->setToolTip(tr("What the blocks are coloured by"));
   component_->setToolTip(tr("Component or measure"));
