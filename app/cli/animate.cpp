@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "options.hpp"
 #include "render/film/movie.hpp"
+#include "render/views/view_of_results.hpp"
 #include "text/json_text.hpp"
 #include "text/terminal.hpp"
 
@@ -28,23 +29,38 @@ ValueRange range_of_all(const ResultReader& results, int count, const Field& fie
   return legend_range(field, range);
 }
 
+std::unique_ptr<Scene> scene_by_options(const AnimateOptions& options, const ResultReader& results, int count) {
+  SceneSettings settings = scene_settings(options.look, results);
+  about(options.results, [&] { need_field(results.frame(count - 1), settings); });
+  if (settings.field && !settings.range) settings.range = range_of_all(results, count, *settings.field);
+  auto scene = std::make_unique<Scene>(results.system(), settings);
+  scene->set_stage_names(results.stage_names());
+  for (int i = 0; i < count; ++i) scene->include_in_view(results.frame(i));
+  mark_troubles(options.look, results, *scene);
+  point_camera(options.look, results, *scene);
+  return scene;
+}
+
+std::unique_ptr<Scene> scene_as_saved(const AnimateOptions& options, const ResultReader& results, int count) {
+  SavedView view = read_view(options.look.view_file);
+  about(options.results, [&] { need_field(results.frame(count - 1), view.settings); });
+  if (view.settings.field && !view.settings.range)
+    view.settings.range = range_of_all(results, count, *view.settings.field);
+  return about(options.look.view_file,
+               [&] { return scene_of_view(view, results, monitors_of(options.results, results), false); });
+}
+
 ExitCode animate(const AnimateOptions& options, bool json) {
   catch_interrupts();
   const ResultReader results(options.results);
   const int count = about(options.results, [&] { return frame_index(results, {}) + 1; });
-  SceneSettings settings = scene_settings(options.look, results);
-  about(options.results, [&] { need_field(results.frame(count - 1), settings); });
-  if (settings.field && !settings.range) settings.range = range_of_all(results, count, *settings.field);
-  Scene scene(results.system(), settings);
-  scene.set_stage_names(results.stage_names());
-  for (int i = 0; i < count; ++i) scene.include_in_view(results.frame(i));
-  mark_troubles(options.look, results, scene);
-  point_camera(options.look, results, scene);
+  const std::unique_ptr<Scene> scene = options.look.view_file.empty() ? scene_by_options(options, results, count)
+                                                                      : scene_as_saved(options, results, count);
   const FilmOptions film{options.size.width, options.size.height, options.fps};
   {
     TerminalProgress progress;
     render_film(
-        scene, count, [&](int i) { return std::make_shared<const Frame>(results.frame(i)); }, options.out, film,
+        *scene, count, [&](int i) { return std::make_shared<const Frame>(results.frame(i)); }, options.out, film,
         progress);
   }
 

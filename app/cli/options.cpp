@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <thread>
 
 #include "base/error.hpp"
+#include "project_choice.hpp"
 #include "render/scene/slope_view.hpp"
 
 namespace talus::cli {
@@ -48,8 +50,8 @@ void add_results(CLI::App& command, std::filesystem::path& results) {
       ->type_name("DIR");
 }
 
-void add_size(CLI::App& command, PictureSize& size) {
-  command
+CLI::Option* add_size(CLI::App& command, PictureSize& size) {
+  return command
       .add_option_function<std::string>(
           "--size", [&size](const std::string& text) { size = parsed_size(text); }, "Width and height in pixels")
       ->type_name("WxH")
@@ -136,6 +138,14 @@ void add_look(CLI::App& command, Look& look) {
   command.add_flag("--trouble,--struggles", look.troubles,
                    "Mark the contacts at which steps were cut or took many iterations (--struggles is the old name)");
   add_theme(command, look.theme);
+  auto* view_file = command
+                        .add_option("--view-file", look.view_file,
+                                    "Draw a view that the window has saved, pixel for pixel where no --size is given; "
+                                    "--time or --frame choose another frame")
+                        ->type_name("VIEW.json");
+  for (const char* said_there :
+       {"--field", "--range", "--view", "--edges", "--scale", "--explode", "--contacts", "--trouble", "--theme"})
+    view_file->excludes(command.get_option(said_there));
 }
 
 SceneSettings scene_settings(const Look& look, const ResultReader& results) {
@@ -149,6 +159,16 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
   settings.title = results.project_name();
   if (!look.field.empty()) settings.field = field_named(look.field);
   return settings;
+}
+
+std::vector<ActionGlyph> monitors_of(const std::filesystem::path& folder, const ResultReader& results) {
+  std::vector<ActionGlyph> monitors;
+  const std::filesystem::path file = folder / "project.talus";
+  if (!std::filesystem::exists(file)) return monitors;
+  const Project project = read_project(file, {.allow_outside = true});  // no file that it names is opened
+  std::ranges::copy_if(action_glyphs(project, results.system()), std::back_inserter(monitors),
+                       [](const ActionGlyph& glyph) { return glyph.kind == ActionGlyph::Kind::monitor; });
+  return monitors;
 }
 
 void need_field(const Frame& frame, const SceneSettings& settings) {

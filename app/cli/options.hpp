@@ -18,7 +18,7 @@ struct PictureSize {
 };
 
 void add_results(CLI::App& command, std::filesystem::path& results);
-void add_size(CLI::App& command, PictureSize& size);
+CLI::Option* add_size(CLI::App& command, PictureSize& size);
 void add_theme(CLI::App& command, Theme& theme);
 void add_threads(CLI::App& command, int& threads);
 
@@ -40,10 +40,13 @@ struct Look {
   bool contacts = false, troubles = false;
   double scale = 1, explosion = 0;
   std::optional<ValueRange> range;  ///< of the legend, SI
+  std::filesystem::path view_file;  ///< saved by the window, says all of this itself; empty: none
 };
 void add_look(CLI::App& command, Look& look);
 /// Throws InputError for a field or a view there is not.
 SceneSettings scene_settings(const Look& look, const ResultReader& results);
+/// Those of the project that the results keep; none where that is gone.
+std::vector<ActionGlyph> monitors_of(const std::filesystem::path& folder, const ResultReader& results);
 /// Throws InputError where the frame does not tell of the field that is to be shown.
 void need_field(const Frame& frame, const SceneSettings& settings);
 /// Marks where the run was hard, if that was asked for; of a run that was killed nothing is known.

@@ -9,6 +9,7 @@
 #include "output_file.hpp"
 #include "render/paint/picture_difference.hpp"
 #include "render/scene/offscreen.hpp"
+#include "render/views/view_of_results.hpp"
 #include "text/json_text.hpp"
 #include "text/picture_text.hpp"
 
@@ -28,6 +29,7 @@ struct RenderOptions {
   std::filesystem::path results, out;
   FrameChoice choice;
   PictureSize size{1600, 1000};
+  bool has_size = false;  ///< it was given
   Look look;
   PictureCheck check;
 };
@@ -101,9 +103,13 @@ ExitCode check_picture(const PictureCheck& check, const Image& drawn, const std:
   return failed;
 }
 
-ExitCode render(const RenderOptions& options, bool json) {
-  refuse_to_overwrite_baseline(options.check, options.out);
-  const ResultReader results(options.results);
+/// A frame, drawn.
+struct Drawing {
+  int index = 0;
+  Image picture;
+};
+
+Drawing drawn_by_options(const RenderOptions& options, const ResultReader& results) {
   const int index = about(options.results, [&] { return frame_index(results, options.choice); });
   Scene scene(results.system(), scene_settings(options.look, results));
   scene.set_stage_names(results.stage_names());
@@ -112,13 +118,36 @@ ExitCode render(const RenderOptions& options, bool json) {
   scene.set_frame(frame);
   mark_troubles(options.look, results, scene);
   point_camera(options.look, results, scene);
-  const Image drawn = draw_image(scene, options.size.width, options.size.height);
+  return {index, draw_image(scene, options.size.width, options.size.height)};
+}
+
+Drawing drawn_as_saved(const RenderOptions& options, const ResultReader& results) {
+  const SavedView view = read_view(options.look.view_file);
+  const bool other_frame = options.choice.time || options.choice.frame;
+  const int index = about(options.results, [&] {
+    return other_frame ? frame_index(results, options.choice) : frame_of_view(view, results);
+  });
+  const auto frame = std::make_shared<const Frame>(results.frame(index));
+  about(options.results, [&] { need_field(*frame, view.settings); });
+  const bool as_it_was = !options.has_size;
+  const auto scene = about(options.look.view_file, [&] {
+    return scene_of_view(view, results, monitors_of(options.results, results), as_it_was);
+  });
+  scene->set_frame(frame);
+  return {index, as_it_was ? draw_view(*scene, view) : draw_image(*scene, options.size.width, options.size.height)};
+}
+
+ExitCode render(const RenderOptions& options, bool json) {
+  refuse_to_overwrite_baseline(options.check, options.out);
+  const ResultReader results(options.results);
+  const auto [index, drawn] =
+      options.look.view_file.empty() ? drawn_by_options(options, results) : drawn_as_saved(options, results);
   write_png(drawn, options.out);
 
   const double time = results.frame_times()[static_cast<std::size_t>(index)];
   nlohmann::ordered_json picture = {{"picture", options.out.string()},
-                                    {"width", options.size.width},
-                                    {"height", options.size.height},
+                                    {"width", drawn.width},
+                                    {"height", drawn.height},
                                     {"frame", index},
                                     {"time", time}};
   std::string verdict;
@@ -163,10 +192,11 @@ void add_render(CLI::App& program, Invocation& invocation) {
   add_results(*command, options->results);
   command->add_option("--out", options->out, "Picture to write")->required()->type_name("P.png");
   add_frame_choice(*command, options->choice);
-  add_size(*command, options->size);
+  const CLI::Option* size = add_size(*command, options->size);
   add_look(*command, options->look);
   add_picture_check(*command, options->check);
-  command->callback([&invocation, options] {
+  command->callback([&invocation, options, size] {
+    options->has_size = size->count() > 0;
     invocation.run = [&invocation, options] { return render(*options, invocation.json); };
   });
 }

@@ -47,11 +47,16 @@ std::unique_ptr<valijson::Schema> compiled(const Json& schema) {
   return made;
 }
 
-const valijson::Schema& compiled_schema(bool unfinished) {
-  static const auto finished_schema = compiled(schema_json());
-  static const auto unfinished_schema = compiled(unfinished_schema_json());
-  return unfinished ? *unfinished_schema : *finished_schema;
+const Json& view_schema_json() {
+  static const Json json = Json::parse(view_schema_text());
+  return json;
 }
+
+/// A schema, and what the validator makes of it.
+struct Schema {
+  const Json& json;
+  std::unique_ptr<valijson::Schema> made = compiled(json);
+};
 
 /// The smaller comes first among several faults of one text.
 enum class Weight { unknown_key, other };
@@ -62,6 +67,7 @@ struct Fault {
   std::string problem, remedy;
 };
 
+/// The schema of views refers to nothing.
 const Json& resolved(const Json& rule) {
   if (!rule.contains("$ref")) return rule;
   return schema_json().at(Json::json_pointer(rule.at("$ref").get<std::string>().substr(1)));
@@ -258,14 +264,12 @@ void large_numbers_as_floats(Json& value) {
 /// What the first fault is sought among, of each key of the project: a list of 100 000 may be wrong in every entry.
 constexpr int most_faults_of_a_key = 100;
 
-}  // namespace
-
-void check_against_schema(const JsonText& json, bool unfinished) {
+void check(const JsonText& json, const Schema& schema) {
   Json value = json.value;  // the validator's adapter knows the library's own object type alone
   large_numbers_as_floats(value);
   valijson::ValidationResults results;
   valijson::Validator validator;
-  if (validator.validate(compiled_schema(unfinished), valijson::adapters::NlohmannJsonAdapter(value), &results)) return;
+  if (validator.validate(*schema.made, valijson::adapters::NlohmannJsonAdapter(value), &results)) return;
 
   using Rank = std::pair<Weight, std::size_t>;
   std::optional<std::pair<Rank, Fault>> first;
@@ -273,7 +277,7 @@ void check_against_schema(const JsonText& json, bool unfinished) {
   for (const auto& error : results) {
     int& faults = faults_of_key[error.context.size() > 1 ? error.context[1] : std::string()];
     if (faults == most_faults_of_a_key) continue;
-    const auto fault = explain_at(error.context, value, unfinished ? unfinished_schema_json() : schema_json());
+    const auto fault = explain_at(error.context, value, schema.json);
     if (!fault) continue;  // the fault lies in something that this value holds
     ++faults;
     const Rank rank{fault->weight, offset_in_text(json, fault->place.pointer())};
@@ -281,6 +285,18 @@ void check_against_schema(const JsonText& json, bool unfinished) {
   }
   if (!first) throw InputError(place_in_text(json, "/"), "does not fit the schema", "compare it with the manual");
   throw InputError(place_in_text(json, first->second.place.text()), first->second.problem, first->second.remedy);
+}
+
+}  // namespace
+
+void check_against_schema(const JsonText& json, bool unfinished) {
+  static const Schema finished_schema{schema_json()}, unfinished_schema{unfinished_schema_json()};
+  check(json, unfinished ? unfinished_schema : finished_schema);
+}
+
+void check_view_against_schema(const JsonText& json) {
+  static const Schema schema{view_schema_json()};
+  check(json, schema);
 }
 
 }  // namespace talus

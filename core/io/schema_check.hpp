@@ -9,4 +9,7 @@ namespace talus {
 /// `unfinished` project may lack what the schema asks of the project itself: its solids and stages.
 void check_against_schema(const JsonText& json, bool unfinished = false);
 
+/// Checks the text of a view file against resources/schema/view.schema.json, likewise.
+void check_view_against_schema(const JsonText& json);
+
 }  // namespace talus

@@ -3909,10 +3909,6 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>The legend spans the values of all frames, or those of the one in view</source>
-        <translation>Die Legende umfasst die Werte aller Bilder oder die des gezeigten</translation>
-    </message>
-    <message>
         <source>Lines along the edges of blocks, of all tetrahedra at the surface, or none</source>
         <translation>Linien entlang der Kanten der Blöcke, aller Tetraeder an der Oberfläche, oder keine</translation>
     </message>
@@ -3931,6 +3927,34 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
     <message>
         <source>A length at the depth of the middle of the view</source>
         <translation>Eine Länge in der Tiefe der Mitte der Ansicht</translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation>eingegeben</translation>
+    </message>
+    <message>
+        <source>The legend spans the values of all frames, those of the one in view, or what is typed</source>
+        <translation>Die Legende umfasst die Werte aller Bilder, die des gezeigten, oder was eingegeben wird</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Lowest value of the legend</source>
+        <translation>Kleinster Wert der Legende</translation>
+    </message>
+    <message>
+        <source>Highest value of the legend</source>
+        <translation>Größter Wert der Legende</translation>
+    </message>
+    <message>
+        <source>The lowest value must be below the highest</source>
+        <translation>Der kleinste Wert muss unter dem größten liegen</translation>
     </message>
 </context>
 <context>
@@ -4016,6 +4040,18 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
     <message>
         <source>Joints</source>
         <translation>Klüfte</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
 </context>
 <context>
@@ -4823,6 +4859,22 @@ Z %3</translation>
     <message>
         <source>Files (*%1)</source>
         <translation>Dateien (*%1)</translation>
+    </message>
+    <message>
+        <source>Views of results (*.json)</source>
+        <translation>Ansichten von Ergebnissen (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the view</source>
+        <translation>Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Open a view</source>
+        <translation>Ansicht öffnen</translation>
+    </message>
+    <message>
+        <source>Saved the view as %1</source>
+        <translation>Ansicht gespeichert als %1</translation>
     </message>
 </context>
 <context>
@@ -8013,6 +8065,14 @@ Nr. %3</translation>
     <message>
         <source>No run of this project was stopped that could go on</source>
         <translation>Kein Lauf dieses Projekts wurde angehalten, der weitergehen könnte</translation>
+    </message>
+    <message>
+        <source>Save view…</source>
+        <translation>Ansicht speichern…</translation>
+    </message>
+    <message>
+        <source>Open view…</source>
+        <translation>Ansicht öffnen…</translation>
     </message>
 </context>
 <context>

@@ -40,8 +40,8 @@ std::shared_ptr<Frame> pressed(const BlockSystem& system) {
   for (int i = 0; i < 4; ++i) {
     const Vec3 corner(i & 1, i >> 1, 0);
     frame->contacts.push_back(corner_contact(1, corner, ContactState::stick, i & 1 ? 8e4 : 1e4, Bond::whole));
-    frame->contacts.push_back(
-        corner_contact(2, corner + Vec3(1.3, 0, 0), i & 1 ? ContactState::slip : ContactState::open, 2e4, Bond::broken));
+    frame->contacts.push_back(corner_contact(2, corner + Vec3(1.3, 0, 0),
+                                             i & 1 ? ContactState::slip : ContactState::open, 2e4, Bond::broken));
   }
   return frame;
 }

@@ -29,6 +29,7 @@ void Display::takeFrame() { settings_.range = legendRange(); }
 
 std::optional<ValueRange> Display::legendRange() const {
   const auto frame = playback_.frame();
+  if (frame && settings_.field && typedRange_) return typedRange_;
   if (!frame || !settings_.field || !project_.system() || !rangeFollowsRun_) return std::nullopt;
   ValueRange range = whole_.known();
   if (range.empty()) range = whole_.rangeOf(*frame);  // until the others are read
@@ -39,6 +40,7 @@ void Display::set(const SceneSettings& settings) {
   const bool anotherField = settings.field != settings_.field;
   settings_ = settings;
   if (anotherField) {
+    typedRange_.reset();
     whole_.follow(settings_.field);
     takeFrame();
   }
@@ -49,6 +51,28 @@ void Display::setRangeFollowsRun(bool follows) {
   rangeFollowsRun_ = follows;
   takeFrame();
   emit changed();
+}
+
+ValueRange Display::spannedRange() const {
+  const auto frame = playback_.frame();
+  if (settings_.range || !frame || !settings_.field) return settings_.range.value_or(ValueRange{0, 1});
+  return legend_range(*settings_.field, whole_.rangeOf(*frame));
+}
+
+void Display::setTypedRange(const std::optional<ValueRange>& range) {
+  typedRange_ = range;
+  takeFrame();
+  emit changed();
+}
+
+void Display::show(const SceneSettings& saved) {
+  if ((saved.theme == Theme::dark) != isDark()) setDark(saved.theme == Theme::dark);
+  SceneSettings settings = saved;
+  settings.block_colours = settings_.block_colours;
+  settings.places = settings_.places;
+  settings.joints = settings_.joints;
+  set(settings);
+  setTypedRange(saved.range);
 }
 
 void Display::setDark(bool dark) {

@@ -23,9 +23,16 @@ class Display : public QObject {
 
   const SceneSettings& settings() const { return settings_; }
   void set(const SceneSettings& settings);
+  /// Shows results as a view did: its field, range, shape and overlays, in its theme.
+  void show(const SceneSettings& saved);
   /// Whether the legend spans all frames of the run, as far as it has come, or the one in view alone.
   bool rangeFollowsRun() const { return rangeFollowsRun_; }
   void setRangeFollowsRun(bool follows);
+  /// What the legend spans of the field that is shown, whichever frames are looked at; empty: of the run or the frame.
+  const std::optional<ValueRange>& typedRange() const { return typedRange_; }
+  void setTypedRange(const std::optional<ValueRange>& range);
+  /// What the legend spans now, SI.
+  ValueRange spannedRange() const;
   bool isDark() const { return settings_.theme == Theme::dark; }
   void setDark(bool dark);
 
@@ -56,6 +63,7 @@ class Display : public QObject {
   WorkflowPage page_ = WorkflowPage::geometry;
   SceneSettings settings_;
   bool rangeFollowsRun_ = true;
+  std::optional<ValueRange> typedRange_;
   RunRange whole_;
 };
 

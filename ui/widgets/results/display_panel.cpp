@@ -6,6 +6,8 @@
 
 #include "session/current_run.hpp"
 #include "session/display.hpp"
+#include "widgets/kit/number_field.hpp"
+#include "widgets/kit/text.hpp"
 #include "widgets/run/trouble_panel.hpp"
 
 namespace talus {
@@ -26,10 +28,15 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   auto* field = colours_ = new Section(tr("Field"));
   field->addRow(tr("Colour by"), field_->quantityBox());
   field->addRow(tr("Component"), field_->componentBox());
-  range_ = makeCombo({tr("all frames"), tr("this frame")}, tr("Range of the legend"));
-  connect(range_, &QComboBox::activated, this, [this](int index) { display_.setRangeFollowsRun(index == 0); });
-  range_->setToolTip(tr("The legend spans the values of all frames, or those of the one in view"));
+  range_ = makeCombo({tr("all frames"), tr("this frame"), tr("typed")}, tr("Range of the legend"));
+  connect(range_, &QComboBox::activated, this, &DisplayPanel::chooseRange);
+  range_->setToolTip(tr("The legend spans the values of all frames, those of the one in view, or what is typed"));
   field->addRow(tr("Range"), range_);
+  for (auto& [end, name] : {std::pair(&ValueRange::low, tr("Lowest")), std::pair(&ValueRange::high, tr("Highest"))}) {
+    QWidget*& row = ends_.emplace_back(end, new QWidget).second;
+    setMargins(new QHBoxLayout(row), 0, 0);
+    field->addRow(name, row);
+  }
   inner->addWidget(field);
   inner->addWidget(makeLine(Qt::Horizontal));
 
@@ -73,6 +80,40 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   show();
 }
 
+void DisplayPanel::chooseRange(int index) {
+  display_.setTypedRange(index == 2 ? std::optional<ValueRange>(display_.spannedRange()) : std::nullopt);
+  if (index < 2) display_.setRangeFollowsRun(index == 0);
+}
+
+/// The fields' unit is that of what is coloured by.
+void DisplayPanel::showTypedRange() {
+  const SceneSettings& settings = display_.settings();
+  const auto& typed = display_.typedRange();
+  for (auto& [end, row] : ends_) {
+    colours_->setRowVisible(row, typed && settings.field && !settings.field->is_class());
+    if (!typed || !settings.field) continue;
+    auto* number = row->findChild<NumberField*>();
+    const QString unit = text(settings.field->unit);
+    if (!number || number->property("unit").toString() != unit) {
+      delete number;
+      number = new NumberField(typed.value().*end, {unit, unit});
+      number->setProperty("unit", unit);
+      number->setAccessibleName(end == &ValueRange::low ? tr("Lowest value of the legend")
+                                                        : tr("Highest value of the legend"));
+      connect(number, &NumberField::committed, this, [this, end = end, number](double value) {
+        ValueRange range = *display_.typedRange();
+        range.*end = value;
+        if (range.low < range.high)
+          display_.setTypedRange(range);
+        else
+          number->setProblem(tr("The lowest value must be below the highest"));
+      });
+      row->layout()->addWidget(number);
+    }
+    number->setValue(typed.value().*end);
+  }
+}
+
 QCheckBox* DisplayPanel::addSwitch(Section* section, const QString& name, bool SceneSettings::*member) {
   auto* box = new QCheckBox(name);
   connect(box, &QCheckBox::toggled, this, [this, member](bool on) {
@@ -87,9 +128,10 @@ QCheckBox* DisplayPanel::addSwitch(Section* section, const QString& name, bool S
 
 void DisplayPanel::show() {
   const SceneSettings& settings = display_.settings();
-  range_->setCurrentIndex(display_.rangeFollowsRun() ? 0 : 1);
-  for (QWidget* row : {static_cast<QWidget*>(range_), static_cast<QWidget*>(field_->componentBox())})
-    colours_->setRowVisible(row, settings.field.has_value());
+  range_->setCurrentIndex(display_.typedRange() ? 2 : display_.rangeFollowsRun() ? 0 : 1);
+  colours_->setRowVisible(field_->componentBox(), settings.field.has_value());
+  colours_->setRowVisible(range_, settings.field && !settings.field->is_class());
+  showTypedRange();
   edges_->setCurrentIndex(static_cast<int>(settings.edges));
   for (int i = 0; i < 4; ++i)
     if (deformation_scales[i] == settings.deformation_scale) deformation_->setCurrentIndex(i);

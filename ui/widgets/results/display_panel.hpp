@@ -21,12 +21,15 @@ class DisplayPanel : public QWidget {
 
  private:
   void show();
+  void chooseRange(int index);
+  void showTypedRange();
   QCheckBox* addSwitch(Section* section, const QString& name, bool SceneSettings::*member);
 
   Display& display_;
   FieldChooser* field_;
   Section* colours_;
   QComboBox *range_, *deformation_, *edges_;
+  std::vector<std::pair<double ValueRange::*, QWidget*>> ends_;  ///< of the range that is typed
   std::vector<std::pair<QCheckBox*, bool SceneSettings::*>> switches_;
 };
 

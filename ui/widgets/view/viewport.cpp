@@ -315,6 +315,10 @@ bool Viewport::isRunning() const { return session_.run.isBusy(); }
 
 const SceneSettings& Viewport::displayed() const { return session_.display.settings(); }
 
+Display& Viewport::display() const { return session_.display; }
+
+Playback& Viewport::playback() const { return session_.playback; }
+
 const Project& Viewport::project() const { return session_.project.document().project(); }
 
 WorkflowPage Viewport::page() const { return session_.display.page(); }
@@ -473,14 +477,6 @@ void Viewport::placeOverlays() {
   picker_->raise();
   empty_->adjustSize();
   empty_->setGeometry(0, (height() - empty_->height()) / 2, width(), empty_->height());
-}
-
-void Viewport::keepLabelsBesideTools() {
-  if (!scene_) return;
-  const double ratio = devicePixelRatioF();
-  const QRect tools = tools_->geometry();
-  scene_->set_covered({PixelRect{tools.x() * ratio, (height() - tools.y() - tools.height()) * ratio,
-                                 (tools.x() + tools.width()) * ratio, (height() - tools.y()) * ratio}});
 }
 
 }  // namespace talus

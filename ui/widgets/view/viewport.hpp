@@ -13,6 +13,7 @@
 #include "document/selection.hpp"
 #include "jobs/latest_job.hpp"
 #include "render/scene/scene.hpp"
+#include "render/views/view_file.hpp"
 #include "widgets/view/camera_moves.hpp"
 
 class QLabel;
@@ -21,8 +22,10 @@ class QRubberBand;
 
 namespace talus {
 
+class Display;
 class Lasso;
 class PlacePicker;
+class Playback;
 class RenderSurface;
 class ViewOverlay;
 class ViewTool;
@@ -97,11 +100,18 @@ class Viewport : public QWidget {
   QPixmap picture();
   /// The same as it is in a theme.
   QPixmap picture(Theme theme);
+  /// All that the picture of results depends on; empty where none are shown.
+  std::optional<SavedView> savedView() const;
+  /// Shows results as a saved view did, in the size that the view has now. Throws InputError where it is of other
+  /// blocks.
+  void show(const SavedView& view);
   /// The toolbar over the view's right edge; the window adds to it.
   QWidget* tools() { return tools_; }
   /// Strips and tools that lie over the view get their places again.
   void placeOverlays();
   void keepLabelsBesideTools();
+  /// Pixels from the lower left corner.
+  std::vector<PixelRect> coveredByTools() const;
   QString surveyedPlace(const Pick& pick) const;
 
  signals:
@@ -150,6 +160,8 @@ class Viewport : public QWidget {
   Selection& selection() const;
   bool isRunning() const;
   const SceneSettings& displayed() const;
+  Display& display() const;
+  Playback& playback() const;
   void moveCamera(const CameraPose& pose);
   void render();
   void drawNow();

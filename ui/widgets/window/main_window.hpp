@@ -58,6 +58,9 @@ class MainWindow : public QMainWindow {
   /// Of the results that are open: as HTML or PDF, by the file's ending; of STL the frame in view.
   void saveReport(const std::filesystem::path& path);
   void exportData(DataFormat format, const std::filesystem::path& path);
+  /// How results are shown, as a view file by which talus-cli draws the same; what goes wrong is said as a problem.
+  void saveView(const std::filesystem::path& path);
+  void openView(const std::filesystem::path& path);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -88,6 +91,7 @@ class MainWindow : public QMainWindow {
   void askForPicture();
   void askForFilm();
   void askForReport();
+  void askForView(bool save);
   void askForExport(DataFormat format);
   void write(const QString& what, const std::filesystem::path& path, Writing writing);
   /// Null, and a problem is said, where the samples cannot be read.

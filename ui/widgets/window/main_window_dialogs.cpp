@@ -45,6 +45,8 @@ void MainWindow::connectActions() {
   connect(actions_->savePicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(actions_->saveFilm, &QAction::triggered, this, &MainWindow::askForFilm);
   connect(actions_->saveReport, &QAction::triggered, this, &MainWindow::askForReport);
+  connect(actions_->saveView, &QAction::triggered, this, [this] { askForView(true); });
+  connect(actions_->openView, &QAction::triggered, this, [this] { askForView(false); });
   for (const auto& [format, action] : actions_->exports)
     connect(action, &QAction::triggered, this, [this, format = format] { askForExport(format); });
   connect(actions_->startPage, &QAction::triggered, this, [this] { showStart(true); });
@@ -144,6 +146,41 @@ void MainWindow::askForReport() {
   const QString name = QFileDialog::getSaveFileName(this, tr("Save a report"), proposedFile(QStringLiteral(".html")),
                                                     tr("Reports (*.html *.pdf)"));
   if (!name.isEmpty()) saveReport(withEnding(name, ".html"));
+}
+
+void MainWindow::askForView(bool save) {
+  const QString kind = tr("Views of results (*.json)");
+  if (save) {
+    const QString name =
+        QFileDialog::getSaveFileName(this, tr("Save the view"), proposedFile(QStringLiteral(".view.json")), kind);
+    if (!name.isEmpty()) saveView(withEnding(name, ".json"));
+  } else {
+    const QString name = QFileDialog::getOpenFileName(this, tr("Open a view"), folderForDialogs(), kind);
+    if (!name.isEmpty()) openView(name.toStdString());
+  }
+}
+
+void MainWindow::saveView(const std::filesystem::path& path) {
+  const auto view = viewport_->savedView();
+  if (!view) return;
+  session_.messages.settle(Problem::Of::picture);
+  try {
+    save_view(*view, path);
+    session_.messages.log(tr("Saved the view as %1").arg(text(path.string())));
+  } catch (const InputError& error) {
+    session_.messages.add(problemOf(error, Problem::Of::picture));
+  }
+}
+
+void MainWindow::openView(const std::filesystem::path& path) {
+  session_.messages.settle(Problem::Of::picture);
+  try {
+    const SavedView view = read_view(path);
+    session_.display.goTo(WorkflowPage::results);
+    viewport_->show(view);
+  } catch (const InputError& error) {
+    session_.messages.add(problemOf(error, Problem::Of::picture));
+  }
 }
 
 void MainWindow::askForExport(DataFormat format) {

@@ -76,6 +76,8 @@ void WindowActions::makeFileActions() {
   saveAs = add(tr("Save as…"), {}, QKeySequence(tr("Ctrl+Shift+S")));
   savePicture = add(tr("Save picture…"), QStringLiteral("camera"), QKeySequence(tr("Ctrl+Shift+P")));
   saveFilm = add(tr("Save film…"), QStringLiteral("film"), QKeySequence(tr("Ctrl+Shift+M")));
+  saveView = add(tr("Save view…"), QStringLiteral("file"));
+  openView = add(tr("Open view…"), QStringLiteral("folder"));
   saveReport = add(tr("Save report…"), QStringLiteral("report"), QKeySequence(tr("Ctrl+Shift+R")));
   for (const auto& [format, name] : {std::pair(DataFormat::csv, tr("Export tables (CSV)…")),
                                      std::pair(DataFormat::vtu, tr("Export for ParaView (VTU)…")),
@@ -247,8 +249,9 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
   model->addSeparator();
   model->addAction(mesh);
   menu(tr("Solve"), {pages.at(WorkflowPage::solve), nullptr, solve, goOn, pause, oneStep, stop});
-  auto* results = menu(tr("Results"), {pages.at(WorkflowPage::results), nullptr, play, previousFrame, nextFrame,
-                                       firstFrame, lastFrame, nullptr, savePicture, saveFilm, saveReport, nullptr});
+  auto* results = menu(tr("Results"),
+                       {pages.at(WorkflowPage::results), nullptr, play, previousFrame, nextFrame, firstFrame, lastFrame,
+                        nullptr, savePicture, saveFilm, saveReport, nullptr, saveView, openView, nullptr});
   for (const auto& [format, action] : exports) results->addAction(action);
   results->addSeparator();
   results->addAction(accuracy);
@@ -280,6 +283,7 @@ void WindowActions::refresh() {
   const bool isLive = session_.playback.isLive();
   const QString noResults = isLive ? tr("The run goes on: its results are complete at its end") : noFrames;
   allow(*saveReport, noResults);
+  for (auto* action : {saveView, openView}) allow(*action, noFrames);
   for (const auto& [format, action] : exports) allow(*action, noResults);
   for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, section, showActions})
     allow(*action, nothingSeen);

@@ -32,6 +32,7 @@ class WindowActions : public QObject {
 
   // File
   QAction *newProject, *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *saveReport, *startPage, *quit;
+  QAction *saveView, *openView;
   // Edit
   QAction *undo, *redo, *clearSelection;
   // View
