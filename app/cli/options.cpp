@@ -26,13 +26,13 @@ PictureSize parsed_size(const std::string& text) {
   return size;
 }
 
-ValueRange parsed_range(const std::string& text) {
+ValueRange parsed_range(const std::string& option, const std::string& text) {
   ValueRange range;
   int read = 0;
   const int numbers = std::sscanf(text.c_str(), "%lf,%lf%n", &range.low, &range.high, &read);
   const bool whole = numbers == 2 && static_cast<std::size_t>(read) == text.size();
   if (!whole || !std::isfinite(range.low) || !std::isfinite(range.high) || range.low >= range.high)
-    throw CLI::ValidationError("--range", "write it LOW,HIGH with LOW below HIGH, like 0,2.5e6, not '" + text + "'");
+    throw CLI::ValidationError(option, "write it LOW,HIGH with LOW below HIGH, like 0,2.5e6, not '" + text + "'");
   return range;
 }
 
@@ -105,10 +105,24 @@ void add_look(CLI::App& command, Look& look) {
       ->type_name("NAME");
   command
       .add_option_function<std::string>(
-          "--range", [&look](const std::string& text) { look.range = parsed_range(text); },
+          "--range", [&look](const std::string& text) { look.range = parsed_range("--range", text); },
           "Lowest and highest value of the legend, in the field's SI unit, like 0,2.5e6 (default: of the frame; of a "
           "film, of all frames)")
       ->type_name("LOW,HIGH");
+  command
+      .add_option_function<std::string>(
+          "--only", [&look](const std::string& text) { look.only = parsed_range("--only", text); },
+          "Draw only faces on which the field lies from LOW to HIGH, in its SI unit; of the others the edges stay")
+      ->type_name("LOW,HIGH");
+  const std::map<std::string, Arrows> arrows{
+      {"none", Arrows::none}, {"velocity", Arrows::velocity}, {"force", Arrows::contact_force}};
+  command
+      .add_option_function<std::string>(
+          "--arrows", [&look, arrows](const std::string& name) { look.arrows = arrows.at(name); },
+          "Arrows of blocks' velocities, or of the contact forces between each two blocks")
+      ->check(CLI::IsMember(arrows).description(""))
+      ->type_name("none|velocity|force")
+      ->default_str("none");
   command
       .add_option("--view", look.view,
                   "Where to look from: auto (before the slope or what moves), iso, front, back, left, right or "
@@ -143,8 +157,8 @@ void add_look(CLI::App& command, Look& look) {
                                     "Draw a view that the window has saved, pixel for pixel where no --size is given; "
                                     "--time or --frame choose another frame")
                         ->type_name("VIEW.json");
-  for (const char* said_there :
-       {"--field", "--range", "--view", "--edges", "--scale", "--explode", "--contacts", "--trouble", "--theme"})
+  for (const char* said_there : {"--field", "--range", "--only", "--arrows", "--view", "--edges", "--scale",
+                                 "--explode", "--contacts", "--trouble", "--theme"})
     view_file->excludes(command.get_option(said_there));
 }
 
@@ -156,6 +170,8 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
   settings.deformation_scale = look.scale;
   settings.explosion = look.explosion;
   settings.range = look.range;
+  settings.only = look.only;
+  settings.arrows = look.arrows;
   settings.title = results.project_name();
   if (!look.field.empty()) settings.field = field_named(look.field);
   return settings;

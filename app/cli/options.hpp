@@ -40,6 +40,8 @@ struct Look {
   bool contacts = false, troubles = false;
   double scale = 1, explosion = 0;
   std::optional<ValueRange> range;  ///< of the legend, SI
+  std::optional<ValueRange> only;   ///< values of faces that are drawn, SI
+  Arrows arrows = Arrows::none;
   std::filesystem::path view_file;  ///< saved by the window, says all of this itself; empty: none
 };
 void add_look(CLI::App& command, Look& look);

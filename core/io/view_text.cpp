@@ -12,8 +12,6 @@ std::string checked_view_text(const std::string& text) {
   return parsed.value.dump();
 }
 
-std::string laid_out(const std::string& json) {
-  return format_json(OrderedJson::parse(json), 0, {}, true) + '\n';
-}
+std::string laid_out(const std::string& json) { return format_json(OrderedJson::parse(json), 0, {}, true) + '\n'; }
 
 }  // namespace talus

@@ -3937,24 +3937,40 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
         <translation>Die Legende umfasst die Werte aller Bilder, die des gezeigten, oder was eingegeben wird</translation>
     </message>
     <message>
-        <source>Lowest</source>
-        <translation>Kleinster</translation>
+        <source>From, to</source>
+        <translation>Von, bis</translation>
     </message>
     <message>
-        <source>Highest</source>
-        <translation>Größter</translation>
+        <source>Only values</source>
+        <translation>Nur Werte</translation>
     </message>
     <message>
-        <source>Lowest value of the legend</source>
-        <translation>Kleinster Wert der Legende</translation>
+        <source>Faces on which the field has other values are not drawn; their edges stay</source>
+        <translation>Flächen, auf denen das Feld andere Werte hat, werden nicht gezeichnet; ihre Kanten bleiben</translation>
     </message>
     <message>
-        <source>Highest value of the legend</source>
-        <translation>Größter Wert der Legende</translation>
+        <source>Values that are drawn</source>
+        <translation>Werte, die gezeichnet werden</translation>
     </message>
     <message>
-        <source>The lowest value must be below the highest</source>
-        <translation>Der kleinste Wert muss unter dem größten liegen</translation>
+        <source>Between</source>
+        <translation>Zwischen</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>contact force</source>
+        <translation>Kontaktkraft</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>How fast blocks go where, or the forces by which each two push each other</source>
+        <translation>Wie schnell Blöcke wohin gehen, oder die Kräfte, mit denen je zwei gegeneinander drücken</translation>
     </message>
 </context>
 <context>
@@ -5821,6 +5837,21 @@ Z %3</translation>
     <message>
         <source>%1 (Ctrl+%2)</source>
         <translation>%1 (Strg+%2)</translation>
+    </message>
+</context>
+<context>
+    <name>talus::RangeFields</name>
+    <message>
+        <source>%1, lowest</source>
+        <translation>%1, kleinster</translation>
+    </message>
+    <message>
+        <source>%1, highest</source>
+        <translation>%1, größter</translation>
+    </message>
+    <message>
+        <source>The lowest value must be below the highest</source>
+        <translation>Der kleinste Wert muss unter dem größten liegen</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,8 @@ TEST_F(ViewFile, IsDrawnByTheCommandAsTheWindowShowsItToTheBit) {
   settings.field = field_named("velocity");
   settings.edges = Edges::mesh;
   settings.deformation_scale = 10;
+  settings.only = ValueRange{0.001, 0.1};
+  settings.arrows = Arrows::velocity;
   settings.contacts = true;
   settings.scale_bar = false;
   session->display.set(settings);

@@ -100,6 +100,20 @@ TEST(SceneImage, DisplacementWithLegend) {
   expect_baseline(image);
 }
 
+TEST(SceneImage, OnlyFacesWhoseValuesLieInARangeAndArrowsOfVelocity) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings = titled("Jointed slope");
+  settings.field = field_named("displacement");
+  settings.only = ValueRange{4, 12};
+  settings.arrows = Arrows::velocity;
+  Scene scene(slope, settings);
+  scene.set_frame(slid(slope, 14, 45));
+  const Image image = draw_image(scene, width, height);
+  for (const double t : {0.05, 0.95}) EXPECT_LT(count_of(image, batlow().at(t)), 40) << t;  // but for the legend
+  EXPECT_GT(count_of(image, colours(Theme::light).pick), 20);
+  expect_baseline(image);
+}
+
 TEST(SceneImage, SignedStressInTheDarkWithMeshAndSelection) {
   const BlockSystem slope = jointed_slope();
   SceneSettings settings = titled("Vertical stress");

@@ -37,10 +37,11 @@ std::optional<ValueRange> Display::legendRange() const {
 }
 
 void Display::set(const SceneSettings& settings) {
-  const bool anotherField = settings.field != settings_.field;
+  const bool anotherField = settings.field != settings_.field, sameOnly = settings.only == settings_.only;
   settings_ = settings;
   if (anotherField) {
     typedRange_.reset();
+    if (sameOnly) settings_.only.reset();  // it was of the other field
     whole_.follow(settings_.field);
     takeFrame();
   }

@@ -55,14 +55,14 @@ TEST(BlockFields, StrainOfAnExtensionIsGreensAndLagranges) {
 
 TEST(BlockFields, ClassesAreThoseOfBodiesAndMotions) {
   Frame frame = mapped(test::cube_on_slab(), turned, Vec3::Zero());
-  EXPECT_THAT(values_of(frame, "body"), testing::ElementsAre(static_cast<double>(BodyKind::fixed),
-                                                             static_cast<double>(BodyKind::tetrahedra)));
+  EXPECT_THAT(values_of(frame, "body"),
+              testing::ElementsAre(static_cast<double>(BodyKind::fixed), static_cast<double>(BodyKind::tetrahedra)));
   EXPECT_THAT(why_absent(frame, field_named("motion")), testing::HasSubstr("not noted"));
   frame.motions.resize(2);
   frame.motions[1].mode = MotionMode::toppling;
   EXPECT_EQ(why_absent(frame, field_named("motion")), "");
-  EXPECT_THAT(values_of(frame, "motion"), testing::ElementsAre(static_cast<double>(MotionMode::stable),
-                                                               static_cast<double>(MotionMode::toppling)));
+  EXPECT_THAT(values_of(frame, "motion"),
+              testing::ElementsAre(static_cast<double>(MotionMode::stable), static_cast<double>(MotionMode::toppling)));
 }
 
 }  // namespace

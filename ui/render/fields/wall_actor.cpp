@@ -50,6 +50,9 @@ void WallActor::show(const JointWalls& walls, std::span<const Vec3> places, std:
     if (!shown[static_cast<std::size_t>(triangle.block)]) continue;
     const auto value = colouring.by_class ? class_of(triangle, values) : corner_values(triangle, values);
     if (!value) continue;
+    const double mean = ((*value)[0] + (*value)[1] + (*value)[2]) / 3;
+    if (colouring.only && !colouring.by_class && !(mean >= colouring.only->low && mean <= colouring.only->high))
+      continue;
     cells->InsertNextCell(3);
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 place = places[static_cast<std::size_t>(triangle.points[i])] - origin_;

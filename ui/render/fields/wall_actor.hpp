@@ -11,6 +11,7 @@
 #include "fields/joint_walls.hpp"
 #include "render/gl/face_mapper.hpp"
 #include "render/paint/colour.hpp"
+#include "render/paint/value_range.hpp"
 
 class vtkPlane;
 class vtkRenderer;
@@ -28,6 +29,7 @@ class WallActor {
   /// points. Of classes, a triangle has the one that most of its corners are in.
   struct Colouring {
     std::function<Rgb(double value)> colour;
+    std::optional<ValueRange> only{};  ///< in which the mean of a triangle lies that is drawn; not of classes
     bool by_class = false;
   };
   void show(const JointWalls& walls, std::span<const Vec3> places, std::span<const double> values,

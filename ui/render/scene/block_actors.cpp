@@ -144,20 +144,30 @@ void BlockActors::move(std::span<const Vec3> displacement, double scale, double 
 void BlockActors::show(std::vector<bool> shown) {
   shown_ = std::move(shown);
   drawn_.clear();
+  for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+    if (shows(surface_.triangles[t].block)) drawn_.push_back(static_cast<int>(t));
+  all_kept_ = false;
+  keep({});
+  fill_thinned();
+  fill_edges(*sharp_edges_, true, 0);
+  mesh_lines_from_.reset();
+}
+
+void BlockActors::keep(const std::function<bool(int)>& kept) {
+  if (all_kept_ && !kept) return;
+  all_kept_ = !kept;
+  cells_.clear();
   std::vector<int> vertices;
-  for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-    const BlockSurface::Triangle& triangle = surface_.triangles[t];
-    if (!shows(triangle.block)) continue;
-    vertices.insert(vertices.end(), triangle.vertices.begin(), triangle.vertices.end());
-    drawn_.push_back(static_cast<int>(t));
+  for (const int t : drawn_) {
+    if (kept && !kept(t)) continue;
+    const auto& corners = surface_.triangles[static_cast<std::size_t>(t)].vertices;
+    vertices.insert(vertices.end(), corners.begin(), corners.end());
+    cells_.push_back(t);
   }
   vtkNew<vtkCellArray> polygons;
   set_cells(*polygons, 3, vertices);
   faces_->SetPolys(polygons);
   faces_->GetCellData()->SetScalars(nullptr);  // belonged to the former cells; colouring follows
-  fill_thinned();
-  fill_edges(*sharp_edges_, true, 0);
-  mesh_lines_from_.reset();
 }
 
 /// They are many, and drawn on few occasions. The length goes in steps, or a camera that moves would ask for others
@@ -244,7 +254,7 @@ void BlockActors::colour_by_values(std::span<const double> values, bool at_nodes
     faces_->GetCellData()->SetScalars(nullptr);
     mapper_->SetScalarModeToUsePointData();
   } else {
-    for (const int t : drawn_) {
+    for (const int t : cells_) {
       const int tetrahedron = surface_.triangles[t].tetrahedron;
       scalars->InsertNextValue(tetrahedron < 0 ? std::numeric_limits<double>::quiet_NaN() : values[tetrahedron]);
     }

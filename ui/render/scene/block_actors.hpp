@@ -42,6 +42,8 @@ class BlockActors {
   void move(std::span<const Vec3> displacement, double scale, double explosion = 0);
   /// Draws only the blocks for which `shown[block]`; their colours are to be given anew.
   void show(std::vector<bool> shown);
+  /// Of those that are shown only these are drawn, until another call of `show`; without a function all of them.
+  void keep(const std::function<bool(int triangle)>& kept);
   /// Fewer triangles that show about the same: they are drawn where the faces are seen through.
   struct Face {
     std::array<int, 3> vertices;
@@ -74,8 +76,10 @@ class BlockActors {
   Vec3 origin_;
   std::vector<Vec3> from_origin_;  ///< a block: from the origin to the middle of its vertices
   std::vector<Vec3> positions_;
-  std::vector<bool> shown_;                ///< a block
-  std::vector<int> drawn_;                 ///< triangles that are shown, in the order of the cells
+  std::vector<bool> shown_;  ///< a block
+  std::vector<int> drawn_;   ///< triangles that are shown
+  std::vector<int> cells_;   ///< those of them that are drawn, in the order of the cells
+  bool all_kept_ = true;
   std::optional<double> mesh_lines_from_;  ///< m, the least length of those that are there
   double area_ = 0;                        ///< m², of all faces
   double spacing_of_edges_, spacing_of_mesh_;

@@ -26,6 +26,8 @@ struct PixelRect;
 
 enum class View { iso, front, back, left, right, top };
 enum class Edges { none, blocks, mesh };
+/// What arrows show of a frame: how blocks move, or how they push each other.
+enum class Arrows { none, velocity, contact_force };
 
 /// "iso", "front", "back", "left", "right", "top"; throws InputError that lists them.
 View view_named(std::string_view name);
@@ -45,6 +47,10 @@ struct SceneSettings {
   std::shared_ptr<const BlockColours> block_colours{};
   std::vector<MarkedPlace> places{};
   std::optional<ValueRange> range;  ///< of the legend, SI; empty: of the frame that is shown
+  /// Of the field, SI: of faces whose value lies outside, and of rock that it does not colour, the edges alone are
+  /// drawn.
+  std::optional<ValueRange> only{};
+  Arrows arrows = Arrows::none;  ///< in front of everything, the longest of one length
   Edges edges = Edges::blocks;
   double deformation_scale = 1;           ///< displacements are drawn this many times too large
   double explosion = 0;                   ///< blocks are drawn apart, by so much of their way from the middle of all

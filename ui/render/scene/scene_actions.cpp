@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "fields/pair_forces.hpp"
 #include "render/paint/place_marks.hpp"
+#include "render/scene/contact_places.hpp"
 #include "render/scene/scene_state.hpp"
 
 namespace talus {
@@ -157,7 +159,64 @@ void Scene::State::shape_actions() {
     if (glyph.kind == Kind::monitor || glyph.kind == Kind::support) action_shapes.add_ball(at, ball * em, colour);
     if (glyph.kind == Kind::stress) add_cross(i);
   }
+  shape_frame_arrows();
   action_shapes.finish();
+}
+
+std::vector<Scene::State::FrameArrow> Scene::State::frame_arrows() const {
+  if (!frame || settings.arrows == Arrows::none) return {};
+  return settings.arrows == Arrows::velocity ? velocity_arrows() : contact_arrows();
+}
+
+/// From the middle of each block's vertices along the mean of their velocities.
+std::vector<Scene::State::FrameArrow> Scene::State::velocity_arrows() const {
+  std::vector<FrameArrow> arrows;
+  const BlockSurface& surface = movable.surface();
+  for (std::size_t block = 0; block < system.blocks.size(); ++block) {
+    const int begin = surface.begins[block].vertex, end = surface.begins[block + 1].vertex;
+    if (begin == end || !movable.shows(static_cast<int>(block))) continue;
+    Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();
+    for (int v = begin; v < end; ++v) {
+      place += movable.positions()[v] - origin;
+      velocity += frame->velocity[surface.nodes[v]];
+    }
+    arrows.push_back({place / (end - begin), velocity / (end - begin)});
+  }
+  return arrows;
+}
+
+/// On the one of two blocks that may move; not where blocks are drawn apart, for contacts lie between them.
+std::vector<Scene::State::FrameArrow> Scene::State::contact_arrows() const {
+  std::vector<FrameArrow> arrows;
+  if (settings.explosion > 0) return arrows;
+  const auto stands = [this](int block) { return system.blocks[block].body == BodyKind::fixed; };
+  for (const PairForce& pair : pair_forces(*frame, contact_places(system, *frame, settings.deformation_scale)))
+    arrows.push_back({pair.middle - origin, stands(pair.blocks[0]) ? Vec3(-pair.force) : pair.force});
+  return arrows;
+}
+
+void Scene::State::shape_frame_arrows() {
+  constexpr double least_seen = 0.03;  // of the longest
+  const std::vector<FrameArrow> arrows = frame_arrows();
+  const double longest = largest_value(arrows), em = metres_per_pixel() * text_height();
+  for (const FrameArrow& arrow : arrows) {
+    const double size = arrow.value.norm();
+    if (!(size > least_seen * longest)) continue;
+    const Vec3 along = std::max(longest_arrow * size / longest, shortest_arrow) * em * arrow.value / size;
+    add_arrow(arrow.at, arrow.at + along, 1, colours(settings.theme).pick);
+  }
+}
+
+double Scene::State::largest_value(const std::vector<FrameArrow>& arrows) {
+  double largest = 0;
+  for (const FrameArrow& arrow : arrows) largest = std::max(largest, arrow.value.norm());
+  return largest;
+}
+
+KeyEntry Scene::State::meaning_of_arrows(const std::vector<FrameArrow>& arrows) const {
+  const bool of_velocity = settings.arrows == Arrows::velocity;
+  return {colours(settings.theme).pick, std::string(of_velocity ? "velocity" : "contact force") + ", longest " +
+                                            amount_text(largest_value(arrows), of_velocity ? "m/s" : "N")};
 }
 
 void Scene::State::paint_actions(Painter& painter) const {

@@ -170,7 +170,9 @@ void Scene::State::apply(SceneSettings wanted) {
   if (settings.explosion != before.explosion || settings.deformation_scale != before.deformation_scale) move();
   if (settings.deformation_scale != before.deformation_scale) reset_extent();
   if (settings.contacts != before.contacts) place_contacts();
-  const auto colours_of = [](const SceneSettings& s) { return std::tie(s.theme, s.field, s.range, s.block_colours); };
+  const auto colours_of = [](const SceneSettings& s) {
+    return std::tie(s.theme, s.field, s.range, s.block_colours, s.only);
+  };
   if (colours_of(settings) != colours_of(before)) colour();
   if (settings.troubles != before.troubles) mark_troubles();
   if (settings.section != before.section || settings.explosion != before.explosion) cut_open();
@@ -231,6 +233,7 @@ void Scene::State::colour() {
   section_is_stale = walls_are_stale = true;
   field_values = frame && settings.field ? fields.of(*frame, *settings.field) : std::vector<double>{};
   of_field = field_values.empty() ? nullptr : field_colours();
+  keep_wanted_faces();
   fixed.colour_by_block([this](int block) { return colour_of(block); });
   if (field_values.empty() || shows_walls() || shows_blocks()) {
     movable.colour_by_block([this](int block) { return colour_of(block); });
@@ -334,6 +337,8 @@ void Scene::State::make_overlay() {
     if (settings.legend && settings.actions && std::ranges::find(actions, kind, &ActionGlyph::kind) != actions.end())
       overlay.key.push_back({action_colour(kind, settings.theme), action_meaning(kind, largest_of(actions, kind))});
   if (!field_values.empty()) explain_field();
+  if (settings.legend && settings.arrows != Arrows::none)
+    if (const auto arrows = frame_arrows(); !arrows.empty()) overlay.key.push_back(meaning_of_arrows(arrows));
 }
 
 void Scene::State::reset_extent() {

@@ -90,6 +90,18 @@ struct Scene::State {
   Rgb colour_by_field(int block) const;
   /// Colours of values of the field that is shown.
   std::function<Rgb(double value)> field_colours() const;
+  /// Leaves faces out whose value is not wanted.
+  void keep_wanted_faces();
+  /// Of the frame, m from the origin, and what they stand for [m/s or N].
+  struct FrameArrow {
+    Vec3 at, value;
+  };
+  std::vector<FrameArrow> frame_arrows() const;
+  std::vector<FrameArrow> velocity_arrows() const;
+  std::vector<FrameArrow> contact_arrows() const;
+  static double largest_value(const std::vector<FrameArrow>& arrows);
+  void shape_frame_arrows();
+  KeyEntry meaning_of_arrows(const std::vector<FrameArrow>& arrows) const;
   /// What the colours of the field mean: a scale, or words.
   void explain_field();
   /// Corners are shaded: where nothing moves, and nothing is seen through.

@@ -1,6 +1,7 @@
 // Fields of joints on the walls of joints, those of whole blocks, and what a field's colours mean.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/fields/field_classes.hpp"
 #include "render/paint/colour_map.hpp"
@@ -58,7 +59,31 @@ void Scene::State::draw_walls() {
     places.push_back(SurfacePlace{point.place.nodes, point.corner}.of(at));
   std::vector<bool> shown = flags(hidden);
   shown.flip();
-  walls.show(fields.walls(), places, field_values, shown, {of_field, settings.field->is_class()});
+  walls.show(fields.walls(), places, field_values, shown, {of_field, settings.only, settings.field->is_class()});
+}
+
+void Scene::State::keep_wanted_faces() {
+  const bool some = settings.only && !field_values.empty() && !settings.field->is_class() && !shows_walls();
+  if (!some) {
+    for (BlockActors* part : {&fixed, &movable}) part->keep({});
+    return;
+  }
+  const ValueRange wanted = *settings.only;
+  const auto value_of = [this](const BlockSurface::Triangle& triangle) {
+    const auto value = [this](int i) { return field_values[static_cast<std::size_t>(i)]; };
+    if (shows_blocks()) return value(triangle.block);
+    if (settings.field->place() == FieldPlace::tetrahedron)
+      return triangle.tetrahedron < 0 ? std::numeric_limits<double>::quiet_NaN() : value(triangle.tetrahedron);
+    double sum = 0;
+    for (const int vertex : triangle.vertices)
+      sum += value(movable.surface().nodes[static_cast<std::size_t>(vertex)]) / 3;
+    return sum;
+  };
+  fixed.keep([](int) { return false; });
+  movable.keep([&](int t) {
+    const double value = value_of(movable.surface().triangles[static_cast<std::size_t>(t)]);
+    return value >= wanted.low && value <= wanted.high;
+  });
 }
 
 void Scene::State::explain_field() {

@@ -17,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array edges_words{"none", "blocks", "mesh"};
+constexpr std::array arrows_words{"none", "velocity", "force"};
 
 /// What is on or off, by its key.
 struct SettingSwitch {
@@ -24,8 +25,8 @@ struct SettingSwitch {
   bool SceneSettings::*member;
 };
 constexpr SettingSwitch switches[] = {
-    {"contacts", &SceneSettings::contacts}, {"trouble", &SceneSettings::troubles},
-    {"monitors", &SceneSettings::actions},  {"legend", &SceneSettings::legend},
+    {"contacts", &SceneSettings::contacts},     {"trouble", &SceneSettings::troubles},
+    {"monitors", &SceneSettings::actions},      {"legend", &SceneSettings::legend},
     {"time_stamp", &SceneSettings::time_stamp}, {"axes", &SceneSettings::triad},
     {"scale_bar", &SceneSettings::scale_bar},
 };
@@ -51,7 +52,8 @@ Rgb colour_of(const std::string& text) {
 Json json_of(const BlockColours& colours) {
   Json all = Json::array(), key = Json::array();
   for (const Rgb colour : colours.colours) all.push_back(text_of(colour));
-  for (const KeyEntry& entry : colours.key) key.push_back({{"colour", text_of(entry.colour)}, {"meaning", entry.meaning}});
+  for (const KeyEntry& entry : colours.key)
+    key.push_back({{"colour", text_of(entry.colour)}, {"meaning", entry.meaning}});
   return {{"title", colours.title}, {"colours", all}, {"key", key}};
 }
 
@@ -83,17 +85,24 @@ CameraPose camera_of(const Json& json) {
   return camera;
 }
 
+ValueRange range_of(const Json& json, const char* key) {
+  const ValueRange range{json[0], json[1]};
+  if (!(range.low < range.high))
+    throw InputError(key, "the lowest value is not below the highest", "write the lower one first");
+  return range;
+}
+
 SceneSettings settings_of(const Json& json) {
   SceneSettings settings;
   settings.theme = json.value("theme", "light") == "dark" ? Theme::dark : Theme::light;
   if (json.contains("field")) settings.field = field_named(json["field"].get<std::string>());
-  if (json.contains("range")) {
-    settings.range = ValueRange{json["range"][0], json["range"][1]};
-    if (!(settings.range->low < settings.range->high))
-      throw InputError("range", "the lowest value is not below the highest", "write the lower one first");
-  }
-  const auto word = std::ranges::find(edges_words, json.value("edges", "blocks"));
-  settings.edges = static_cast<Edges>(word - edges_words.begin());
+  if (json.contains("range")) settings.range = range_of(json["range"], "range");
+  if (json.contains("only")) settings.only = range_of(json["only"], "only");
+  const auto number_of = [](const auto& words, const std::string& word) {
+    return std::ranges::find(words, word) - words.begin();
+  };
+  settings.edges = static_cast<Edges>(number_of(edges_words, json.value("edges", "blocks")));
+  settings.arrows = static_cast<Arrows>(number_of(arrows_words, json.value("arrows", "none")));
   settings.deformation_scale = json.value("deformation_scale", settings.deformation_scale);
   settings.explosion = json.value("explosion", settings.explosion);
   if (json.contains("section")) {
@@ -118,6 +127,8 @@ std::string view_text(const SavedView& view) {
   if (view.time) json["time"] = *view.time;
   if (settings.field) json["field"] = settings.field->name;
   if (settings.range) json["range"] = {settings.range->low, settings.range->high};
+  if (settings.only) json["only"] = {settings.only->low, settings.only->high};
+  json["arrows"] = arrows_words[static_cast<std::size_t>(settings.arrows)];
   json["theme"] = settings.theme == Theme::dark ? "dark" : "light";
   json["edges"] = edges_words[static_cast<std::size_t>(settings.edges)];
   json["deformation_scale"] = settings.deformation_scale;

@@ -30,8 +30,7 @@ int frame_of_view(const SavedView& view, const ResultReader& results) {
   const std::vector<double>& times = results.frame_times();
   if (times.empty()) throw InputError("frames", "the results hold no frame yet", "wait for the run to write one");
   if (!view.time) return static_cast<int>(times.size()) - 1;
-  const auto nearest =
-      std::ranges::min_element(times, {}, [&](double time) { return std::abs(time - *view.time); });
+  const auto nearest = std::ranges::min_element(times, {}, [&](double time) { return std::abs(time - *view.time); });
   return static_cast<int>(nearest - times.begin());
 }
 

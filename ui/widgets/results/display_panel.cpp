@@ -6,8 +6,8 @@
 
 #include "session/current_run.hpp"
 #include "session/display.hpp"
-#include "widgets/kit/number_field.hpp"
 #include "widgets/kit/text.hpp"
+#include "widgets/results/range_fields.hpp"
 #include "widgets/run/trouble_panel.hpp"
 
 namespace talus {
@@ -32,11 +32,17 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   connect(range_, &QComboBox::activated, this, &DisplayPanel::chooseRange);
   range_->setToolTip(tr("The legend spans the values of all frames, those of the one in view, or what is typed"));
   field->addRow(tr("Range"), range_);
-  for (auto& [end, name] : {std::pair(&ValueRange::low, tr("Lowest")), std::pair(&ValueRange::high, tr("Highest"))}) {
-    QWidget*& row = ends_.emplace_back(end, new QWidget).second;
-    setMargins(new QHBoxLayout(row), 0, 0);
-    field->addRow(name, row);
-  }
+  typed_ = new RangeFields(tr("Range of the legend"));
+  connect(typed_, &RangeFields::typed, this, [this](const ValueRange& range) { display_.setTypedRange(range); });
+  field->addRow(tr("From, to"), typed_);
+  onlySome_ = new QCheckBox(tr("Only values"));
+  onlySome_->setToolTip(tr("Faces on which the field has other values are not drawn; their edges stay"));
+  connect(onlySome_, &QCheckBox::toggled, this,
+          [this](bool on) { setOnly(on ? std::optional<ValueRange>(display_.spannedRange()) : std::nullopt); });
+  field->addWide(onlySome_);
+  only_ = new RangeFields(tr("Values that are drawn"));
+  connect(only_, &RangeFields::typed, this, [this](const ValueRange& range) { setOnly(range); });
+  field->addRow(tr("Between"), only_);
   inner->addWidget(field);
   inner->addWidget(makeLine(Qt::Horizontal));
 
@@ -62,6 +68,14 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   inner->addWidget(makeLine(Qt::Horizontal));
 
   auto* overlays = new Section(tr("Overlays"));
+  arrows_ = makeCombo({tr("none"), tr("velocity"), tr("contact force")}, tr("Arrows"));
+  connect(arrows_, &QComboBox::activated, this, [this](int index) {
+    SceneSettings settings = display_.settings();
+    settings.arrows = static_cast<Arrows>(index);
+    display_.set(settings);
+  });
+  arrows_->setToolTip(tr("How fast blocks go where, or the forces by which each two push each other"));
+  overlays->addRow(tr("Arrows"), arrows_);
   addSwitch(overlays, tr("Contact points"), &SceneSettings::contacts)
       ->setToolTip(tr("Open grey, stick blue, slip orange"));
   addSwitch(overlays, tr("Convergence trouble"), &SceneSettings::troubles)
@@ -85,33 +99,25 @@ void DisplayPanel::chooseRange(int index) {
   if (index < 2) display_.setRangeFollowsRun(index == 0);
 }
 
-/// The fields' unit is that of what is coloured by.
-void DisplayPanel::showTypedRange() {
+void DisplayPanel::setOnly(const std::optional<ValueRange>& range) {
+  SceneSettings settings = display_.settings();
+  settings.only = range;
+  display_.set(settings);
+}
+
+void DisplayPanel::showRanges() {
   const SceneSettings& settings = display_.settings();
+  const bool hasScale = settings.field && !settings.field->is_class();
   const auto& typed = display_.typedRange();
-  for (auto& [end, row] : ends_) {
-    colours_->setRowVisible(row, typed && settings.field && !settings.field->is_class());
-    if (!typed || !settings.field) continue;
-    auto* number = row->findChild<NumberField*>();
-    const QString unit = text(settings.field->unit);
-    if (!number || number->property("unit").toString() != unit) {
-      delete number;
-      number = new NumberField(typed.value().*end, {unit, unit});
-      number->setProperty("unit", unit);
-      number->setAccessibleName(end == &ValueRange::low ? tr("Lowest value of the legend")
-                                                        : tr("Highest value of the legend"));
-      connect(number, &NumberField::committed, this, [this, end = end, number](double value) {
-        ValueRange range = *display_.typedRange();
-        range.*end = value;
-        if (range.low < range.high)
-          display_.setTypedRange(range);
-        else
-          number->setProblem(tr("The lowest value must be below the highest"));
-      });
-      row->layout()->addWidget(number);
-    }
-    number->setValue(typed.value().*end);
-  }
+  range_->setCurrentIndex(typed ? 2 : display_.rangeFollowsRun() ? 0 : 1);
+  colours_->setRowVisible(range_, hasScale);
+  colours_->setRowVisible(typed_, hasScale && typed);
+  if (hasScale && typed) typed_->show(*typed, text(settings.field->unit));
+  const QSignalBlocker silent(onlySome_);
+  onlySome_->setChecked(settings.only.has_value());
+  onlySome_->setVisible(hasScale);
+  colours_->setRowVisible(only_, hasScale && settings.only);
+  if (hasScale && settings.only) only_->show(*settings.only, text(settings.field->unit));
 }
 
 QCheckBox* DisplayPanel::addSwitch(Section* section, const QString& name, bool SceneSettings::*member) {
@@ -128,10 +134,9 @@ QCheckBox* DisplayPanel::addSwitch(Section* section, const QString& name, bool S
 
 void DisplayPanel::show() {
   const SceneSettings& settings = display_.settings();
-  range_->setCurrentIndex(display_.typedRange() ? 2 : display_.rangeFollowsRun() ? 0 : 1);
   colours_->setRowVisible(field_->componentBox(), settings.field.has_value());
-  colours_->setRowVisible(range_, settings.field && !settings.field->is_class());
-  showTypedRange();
+  showRanges();
+  arrows_->setCurrentIndex(static_cast<int>(settings.arrows));
   edges_->setCurrentIndex(static_cast<int>(settings.edges));
   for (int i = 0; i < 4; ++i)
     if (deformation_scales[i] == settings.deformation_scale) deformation_->setCurrentIndex(i);

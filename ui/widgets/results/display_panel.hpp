@@ -12,6 +12,7 @@ namespace talus {
 
 class CurrentRun;
 class Display;
+class RangeFields;
 
 /// How results are drawn: field, range, deformation, edges, overlays.
 class DisplayPanel : public QWidget {
@@ -22,14 +23,16 @@ class DisplayPanel : public QWidget {
  private:
   void show();
   void chooseRange(int index);
-  void showTypedRange();
+  void setOnly(const std::optional<ValueRange>& range);
+  void showRanges();
   QCheckBox* addSwitch(Section* section, const QString& name, bool SceneSettings::*member);
 
   Display& display_;
   FieldChooser* field_;
   Section* colours_;
-  QComboBox *range_, *deformation_, *edges_;
-  std::vector<std::pair<double ValueRange::*, QWidget*>> ends_;  ///< of the range that is typed
+  QComboBox *range_, *deformation_, *edges_, *arrows_;
+  RangeFields *typed_, *only_;
+  QCheckBox* onlySome_;
   std::vector<std::pair<QCheckBox*, bool SceneSettings::*>> switches_;
 };
 

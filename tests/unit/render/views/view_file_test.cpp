@@ -16,6 +16,8 @@ SavedView full_view() {
   view.settings.theme = Theme::dark;
   view.settings.field = field_named("joint.slip");
   view.settings.range = ValueRange{-0.1, 1.0 / 3};
+  view.settings.only = ValueRange{0.25, 0.75};
+  view.settings.arrows = Arrows::contact_force;
   view.settings.edges = Edges::mesh;
   view.settings.deformation_scale = 10;
   view.settings.explosion = 0.6;
@@ -51,6 +53,8 @@ TEST(ViewFile, KeepsAllOfAViewToTheBit) {
   EXPECT_EQ(read.settings.field->name, "joint.slip");
   EXPECT_EQ(read.settings.range, written.settings.range);
   EXPECT_EQ(read.settings.edges, Edges::mesh);
+  EXPECT_EQ(read.settings.only, written.settings.only);
+  EXPECT_EQ(read.settings.arrows, Arrows::contact_force);
   EXPECT_EQ(read.settings.section, written.settings.section);
   EXPECT_EQ(read.settings.block_colours->colours, written.settings.block_colours->colours);
   EXPECT_EQ(read.settings.block_colours->key[0].meaning, "rock");
@@ -97,9 +101,8 @@ TEST(ViewFile, WhatIsWrongIsSaidWithPlaceAndRemedy) {
   EXPECT_THAT(complaint(with("\"range\": [2, 1]")), AllOf(HasSubstr("range"), HasSubstr("lower one first")));
   EXPECT_THAT(complaint(with("\"range\": [2]")), HasSubstr("must have 2 entries"));
   EXPECT_THAT(complaint(with("\"section\": {\"point\": [0, 0, 0], \"towards\": [0, 0, 0]}")), HasSubstr("direction"));
-  EXPECT_THAT(
-      complaint(with("\"block_colours\": {\"title\": \"\", \"colours\": [\"red\"], \"key\": []}")),
-      AllOf(HasSubstr("'red' is no colour"), HasSubstr("#77aadd")));
+  EXPECT_THAT(complaint(with("\"block_colours\": {\"title\": \"\", \"colours\": [\"red\"], \"key\": []}")),
+              AllOf(HasSubstr("'red' is no colour"), HasSubstr("#77aadd")));
   EXPECT_THAT(complaint("{\"talus_view\": 2, \"size\": [640, 480], \"camera\": {}}"), HasSubstr("talus_view"));
   std::string nowhere = with("");
   nowhere.replace(nowhere.find("[0, -9, 2]"), 10, "[0, 0, 0]");
