@@ -8,7 +8,7 @@
 #include "options.hpp"
 #include "output_file.hpp"
 #include "render/paint/picture_difference.hpp"
-#include "render/scene/offscreen.hpp"
+#include "side_by_side.hpp"
 #include "text/json_text.hpp"
 #include "text/picture_text.hpp"
 
@@ -25,7 +25,8 @@ struct PictureCheck {
 };
 
 struct RenderOptions {
-  std::filesystem::path results, out;
+  std::vector<std::filesystem::path> results;
+  std::filesystem::path out;
   FrameChoice choice;
   PictureSize size{1600, 1000};
   Look look;
@@ -101,30 +102,33 @@ ExitCode check_picture(const PictureCheck& check, const Image& drawn, const std:
   return failed;
 }
 
+void print(const RenderOptions& options, const std::vector<DrawnFrame>& frames, const std::string& verdict) {
+  std::cout << options.out.string() << ": ";
+  for (const DrawnFrame& one : frames)
+    std::cout << (frames.size() > 1 ? one.results.string() + " " : "") << "frame " << one.frame << ", " << one.time
+              << (&one == &frames.back() ? " s\n" : " s; ");
+  std::cout << verdict;
+}
+
 ExitCode render(const RenderOptions& options, bool json) {
   refuse_to_overwrite_baseline(options.check, options.out);
-  const ResultReader results(options.results);
-  const int index = about(options.results, [&] { return frame_index(results, options.choice); });
-  Scene scene(results.system(), scene_settings(options.look, results));
-  scene.set_stage_names(results.stage_names());
-  scene.set_frame(std::make_shared<const Frame>(results.frame(index)));
-  mark_troubles(options.look, results, scene);
-  point_camera(options.look, results, scene);
-  const Image drawn = draw_image(scene, options.size.width, options.size.height);
+  const auto [drawn, frames] = draw_side_by_side(options.results, options.choice, options.look, options.size);
   write_png(drawn, options.out);
 
-  const double time = results.frame_times()[static_cast<std::size_t>(index)];
   nlohmann::ordered_json picture = {{"picture", options.out.string()},
                                     {"width", options.size.width},
                                     {"height", options.size.height},
-                                    {"frame", index},
-                                    {"time", time}};
+                                    {"frame", frames.front().frame},
+                                    {"time", frames.front().time}};
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    picture["beside"].push_back(
+        {{"results", frames[i].results.string()}, {"frame", frames[i].frame}, {"time", frames[i].time}});
   std::string verdict;
   const ExitCode code = check_picture(options.check, drawn, options.out, picture, verdict);
   if (json)
     std::cout << json_text(picture) << '\n';
   else
-    std::cout << options.out.string() << ": frame " << index << ", " << time << " s\n" << verdict;
+    print(options, frames, verdict);
   return code;
 }
 
@@ -156,9 +160,14 @@ void add_picture_check(CLI::App& command, PictureCheck& check) {
 }  // namespace
 
 void add_render(CLI::App& program, Invocation& invocation) {
-  auto* command = program.add_subcommand("render", "Draw one frame as a PNG; needs no display");
+  auto* command = program.add_subcommand(
+      "render", "Draw one frame as a PNG, also of several results side by side; needs no display");
   auto options = std::make_shared<RenderOptions>();
-  add_results(*command, options->results);
+  command
+      ->add_option("RESULTS", options->results,
+                   "Results folder, also of a run that goes on or was killed; up to four are drawn side by side")
+      ->required()
+      ->type_name("DIR");
   command->add_option("--out", options->out, "Picture to write")->required()->type_name("P.png");
   add_frame_choice(*command, options->choice);
   add_size(*command, options->size);
