@@ -298,7 +298,7 @@ void MainWindow::savePicture(const std::filesystem::path& path) {
   ExportTask task = exportTask(path, 1920);
   if (const auto frame = session_.playback.frame(); frame && !viewport_->showsSolids()) {
     task.frame = [frame](int) { return frame; };
-    task.frameCount = 1;
+    task.times = {frame->time};
   }
   task.what = tr("Picture");
   session_.messages.settle(Problem::Of::picture);
@@ -316,7 +316,8 @@ void MainWindow::saveFilm(const std::filesystem::path& path) {
     task.hidden.clear();
   }
   task.frame = session_.playback.source();
-  task.frameCount = static_cast<int>(session_.playback.times().size());
+  task.times = session_.playback.times();
+  task.film.speed = timeline_->speed();
   task.what = tr("Film");
   session_.messages.settle(Problem::Of::picture);
   exporter_.start(std::move(task));
