@@ -124,6 +124,8 @@ BlockHistory block_history(const ResultReader& results, std::vector<int> blocks,
   const BlockWatch watch(results.system(), std::move(densities));
   BlockHistory history;
   history.blocks = std::move(blocks);
+  for (const int block : history.blocks)
+    history.names.push_back(results.system().blocks.at(static_cast<std::size_t>(block)).name);
   history.times = results.frame_times();
   history.of_block.resize(history.blocks.size());
   for (std::size_t number = 0; number < history.times.size(); ++number) {
@@ -136,13 +138,13 @@ BlockHistory block_history(const ResultReader& results, std::vector<int> blocks,
   return history;
 }
 
-std::string history_csv(const BlockHistory& history, const BlockSystem& system, std::span<const BlockQuantity> wanted) {
+std::string history_csv(const BlockHistory& history, std::span<const BlockQuantity> wanted) {
   std::string text = "time [s]";
   std::vector<std::vector<double>> columns{history.times};
   for (std::size_t i = 0; i < history.blocks.size(); ++i)
     for (const BlockQuantity& quantity : wanted) {
-      const std::string& name = system.blocks[static_cast<std::size_t>(history.blocks[i])].name;
-      text += ',' + csv_field(name + '.' + std::string(quantity.name) + " [" + std::string(quantity.unit) + ']');
+      text += ',' +
+              csv_field(history.names[i] + '.' + std::string(quantity.name) + " [" + std::string(quantity.unit) + ']');
       columns.push_back(history.values(i, quantity));
     }
   text += '\n';

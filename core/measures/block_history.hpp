@@ -59,6 +59,7 @@ class BlockWatch {
 struct BlockHistory {
   std::vector<double> times;                      ///< s, of all frames
   std::vector<int> blocks;                        ///< that it tells of
+  std::vector<std::string> names;                 ///< of these
   std::vector<std::vector<BlockState>> of_block;  ///< of each of them a state a frame
 
   std::vector<double> values(std::size_t block, const BlockQuantity& quantity) const;
@@ -68,8 +69,7 @@ struct BlockHistory {
 BlockHistory block_history(const ResultReader& results, std::vector<int> blocks, std::vector<double> densities,
                            Progress& progress);
 
-/// The table of `names` and `quantities` over time: "time [s]", "B1.speed [m/s]" …, names quoted as CSV asks for.
-std::string history_csv(const BlockHistory& history, const BlockSystem& system,
-                        std::span<const BlockQuantity> quantities);
+/// The table of these quantities over time: "time [s]", "B1.speed [m/s]" …, names quoted as CSV asks for.
+std::string history_csv(const BlockHistory& history, std::span<const BlockQuantity> quantities);
 
 }  // namespace talus

@@ -21,28 +21,30 @@ SlipWatch::SlipWatch(const BlockSystem& system) : system_(system), fit_(system),
   for (const SharedFace& shared : found.shared) {
     const FlatFace &one = found.faces[static_cast<std::size_t>(shared.face)],
                    &other = found.faces[static_cast<std::size_t>(shared.other)];
-    waiting_.push_back({{one.block, other.block}, one.joint, one.normal, shared.area, 0});
+    const std::array<int, 2> blocks{one.block, other.block};  // ascending, as faces go block by block
+    waiting_[blocks].push_back({blocks, one.joint, one.normal, shared.area, 0});
   }
 }
 
 void SlipWatch::take(const Frame& frame) {
   for (const ContactSample& contact : frame.contacts) {
     if (contact.state != ContactState::slip) continue;
-    const auto lies_on = [&](const SlippedFace& face) {
-      const bool same = face.blocks == std::array{contact.blocks[0], contact.blocks[1]};
-      if (!same && face.blocks != std::array{contact.blocks[1], contact.blocks[0]}) return false;
-      const auto b = static_cast<std::size_t>(face.blocks[0]);
-      const Block& block = system_.blocks[b];
-      const std::vector<Vec3> moved = places(block, first_[b], frame);
-      const Mat3 turn = fit_.pose(face.blocks[0], block.mesh.nodes.data(), moved.data()).rotation;
-      return std::abs((turn * face.normal).dot(contact.normal)) > same_face;
-    };
-    const auto found = std::ranges::find_if(waiting_, lies_on);
-    if (found == waiting_.end()) continue;
+    const auto pair =
+        waiting_.find({std::min(contact.blocks[0], contact.blocks[1]), std::max(contact.blocks[0], contact.blocks[1])});
+    if (pair == waiting_.end()) continue;
+    const auto b = static_cast<std::size_t>(pair->first[0]);
+    const Block& block = system_.blocks[b];
+    const std::vector<Vec3> moved = places(block, first_[b], frame);
+    const Mat3 turn = fit_.pose(pair->first[0], block.mesh.nodes.data(), moved.data()).rotation;
+    std::vector<SlippedFace>& faces = pair->second;
+    const auto found = std::ranges::find_if(
+        faces, [&](const SlippedFace& face) { return std::abs((turn * face.normal).dot(contact.normal)) > same_face; });
+    if (found == faces.end()) continue;
     found->joint = contact.joint;
     found->since = frame.time;
     slipped_.push_back(*found);
-    waiting_.erase(found);
+    faces.erase(found);
+    if (faces.empty()) waiting_.erase(pair);
   }
 }
 

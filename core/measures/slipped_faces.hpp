@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <map>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -30,8 +32,8 @@ class SlipWatch {
  private:
   const BlockSystem& system_;
   PoseFit fit_;
-  std::vector<std::size_t> first_;    ///< node of each block
-  std::vector<SlippedFace> waiting_;  ///< faces that have not slid yet
+  std::vector<std::size_t> first_;                                  ///< node of each block
+  std::map<std::array<int, 2>, std::vector<SlippedFace>> waiting_;  ///< that have not slid yet, by pairs of blocks
   std::vector<SlippedFace> slipped_;
 };
 

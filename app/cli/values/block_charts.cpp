@@ -82,10 +82,10 @@ BlockHistory chosen_history(const BlockChoice& choice, const ResultReader& resul
   return history;
 }
 
-Charts block_charts(const BlockHistory& history, const BlockChoice& choice, const ResultReader& results, Theme theme) {
+Charts block_charts(const BlockHistory& history, const BlockChoice& choice, Theme theme) {
   Charts charts;
   for (const BlockQuantity& quantity : quantities_of(choice)) {
-    HistoryPlot plot = block_plot(history, results.system(), quantity);
+    HistoryPlot plot = block_plot(history, quantity);
     plot.theme = theme;
     charts.push_back({{"blocks-" + std::string(quantity.name), std::move(plot)}});
   }
@@ -93,8 +93,8 @@ Charts block_charts(const BlockHistory& history, const BlockChoice& choice, cons
 }
 
 std::vector<std::string> write_table(const std::filesystem::path& file, const BlockHistory& history,
-                                     const BlockChoice& choice, const ResultReader& results) {
-  write_output(file, history_csv(history, results.system(), quantities_of(choice)));
+                                     const BlockChoice& choice) {
+  write_output(file, history_csv(history, quantities_of(choice)));
   return {file.string()};
 }
 

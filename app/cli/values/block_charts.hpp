@@ -24,10 +24,10 @@ void add_block_choice(CLI::App& command, BlockChoice& choice, CLI::Option& monit
 BlockHistory chosen_history(const BlockChoice& choice, const ResultReader& results);
 
 /// A chart a quantity, a curve a block.
-Charts block_charts(const BlockHistory& history, const BlockChoice& choice, const ResultReader& results, Theme theme);
+Charts block_charts(const BlockHistory& history, const BlockChoice& choice, Theme theme);
 
 /// The same as a table; returns the file. Throws InputError where it cannot be written.
 std::vector<std::string> write_table(const std::filesystem::path& file, const BlockHistory& history,
-                                     const BlockChoice& choice, const ResultReader& results);
+                                     const BlockChoice& choice);
 
 }  // namespace talus::cli

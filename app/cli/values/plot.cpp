@@ -128,8 +128,8 @@ ExitCode plot_blocks(const PlotOptions& options, const ResultReader& results, bo
   const BlockHistory history = about(options.results, [&] { return chosen_history(options.blocks, results); });
   const std::vector<std::string> files =
       options.files.out.extension() == ".csv"
-          ? write_table(options.files.out, history, options.blocks, results)
-          : write_charts(options.files, block_charts(history, options.blocks, results, options.files.theme),
+          ? write_table(options.files.out, history, options.blocks)
+          : write_charts(options.files, block_charts(history, options.blocks, options.files.theme),
                          results.project_name());
   return name(files, json);
 }

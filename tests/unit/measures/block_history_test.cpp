@@ -88,16 +88,14 @@ TEST(BlockQuantity, OfAnotherNameIsRefusedWithTheNames) {
 }
 
 TEST(BlockHistory, IsATableWithUnitsInItsHeads) {
-  BlockSystem system = floor_and_boxes();
-  system.blocks[1].name = "B, \"1\"";
   BlockHistory history;
+  history.names = {"B, \"1\"", "tower"};
   history.times = {0, 0.5};
   history.blocks = slab_and_tower;
   history.of_block.assign(2, std::vector<BlockState>(2));
   history.of_block[0][1].velocity = {0, 3, 4};
   const std::vector<BlockQuantity> wanted{block_quantity_named("speed")};
-  EXPECT_EQ(history_csv(history, system, wanted),
-            "time [s],\"B, \"\"1\"\".speed [m/s]\",tower.speed [m/s]\n0,0,0\n0.5,5,0\n");
+  EXPECT_EQ(history_csv(history, wanted), "time [s],\"B, \"\"1\"\".speed [m/s]\",tower.speed [m/s]\n0,0,0\n0.5,5,0\n");
 }
 
 }  // namespace

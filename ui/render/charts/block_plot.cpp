@@ -7,14 +7,13 @@
 
 namespace talus {
 
-HistoryPlot block_plot(const BlockHistory& history, const BlockSystem& system, const BlockQuantity& quantity) {
+HistoryPlot block_plot(const BlockHistory& history, const BlockQuantity& quantity) {
   HistoryPlot plot;
   plot.title = quantity.title;
   plot.y_title = quantity.title;
   double largest = 0;
   for (std::size_t i = 0; i < history.blocks.size(); ++i) {
-    const std::string& name = system.blocks[static_cast<std::size_t>(history.blocks[i])].name;
-    plot.series.push_back({.name = name, .x = history.times, .y = history.values(i, quantity)});
+    plot.series.push_back({.name = history.names[i], .x = history.times, .y = history.values(i, quantity)});
     for (const double value : plot.series.back().y)
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
   }

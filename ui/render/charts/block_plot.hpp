@@ -9,6 +9,6 @@ namespace talus {
 inline constexpr std::size_t most_curves = 6;
 
 /// A quantity over time, a curve a block.
-HistoryPlot block_plot(const BlockHistory& history, const BlockSystem& system, const BlockQuantity& quantity);
+HistoryPlot block_plot(const BlockHistory& history, const BlockQuantity& quantity);
 
 }  // namespace talus

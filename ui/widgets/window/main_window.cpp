@@ -28,6 +28,7 @@
 #include "widgets/results/export_strip.hpp"
 #include "widgets/run/run_panel.hpp"
 #include "widgets/setup/property_panel.hpp"
+#include "widgets/view/compared_viewport.hpp"
 #include "widgets/view/timeline.hpp"
 #include "widgets/view/viewport.hpp"
 #include "widgets/window/bottom_panel.hpp"
@@ -116,7 +117,11 @@ void MainWindow::makeCentre() {
   setMargins(column, 0, 0);
   viewport_ = new Viewport(session_);
   timeline_ = new Timeline(session_.project.document(), session_.run, session_.playback);
-  column->addWidget(viewport_, 1);
+  auto* views = new QHBoxLayout;
+  setMargins(views, 0, 1);
+  views->addWidget(viewport_, 1);
+  views->addWidget(new ComparedViewport(session_.compared, *viewport_), 1);
+  column->addLayout(views, 1);
   column->addWidget(timeline_);
   centre_->addWidget(start_);
   centre_->addWidget(work);
@@ -318,6 +323,7 @@ void MainWindow::saveFilm(const std::filesystem::path& path) {
   task.frame = session_.playback.source();
   task.times = session_.playback.times();
   task.film.speed = timeline_->speed();
+  task.settings.title = session_.project.document().name().toStdString();
   task.what = tr("Film");
   session_.messages.settle(Problem::Of::picture);
   exporter_.start(std::move(task));

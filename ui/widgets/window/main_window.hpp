@@ -58,6 +58,8 @@ class MainWindow : public QMainWindow {
   /// Of the results that are open: as HTML or PDF, by the file's ending; of STL the frame in view.
   void saveReport(const std::filesystem::path& path);
   void exportData(DataFormat format, const std::filesystem::path& path);
+  /// Shows other results beside those that are open.
+  void compareWith(const std::filesystem::path& folder);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -79,6 +81,7 @@ class MainWindow : public QMainWindow {
   void showRecent();
   void askForProject();
   void askForResults();
+  void askForComparison();
   bool saveAs();
   void solve();
   bool begin(const Draft& draft, const QString& what);

@@ -76,6 +76,7 @@ void WindowActions::makeFileActions() {
   saveAs = add(tr("Save as…"), {}, QKeySequence(tr("Ctrl+Shift+S")));
   savePicture = add(tr("Save picture…"), QStringLiteral("camera"), QKeySequence(tr("Ctrl+Shift+P")));
   saveFilm = add(tr("Save film…"), QStringLiteral("film"), QKeySequence(tr("Ctrl+Shift+M")));
+  compare = add(tr("Compare with results…"), QStringLiteral("results"));
   saveReport = add(tr("Save report…"), QStringLiteral("report"), QKeySequence(tr("Ctrl+Shift+R")));
   for (const auto& [format, name] : {std::pair(DataFormat::csv, tr("Export tables (CSV)…")),
                                      std::pair(DataFormat::vtu, tr("Export for ParaView (VTU)…")),
@@ -251,7 +252,7 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
                                        firstFrame, lastFrame, nullptr, savePicture, saveFilm, saveReport, nullptr});
   for (const auto& [format, action] : exports) results->addAction(action);
   results->addSeparator();
-  results->addAction(accuracy);
+  results->addActions({compare, accuracy});
   menu(tr("Help"), {manual, nullptr, knownAnswers, hardCases, nullptr, about});
 }
 
@@ -280,6 +281,7 @@ void WindowActions::refresh() {
   const bool isLive = session_.playback.isLive();
   const QString noResults = isLive ? tr("The run goes on: its results are complete at its end") : noFrames;
   allow(*saveReport, noResults);
+  allow(*compare, noResults);
   for (const auto& [format, action] : exports) allow(*action, noResults);
   for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, section, showActions})
     allow(*action, nothingSeen);
