@@ -3799,10 +3799,6 @@
         <source>The results that are compared</source>
         <translation>Die verglichenen Ergebnisse</translation>
     </message>
-    <message>
-        <source>Compared with %1</source>
-        <translation>Verglichen mit %1</translation>
-    </message>
 </context>
 <context>
     <name>talus::CostAhead</name>

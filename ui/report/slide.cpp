@@ -58,7 +58,7 @@ Facts facts_of(const RunRecord& run, const Slide& slide) {
   say("Depth of the deposit",
       quantity(deposit.max_depth, "m") + " at most, " + quantity(deposit.mean_depth, "m") + " on average");
   if (const FrontMoment* fastest = slide.fastest())
-    say("Front at its fastest", quantity(fastest->velocity, "m/s") + " at " + format_number(fastest->time, 4) + " s");
+    say("Front at its fastest", quantity(fastest->velocity, "m/s") + " at " + format_number(fastest->time, 3) + " s");
   return facts;
 }
 
@@ -75,7 +75,7 @@ Section slide(const RunRecord& run) {
     return section;
   }
   section.parts.emplace_back(facts_of(run, measured));
-  section.parts.emplace_back(Chart{deposit_map(measured), 700, 460, ""});
+  section.parts.emplace_back(Chart{deposit_map(measured), 700, 400, ""});
   if (measured.front.size() > 1) section.parts.emplace_back(Chart{chart_painting(front_plot(measured)), 700, 300, ""});
   add_slipped_joints(run, section);
   section.parts.emplace_back(Paragraph{

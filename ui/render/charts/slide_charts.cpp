@@ -25,7 +25,7 @@ class DepositMap {
 
   void paint(Painter& painter) const {
     if (!low_)
-      painter.text({map_.left, map_.top + 1.2 * em_}, "Depth of the deposit at " + format_number(slide_.time, 4) + " s",
+      painter.text({map_.left, map_.top + 1.2 * em_}, "Depth of the deposit at " + format_number(slide_.time, 3) + " s",
                    {.height = 1.25 * em_, .colour = colours_.text, .weight = FontWeight::semibold});
     paint_depth(painter);
     for (const PlanRing& ring : slide_.source) paint_ring(painter, ring, colours_.muted);

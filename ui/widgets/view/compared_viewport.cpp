@@ -1,6 +1,5 @@
 #include "widgets/view/compared_viewport.hpp"
 
-#include <QLabel>
 #include <QMouseEvent>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -28,23 +27,12 @@ constexpr int without_delay = 0;  // ms
 ComparedViewport::ComparedViewport(ComparedResults& results, Viewport& viewport)
     : results_(results),
       viewport_(viewport),
-      name_(new ElidedLabel({}, "title")),
-      place_(new QWidget),
-      surface_(makeRenderSurface(place_)),
+      surface_(makeRenderSurface(this)),
+      end_(makeTool(QStringLiteral("close"), tr("End comparing"))),
       drawing_(without_delay) {
-  auto* column = new QVBoxLayout(this);
-  setMargins(column, 0, 0);
-  auto* head = new QHBoxLayout;
-  head->setContentsMargins(12, 4, 8, 4);
-  head->addWidget(name_, 1);
-  auto* end = makeTool(QStringLiteral("close"), tr("End comparing"));
-  connect(end, &QToolButton::clicked, &results, &ComparedResults::close);
-  head->addWidget(end);
-  column->addLayout(head);
-  auto* inner = new QVBoxLayout(place_);
-  setMargins(inner, 0, 0);
-  inner->addWidget(surface_->widget());
-  column->addWidget(place_, 1);
+  end_->setParent(this);
+  connect(end_, &QToolButton::clicked, &results, &ComparedResults::close);
+  end_->raise();
   surface_->widget()->setAccessibleName(tr("The results that are compared"));
   surface_->widget()->installEventFilter(this);
   connect(&results, &ComparedResults::changed, this, &ComparedViewport::takeResults);
@@ -68,7 +56,6 @@ void ComparedViewport::takeResults() {
   shown_ = results_.results();
   setVisible(shown_ != nullptr);
   if (!shown_) return;
-  name_->setText(tr("Compared with %1").arg(results_.name()));
   const auto make = [index = shown_, settings = viewport_.screenSettings()](Progress&) {
     return std::make_shared<Scene>(*index->system, settings);
   };
@@ -87,12 +74,21 @@ void ComparedViewport::follow() {
   SceneSettings settings = viewport_.screenSettings();
   if (!viewport_.showsField()) settings.field.reset();
   settings.parallel_projection = pose->parallel;
+  settings.title = results_.name().toStdString();
+  settings.legend = false;  // the view beside it has the same
   settings.places.clear();  // those are of the other's blocks
   settings.block_colours.reset();
   scene_->set_settings(settings);
   if (results_.frame()) scene_->set_frame(results_.frame());
   scene_->set_pose(*pose);
   surface_->requestRender();
+}
+
+void ComparedViewport::resizeEvent(QResizeEvent*) {
+  constexpr int away = 8;  // pixels, of the button
+  surface_->widget()->setGeometry(rect());
+  end_->move(width() - end_->sizeHint().width() - away, away);
+  follow();
 }
 
 bool ComparedViewport::eventFilter(QObject* watched, QEvent* event) {
@@ -109,13 +105,13 @@ bool ComparedViewport::eventFilter(QObject* watched, QEvent* event) {
     if (mouse.buttons().testFlag(Qt::LeftButton))
       viewport_.moveTo(turned(*pose, -by.x() * degrees_of_pixel, by.y() * degrees_of_pixel));
     else if (mouse.buttons().testFlag(Qt::MiddleButton))
-      viewport_.moveTo(panned(*pose, by, place_->size()));
+      viewport_.moveTo(panned(*pose, by, size()));
     return true;
   }
   if (event->type() == QEvent::Wheel) {
     const auto& wheel = *static_cast<QWheelEvent*>(event);
     const double notches = wheel.angleDelta().y() / 120.0;
-    viewport_.moveTo(zoomed(*pose, std::pow(nearer_of_notch, notches), wheel.position(), place_->size()));
+    viewport_.moveTo(zoomed(*pose, std::pow(nearer_of_notch, notches), wheel.position(), size()));
     return true;
   }
   return QFrame::eventFilter(watched, event);

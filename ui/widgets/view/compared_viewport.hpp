@@ -6,7 +6,7 @@
 #include "jobs/latest_job.hpp"
 #include "render/scene/scene.hpp"
 
-class QLabel;
+class QToolButton;
 
 namespace talus {
 
@@ -28,6 +28,7 @@ class ComparedViewport : public QFrame {
   RenderSurface& surface() { return *surface_; }
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -37,9 +38,8 @@ class ComparedViewport : public QFrame {
 
   ComparedResults& results_;
   Viewport& viewport_;
-  QLabel* name_;
-  QWidget* place_;  ///< where the surface lies
   RenderSurface* surface_;
+  QToolButton* end_;
   std::shared_ptr<const ResultsIndex> shown_;  ///< whose blocks scene_ draws
   std::shared_ptr<Scene> scene_;
   QPointF last_;
