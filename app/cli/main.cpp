@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
   Invocation invocation;
   describe(program);
   for (const auto add : {add_new, add_inspect, add_blocks, add_mesh, add_solve, add_render, add_animate, add_plot,
-                         add_verify, add_study, add_info, add_export, add_report, add_stereonet})
+                         add_measure, add_verify, add_study, add_info, add_export, add_report, add_stereonet})
     add(program, invocation);
   for (CLI::App* command : program.get_subcommands({})) {
     command->add_flag("--json", invocation.json, "Print one JSON object instead of text; progress goes to stderr");

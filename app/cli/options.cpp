@@ -129,6 +129,8 @@ void add_look(CLI::App& command, Look& look) {
                   "top; or azimuth (clockwise from north) and elevation in degrees, like 300,25")
       ->type_name("NAME|A,E")
       ->capture_default_str();
+  command.add_option("--title", look.title, "What stands at the top left (default: the project's name)")
+      ->type_name("TEXT");
   const std::map<std::string, Edges> edges{{"none", Edges::none}, {"blocks", Edges::blocks}, {"mesh", Edges::mesh}};
   command
       .add_option_function<std::string>(
@@ -172,7 +174,7 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
   settings.range = look.range;
   settings.only = look.only;
   settings.arrows = look.arrows;
-  settings.title = results.project_name();
+  settings.title = look.title.value_or(results.project_name());
   if (!look.field.empty()) settings.field = field_named(look.field);
   return settings;
 }

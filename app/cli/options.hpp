@@ -35,6 +35,7 @@ int frame_index(const ResultReader& results, const FrameChoice& choice);
 /// What a picture or a film shows and from where.
 struct Look {
   std::string field, view = "auto";
+  std::optional<std::string> title{};  ///< none: the project's name
   Theme theme = Theme::light;
   Edges edges = Edges::blocks;
   bool contacts = false, troubles = false;

@@ -10,6 +10,7 @@
 #include "render/paint/picture_difference.hpp"
 #include "render/scene/offscreen.hpp"
 #include "render/views/view_of_results.hpp"
+#include "side_by_side.hpp"
 #include "text/json_text.hpp"
 #include "text/picture_text.hpp"
 
@@ -26,7 +27,8 @@ struct PictureCheck {
 };
 
 struct RenderOptions {
-  std::filesystem::path results, out;
+  std::vector<std::filesystem::path> results;
+  std::filesystem::path out;
   FrameChoice choice;
   PictureSize size{1600, 1000};
   bool has_size = false;  ///< it was given
@@ -103,59 +105,55 @@ ExitCode check_picture(const PictureCheck& check, const Image& drawn, const std:
   return failed;
 }
 
-/// A frame, drawn.
-struct Drawing {
-  int index = 0;
-  Image picture;
-};
-
-Drawing drawn_by_options(const RenderOptions& options, const ResultReader& results) {
-  const int index = about(options.results, [&] { return frame_index(results, options.choice); });
-  Scene scene(results.system(), scene_settings(options.look, results));
-  scene.set_stage_names(results.stage_names());
-  const auto frame = std::make_shared<const Frame>(results.frame(index));
-  about(options.results, [&] { need_field(*frame, scene.settings()); });
-  scene.set_frame(frame);
-  mark_troubles(options.look, results, scene);
-  point_camera(options.look, results, scene);
-  return {index, draw_image(scene, options.size.width, options.size.height)};
-}
-
-Drawing drawn_as_saved(const RenderOptions& options, const ResultReader& results) {
+SideBySide drawn_as_saved(const RenderOptions& options) {
+  if (options.results.size() > 1)
+    throw InputError("--view-file", "a view is drawn of one results folder",
+                     "leave the view out, or draw them one by one");
+  const std::filesystem::path& folder = options.results.front();
+  const ResultReader results(folder);
   const SavedView view = read_view(options.look.view_file);
   const bool other_frame = options.choice.time || options.choice.frame;
-  const int index = about(options.results, [&] {
-    return other_frame ? frame_index(results, options.choice) : frame_of_view(view, results);
-  });
+  const int index =
+      about(folder, [&] { return other_frame ? frame_index(results, options.choice) : frame_of_view(view, results); });
   const auto frame = std::make_shared<const Frame>(results.frame(index));
-  about(options.results, [&] { need_field(*frame, view.settings); });
+  about(folder, [&] { need_field(*frame, view.settings); });
   const bool as_it_was = !options.has_size;
-  const auto scene = about(options.look.view_file, [&] {
-    return scene_of_view(view, results, monitors_of(options.results, results), as_it_was);
-  });
+  const auto scene = about(options.look.view_file,
+                           [&] { return scene_of_view(view, results, monitors_of(folder, results), as_it_was); });
   scene->set_frame(frame);
-  return {index, as_it_was ? draw_view(*scene, view) : draw_image(*scene, options.size.width, options.size.height)};
+  return {as_it_was ? draw_view(*scene, view) : draw_image(*scene, options.size.width, options.size.height),
+          {{folder, index, frame->time}}};
+}
+
+void print(const RenderOptions& options, const std::vector<DrawnFrame>& frames, const std::string& verdict) {
+  std::cout << options.out.string() << ": ";
+  for (const DrawnFrame& one : frames)
+    std::cout << (frames.size() > 1 ? one.results.string() + " " : "") << "frame " << one.frame << ", " << one.time
+              << (&one == &frames.back() ? " s\n" : " s; ");
+  std::cout << verdict;
 }
 
 ExitCode render(const RenderOptions& options, bool json) {
   refuse_to_overwrite_baseline(options.check, options.out);
-  const ResultReader results(options.results);
-  const auto [index, drawn] =
-      options.look.view_file.empty() ? drawn_by_options(options, results) : drawn_as_saved(options, results);
+  const auto [drawn, frames] = options.look.view_file.empty()
+                                   ? draw_side_by_side(options.results, options.choice, options.look, options.size)
+                                   : drawn_as_saved(options);
   write_png(drawn, options.out);
 
-  const double time = results.frame_times()[static_cast<std::size_t>(index)];
   nlohmann::ordered_json picture = {{"picture", options.out.string()},
                                     {"width", drawn.width},
                                     {"height", drawn.height},
-                                    {"frame", index},
-                                    {"time", time}};
+                                    {"frame", frames.front().frame},
+                                    {"time", frames.front().time}};
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    picture["beside"].push_back(
+        {{"results", frames[i].results.string()}, {"frame", frames[i].frame}, {"time", frames[i].time}});
   std::string verdict;
   const ExitCode code = check_picture(options.check, drawn, options.out, picture, verdict);
   if (json)
     std::cout << json_text(picture) << '\n';
   else
-    std::cout << options.out.string() << ": frame " << index << ", " << time << " s\n" << verdict;
+    print(options, frames, verdict);
   return code;
 }
 
@@ -187,9 +185,14 @@ void add_picture_check(CLI::App& command, PictureCheck& check) {
 }  // namespace
 
 void add_render(CLI::App& program, Invocation& invocation) {
-  auto* command = program.add_subcommand("render", "Draw one frame as a PNG; needs no display");
+  auto* command = program.add_subcommand(
+      "render", "Draw one frame as a PNG, also of several results side by side; needs no display");
   auto options = std::make_shared<RenderOptions>();
-  add_results(*command, options->results);
+  command
+      ->add_option("RESULTS", options->results,
+                   "Results folder, also of a run that goes on or was killed; up to four are drawn side by side")
+      ->required()
+      ->type_name("DIR");
   command->add_option("--out", options->out, "Picture to write")->required()->type_name("P.png");
   add_frame_choice(*command, options->choice);
   const CLI::Option* size = add_size(*command, options->size);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "measures/slipped_faces.hpp"
 #include "options.hpp"
 #include "orientation/project_joints.hpp"
 #include "output_file.hpp"
@@ -14,6 +15,7 @@
 #include "sheet.hpp"
 #include "text/json_text.hpp"
 #include "text/orientation_text.hpp"
+#include "text/terminal.hpp"
 
 namespace talus::cli {
 
@@ -37,7 +39,24 @@ bool begins_as_project(const std::string& text) {
   return first != std::string::npos && (text[first] == '{' || text[first] == '/');
 }
 
+/// The planes on which blocks of a run slid on each other, as they were at rest, by the names of their joints.
+std::vector<MeasuredJoint> joints_that_slipped(const std::filesystem::path& folder) {
+  catch_interrupts();
+  const ResultReader results(folder);
+  TerminalProgress progress;
+  std::vector<MeasuredJoint> joints;
+  for (const SlippedFace& face : slipped_faces(results, progress)) {
+    const std::vector<std::string>& names = results.system().joint_names;
+    const auto joint = static_cast<std::size_t>(face.joint);
+    joints.push_back({attitude_of_normal(face.normal), face.joint >= 0 && joint < names.size() ? names[joint] : ""});
+  }
+  if (joints.empty())
+    throw InputError(folder.string(), "no block slid on another one that it lay against", "give a project or a table");
+  return joints;
+}
+
 std::vector<MeasuredJoint> joints_in(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file)) return joints_that_slipped(file);
   const ProjectChoice choice{file, {.allow_outside = true}};  // no file that it names is opened
   const std::string text = text_of(choice);
   Project project;
@@ -141,8 +160,9 @@ ExitCode stereonet(const StereonetOptions& options, bool json) {
   const Findings found = findings_of(net);
   std::vector<std::string> files;
   if (!options.picture.empty()) {
+    const std::string of_results = std::filesystem::is_directory(options.file) ? "Joints that slipped: " : "";
     const std::string title =
-        options.title.empty() && options.file != "-" ? options.file.stem().string() : options.title;
+        options.title.empty() && options.file != "-" ? of_results + options.file.stem().string() : options.title;
     write_sheet({{{stereonet_painting(net, title)}}, options.size, colours(net.theme).surface, title}, options.picture);
     files.push_back(options.picture.string());
   }
@@ -201,9 +221,13 @@ void add_stereonet(CLI::App& program, Invocation& invocation) {
   auto* command = program.add_subcommand(
       "stereonet", "Sets of joints with their means, the kinematic check of a face, and a stereonet");
   auto options = std::make_shared<StereonetOptions>();
-  command->add_option("FILE", options->file, "Project, or table of joints (CSV, TSV, text); - reads standard input")
+  command
+      ->add_option(
+          "FILE", options->file,
+          "Project, or table of joints (CSV, TSV, text); - reads standard input; of a results folder the joints that "
+          "slipped")
       ->required()
-      ->type_name("P.talus|T.csv");
+      ->type_name("P.talus|T.csv|RESULTS");
   command
       ->add_option_function<std::string>(
           "--projection",

@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "base/line_attitude.hpp"
-#include "export/block_travel.hpp"
 #include "export/export_folder.hpp"
+#include "measures/block_travel.hpp"
 #include "model/number_text.hpp"
 #include "results/history.hpp"
 #include "results/steps.hpp"

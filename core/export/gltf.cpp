@@ -3,10 +3,10 @@
 #include <map>
 
 #include "base/error.hpp"
-#include "export/block_travel.hpp"
 #include "export/export.hpp"
 #include "export/export_folder.hpp"
 #include "export/gltf_file.hpp"
+#include "measures/block_travel.hpp"
 
 namespace talus {
 

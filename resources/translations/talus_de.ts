@@ -1652,6 +1652,76 @@
     </message>
 </context>
 <context>
+    <name>quantity</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Displacement x</source>
+        <translation>Verschiebung x</translation>
+    </message>
+    <message>
+        <source>Displacement y</source>
+        <translation>Verschiebung y</translation>
+    </message>
+    <message>
+        <source>Displacement z</source>
+        <translation>Verschiebung z</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Velocity x</source>
+        <translation>Geschwindigkeit x</translation>
+    </message>
+    <message>
+        <source>Velocity y</source>
+        <translation>Geschwindigkeit y</translation>
+    </message>
+    <message>
+        <source>Velocity z</source>
+        <translation>Geschwindigkeit z</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation>Bewegungsenergie</translation>
+    </message>
+    <message>
+        <source>Contact force</source>
+        <translation>Kontaktkraft</translation>
+    </message>
+    <message>
+        <source>Largest von Mises stress</source>
+        <translation>Größte von-Mises-Spannung</translation>
+    </message>
+    <message>
+        <source>Normal forces, summed</source>
+        <translation>Normalkräfte, summiert</translation>
+    </message>
+    <message>
+        <source>Shear forces, summed</source>
+        <translation>Schubkräfte, summiert</translation>
+    </message>
+</context>
+<context>
+    <name>saveTable</name>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+</context>
+<context>
     <name>schema</name>
     <message>
         <source>Talus project</source>
@@ -3495,6 +3565,41 @@
     </message>
 </context>
 <context>
+    <name>talus::BlockHistoryPanel</name>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern …</translation>
+    </message>
+    <message>
+        <source>Quantity of the left plot</source>
+        <translation>Größe des linken Diagramms</translation>
+    </message>
+    <message>
+        <source>Quantity of the right plot</source>
+        <translation>Größe des rechten Diagramms</translation>
+    </message>
+    <message>
+        <source>What of the blocks that are selected is shown over time</source>
+        <translation>Was von den gewählten Blöcken über die Zeit gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Histories of blocks are shown when a run has ended.</source>
+        <translation>Verläufe von Blöcken werden gezeigt, wenn ein Lauf zu Ende ist.</translation>
+    </message>
+    <message>
+        <source>Click a block in the view or the table to see what became of it; Ctrl and a click adds another.</source>
+        <translation>Einen Block in der Ansicht oder der Tabelle anklicken, um zu sehen, was aus ihm wurde; Strg und ein Klick nimmt einen weiteren hinzu.</translation>
+    </message>
+    <message>
+        <source>The frames are being read.</source>
+        <translation>Die Bilder werden gelesen.</translation>
+    </message>
+    <message>
+        <source>Save the histories of the selected blocks</source>
+        <translation>Verläufe der gewählten Blöcke speichern</translation>
+    </message>
+</context>
+<context>
     <name>talus::BlockViewTools</name>
     <message>
         <source>Colour by</source>
@@ -3586,6 +3691,18 @@
         <source>Splinters  %1</source>
         <translation>Splitter  %1</translation>
     </message>
+    <message>
+        <source>Run-out</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>Blocks&apos; histories</source>
+        <translation>Verläufe der Blöcke</translation>
+    </message>
+    <message>
+        <source>Along a line</source>
+        <translation>Entlang einer Linie</translation>
+    </message>
 </context>
 <context>
     <name>talus::CasePage</name>
@@ -3670,6 +3787,17 @@
     <message>
         <source>Any command of the menus and buttons, by some letters of its name (Ctrl+K)</source>
         <translation>Jeder Befehl der Menüs und Knöpfe, nach einigen Buchstaben seines Namens (Strg+K)</translation>
+    </message>
+</context>
+<context>
+    <name>talus::ComparedViewport</name>
+    <message>
+        <source>End comparing</source>
+        <translation>Vergleich beenden</translation>
+    </message>
+    <message>
+        <source>The results that are compared</source>
+        <translation>Die verglichenen Ergebnisse</translation>
     </message>
 </context>
 <context>
@@ -4609,6 +4737,49 @@ Z %3</translation>
     </message>
 </context>
 <context>
+    <name>talus::LinePanel</name>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern …</translation>
+    </message>
+    <message>
+        <source>The field along the line</source>
+        <translation>Das Feld entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Choose two points</source>
+        <translation>Zwei Punkte wählen</translation>
+    </message>
+    <message>
+        <source>Click two points of the rock in the view: the field that is shown is followed between them</source>
+        <translation>Zwei Punkte des Gesteins in der Ansicht anklicken: das gezeigte Feld wird zwischen ihnen verfolgt</translation>
+    </message>
+    <message>
+        <source>Click both ends of the line</source>
+        <translation>Beide Enden der Linie anklicken</translation>
+    </message>
+    <message>
+        <source>Save the field along the line</source>
+        <translation>Das Feld entlang der Linie speichern</translation>
+    </message>
+    <message>
+        <source>Fields are followed along lines when there are results.</source>
+        <translation>Felder werden entlang von Linien verfolgt, wenn es Ergebnisse gibt.</translation>
+    </message>
+    <message>
+        <source>Two points of the rock make a line, along which the field is shown.</source>
+        <translation>Zwei Punkte des Gesteins ergeben eine Linie, entlang der das Feld gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The line meets no rock in this frame.</source>
+        <translation>Die Linie trifft in diesem Bild kein Gestein.</translation>
+    </message>
+    <message>
+        <source>%1 long</source>
+        <translation>%1 lang</translation>
+    </message>
+</context>
+<context>
     <name>talus::ListField</name>
     <message>
         <source>Add</source>
@@ -4891,6 +5062,10 @@ Z %3</translation>
     <message>
         <source>Saved the view as %1</source>
         <translation>Ansicht gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Compare with a results folder</source>
+        <translation>Mit einem Ergebnisordner vergleichen</translation>
     </message>
 </context>
 <context>
@@ -6419,6 +6594,113 @@ Diese Datei gibt es nicht mehr</translation>
     </message>
 </context>
 <context>
+    <name>talus::SlidePanel</name>
+    <message>
+        <source>Map of the deposit</source>
+        <translation>Karte der Ablagerung</translation>
+    </message>
+    <message>
+        <source>Velocity of the front</source>
+        <translation>Geschwindigkeit der Front</translation>
+    </message>
+    <message>
+        <source>Moved further than</source>
+        <translation>Bewegt um mehr als</translation>
+    </message>
+    <message>
+        <source>1 % of the model</source>
+        <translation>1 % des Modells</translation>
+    </message>
+    <message>
+        <source>Blocks whose centroid has gone further count as moved; empty: a hundredth of the diagonal of all blocks</source>
+        <translation>Blöcke, deren Schwerpunkt weiter gekommen ist, gelten als bewegt; leer: ein Hundertstel der Diagonale aller Blöcke</translation>
+    </message>
+    <message>
+        <source>Run-out and deposit</source>
+        <translation>Reichweite und Ablagerung</translation>
+    </message>
+    <message>
+        <source>Blocks that moved</source>
+        <translation>Bewegte Blöcke</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Volume that moved</source>
+        <translation>Bewegtes Volumen</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>straight down</source>
+        <translation>senkrecht nach unten</translation>
+    </message>
+    <message>
+        <source>Run-out of the front</source>
+        <translation>Reichweite der Front</translation>
+    </message>
+    <message>
+        <source>Farthest block</source>
+        <translation>Weitest gekommener Block</translation>
+    </message>
+    <message>
+        <source>… in plan</source>
+        <translation>… im Grundriss</translation>
+    </message>
+    <message>
+        <source>… forward</source>
+        <translation>… vorwärts</translation>
+    </message>
+    <message>
+        <source>Travel angle, crown to toe</source>
+        <translation>Fahrböschung, Abrisskrone bis Fuß</translation>
+    </message>
+    <message>
+        <source>Fall, length in plan</source>
+        <translation>Fallhöhe, Länge im Grundriss</translation>
+    </message>
+    <message>
+        <source>Angle of the centre&apos;s travel</source>
+        <translation>Pauschalgefälle des Schwerpunkts</translation>
+    </message>
+    <message>
+        <source>Area of the deposit</source>
+        <translation>Fläche der Ablagerung</translation>
+    </message>
+    <message>
+        <source>Volume with voids</source>
+        <translation>Volumen mit Hohlräumen</translation>
+    </message>
+    <message>
+        <source>Depth, at most</source>
+        <translation>Mächtigkeit, höchstens</translation>
+    </message>
+    <message>
+        <source>… on average</source>
+        <translation>… im Mittel</translation>
+    </message>
+    <message>
+        <source>Front at its fastest</source>
+        <translation>Front am schnellsten</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%1 bei %2 s</translation>
+    </message>
+    <message>
+        <source>Run-out and deposit are measured when a run has ended.</source>
+        <translation>Reichweite und Ablagerung werden gemessen, wenn ein Lauf zu Ende ist.</translation>
+    </message>
+    <message>
+        <source>Run-out and deposit are being measured.</source>
+        <translation>Reichweite und Ablagerung werden gemessen.</translation>
+    </message>
+</context>
+<context>
     <name>talus::SolidTools</name>
     <message>
         <source>Import geometry…</source>
@@ -7762,6 +8044,22 @@ Nr. %3</translation>
         <source>Solids and terrain from a file, shown before they are taken</source>
         <translation>Körper und Gelände aus einer Datei, gezeigt, bevor sie übernommen werden</translation>
     </message>
+    <message>
+        <source>Face on joint %1</source>
+        <translation>Fläche auf Kluft %1</translation>
+    </message>
+    <message>
+        <source>Face on no joint</source>
+        <translation>Fläche auf keiner Kluft</translation>
+    </message>
+    <message>
+        <source>Element %1, node %2</source>
+        <translation>Element %1, Knoten %2</translation>
+    </message>
+    <message>
+        <source>%1 selected: %2 m³</source>
+        <translation>%1 gewählt: %2 m³</translation>
+    </message>
 </context>
 <context>
     <name>talus::WindowActions</name>
@@ -8104,6 +8402,10 @@ Nr. %3</translation>
     <message>
         <source>Open view…</source>
         <translation>Ansicht öffnen…</translation>
+    </message>
+    <message>
+        <source>Compare with results…</source>
+        <translation>Mit Ergebnissen vergleichen …</translation>
     </message>
 </context>
 <context>

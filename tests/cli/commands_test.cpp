@@ -302,14 +302,54 @@ TEST_F(Commands, RenderRefusesWhatIsNotThere) {
   refused({"--size", "4x4"}, "4");
 }
 
+TEST_F(Commands, RenderDrawsResultsSideBySide) {
+  const std::string other = place("other.results");
+  std::filesystem::copy(results(), other, std::filesystem::copy_options::recursive);
+  const Ending both = talus_cli({"render", results(), other, "--out", place("both.png"), "--size", "641x200", "--field",
+                                 "velocity", "--time", "0.5", "--json"});
+  ASSERT_EQ(both.exit_code, 0) << both.err;
+  const Json picture = Json::parse(both.out);
+  EXPECT_EQ(png_size(place("both.png")), std::pair(641, 200));
+  EXPECT_EQ(picture["time"], 0.5);
+  EXPECT_EQ(picture["beside"][0]["results"], other);
+  EXPECT_EQ(picture["beside"][0]["time"], 0.5);
+  std::vector<std::string> five(5, results());
+  five.insert(five.begin(), "render");
+  five.insert(five.end(), {"--out", place("five.png")});
+  EXPECT_EQ(talus_cli(five).exit_code, 2);
+  EXPECT_EQ(talus_cli({"render", results(), place("none"), "--out", place("n.png")}).exit_code, 2);
+}
+
 TEST_F(Commands, AnimateWritesFilms) {
   for (const auto& [name, magic] : {std::pair("film.gif", "GIF89a"), std::pair("film.mp4", "ftyp")}) {
     const Ending ending = talus_cli({"animate", results(), "--out", place(name), "--size", "160x120", "--fps", "10",
                                      "--field", "velocity", "--json"});
     ASSERT_EQ(ending.exit_code, 0) << ending.err;
     EXPECT_EQ(Json::parse(ending.out)["frames"], 21);
+    EXPECT_EQ(Json::parse(ending.out)["pictures"], 11) << "a second in real time, and the first picture";
     EXPECT_THAT(text_of(place(name)).substr(0, 12), HasSubstr(magic));
   }
+}
+
+TEST_F(Commands, AnimateGoesAtTheSpeedAndTheWayThatItIsTold) {
+  write_text(*folder / "keys.csv", "time,x,y,z,to x,to y,to z\n0,20,-20,5,0,0,0\n1,20,20,5,0,0,-4\n");
+  const auto filmed = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"animate", results(), "--out", place("moved.gif"), "--size", "64x48", "--fps", "5"});
+    return talus_cli(more);
+  };
+  EXPECT_THAT(filmed({}).out, HasSubstr("1.2 s, 6 pictures of 21 frames, real time"));
+  EXPECT_THAT(filmed({"--speed", "0.5"}).out, HasSubstr("11 pictures of 21 frames, 1/2 of real time"));
+  const std::string name = Json::parse(talus_cli({"mesh", sample("free_fall"), "--json"}).out)["blocks"][0]["name"];
+  for (const std::vector<std::string>& way : {std::vector<std::string>{"--turn", "90"},
+                                              {"--follow", name},
+                                              {"--camera", place("keys.csv")},
+                                              {"--title", "Fall"}})
+    EXPECT_EQ(filmed(way).exit_code, 0) << way[0];
+  for (const std::vector<std::string>& way : {std::vector<std::string>{"--speed", "0"},
+                                              {"--follow", "B9"},
+                                              {"--camera", place("none.csv")},
+                                              {"--speed", "1e-9"}})
+    EXPECT_EQ(filmed(way).exit_code, 2) << way[0];
 }
 
 TEST_F(Commands, PlotDrawsAChartOfEachQuantityOrOneSheet) {

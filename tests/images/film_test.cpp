@@ -175,7 +175,9 @@ TEST_F(Film, OfASlideShowsEveryFrame) {
   Scene scene(slope, settings);
   const auto frame = [&](int i) { return slid(slope, 2.5 * i, i); };
   Recorder progress;
-  render_film(scene, 6, frame, folder / "slide.mp4", {.width = 320, .height = 200, .fps = 5}, progress);
+  const std::vector<double> times{0, 0.2, 0.4, 0.6, 0.8, 1};
+  const FilmOptions options{.width = 320, .height = 200, .fps = 5};
+  EXPECT_EQ(render_film({scene, slope, times, frame, options}, folder / "slide.mp4", progress), 6);
   EXPECT_EQ(decode(folder / "slide.mp4").frames, 6);
   ASSERT_EQ(progress.fractions.size(), 6u);
   EXPECT_DOUBLE_EQ(progress.fractions.back(), 1);
@@ -199,7 +201,10 @@ TEST_F(Film, IsWrittenWhileAnotherThreadDraws) {
       return slid(boxes, 0.01 * i, i);
     };
     NoProgress progress;
-    render_film(scene, pictures, frame, folder / "beside.mp4", {.width = 320, .height = 200, .fps = 5}, progress);
+    std::vector<double> times;
+    for (int i = 0; i < pictures; ++i) times.push_back(0.2 * i);
+    const FilmOptions options{.width = 320, .height = 200, .fps = 5};
+    render_film({scene, boxes, times, frame, options}, folder / "beside.mp4", progress);
     is_filmed = true;
   });
   Scene scene(boxes);
@@ -219,8 +224,9 @@ TEST_F(Film, CanBeCancelled) {
   Scene scene(boxes);
   Recorder progress(2);
   const auto frame = [&](int i) { return slid(boxes, 0.01 * i, i); };
-  EXPECT_THROW(render_film(scene, 9, frame, folder / "a.gif", {.width = 64, .height = 48, .fps = 5}, progress),
-               Cancelled);
+  const std::vector<double> times{0, 1, 2, 3, 4, 5, 6, 7, 8};
+  const FilmOptions options{.width = 64, .height = 48, .fps = 5};
+  EXPECT_THROW(render_film({scene, boxes, times, frame, options}, folder / "a.gif", progress), Cancelled);
   EXPECT_EQ(progress.fractions.size(), 2u);
   EXPECT_TRUE(fs::is_empty(folder));
 }

@@ -44,8 +44,8 @@ Document report_of(const std::filesystem::path& folder) {
       origin_text(run) + ". Results: " + std::filesystem::weakly_canonical(folder).filename().string(),
       "Three-dimensional discontinuous deformation analysis. SI units; x east, y north, z up; stress positive in "
       "tension."};
-  for (const auto section :
-       {answer, pictures, model, motion, events, contacts, energy, settings, effects, accuracy_and_cost, hard_places})
+  for (const auto section : {answer, pictures, model, motion, slide, events, contacts, energy, settings, effects,
+                             accuracy_and_cost, hard_places})
     if (Section one = section(run); !one.parts.empty()) document.sections.push_back(std::move(one));
   return document;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "export/block_travel.hpp"
+#include "measures/block_travel.hpp"
 #include "model/project.hpp"
 #include "results/result_folder.hpp"
 

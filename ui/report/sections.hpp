@@ -18,6 +18,8 @@ Section settings(const RunRecord& run);
 Section effects(const RunRecord& run);
 /// The blocks that went farthest, and the histories of monitors.
 Section motion(const RunRecord& run);
+/// How far the rock came that moved, where it lies, and how fast its front was.
+Section slide(const RunRecord& run);
 /// What happened, in order.
 Section events(const RunRecord& run);
 /// What joints carry in the last frame.

@@ -20,15 +20,8 @@ std::string in_brackets(const std::string& x, const std::string& y, const std::s
 Prefixed prefixed(const std::string& si_unit, double magnitude) {
   constexpr double rounding = 1e-9;  // m, m/s: below a thousandth of the smallest prefix
   if ((si_unit == "m" || si_unit == "m/s") && magnitude < rounding) return {si_unit, 1};
-  if (si_unit == "m" || si_unit == "m/s" || si_unit == "Pa") {
-    const DisplayUnit unit = display_unit(si_unit, magnitude);
-    return {unit.name, unit.factor};
-  }
-  if (si_unit != "J" && si_unit != "N") return {si_unit, 1};
-  for (const auto& [prefix, size] :
-       {std::pair("T", 1e12), std::pair("G", 1e9), std::pair("M", 1e6), std::pair("k", 1e3)})
-    if (magnitude >= size) return {prefix + si_unit, 1 / size};
-  return {si_unit, 1};
+  const DisplayUnit unit = display_unit(si_unit, magnitude);
+  return {unit.name, unit.factor};
 }
 
 std::string quantity(double value, const std::string& si_unit, int significant) {

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -16,6 +17,13 @@ struct PickedPlace {
   int joint = -1;               ///< of the face; −1: on no cut
   Vec3 point = Vec3::Zero();    ///< m, on the shape at rest
   Vec3 normal = Vec3::UnitZ();  ///< outwards, of unit length
+  struct Moved {
+    Vec3 point, normal;
+  };
+  std::optional<Moved> now{};  ///< the same in the frame in view; none: the rock is seen at rest
+
+  /// As it is seen.
+  Vec3 seen() const { return now ? now->point : point; }
 };
 
 /// Asks for places in the view: whoever needs some says how many and for what, and gets them when they are all there.

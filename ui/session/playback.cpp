@@ -8,17 +8,13 @@
 
 namespace talus {
 
-namespace {
-
-int nearest(const std::vector<double>& times, double time) {
+int nearestFrame(const std::vector<double>& times, double time) {
   const auto after = std::lower_bound(times.begin(), times.end(), time);
   if (after == times.begin()) return 0;
   if (after == times.end()) return static_cast<int>(times.size()) - 1;
   const auto before = std::prev(after);
   return static_cast<int>((time - *before < *after - time ? before : after) - times.begin());
 }
-
-}  // namespace
 
 Playback::Playback(Document& document, Messages& messages)
     : document_(document), loader_(std::make_unique<ResultsLoader>()) {
@@ -113,7 +109,7 @@ void Playback::showFrame(int number) {
 }
 
 void Playback::showTime(double seconds) {
-  if (!times_.empty()) showFrame(nearest(times_, seconds));
+  if (!times_.empty()) showFrame(nearestFrame(times_, seconds));
 }
 
 std::function<std::shared_ptr<const Frame>(int)> Playback::source() const {

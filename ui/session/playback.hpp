@@ -17,6 +17,9 @@ class Messages;
 class ResultsLoader;
 struct ResultsIndex;
 
+/// Of ascending times [s], not none, the number of the one that is nearest to `time`.
+int nearestFrame(const std::vector<double>& times, double time);
+
 /// The frames of the run that goes on, or of the results that are open, and the one of them that is in view.
 class Playback : public QObject {
   Q_OBJECT

@@ -9,7 +9,6 @@
 
 #include "render/fields/field_range.hpp"
 #include "results/field.hpp"
-#include "results/frame.hpp"
 
 namespace talus {
 

@@ -4,11 +4,15 @@
 
 #include "jobs/results_loader.hpp"
 #include "session/block_colouring.hpp"
+#include "session/block_histories.hpp"
 #include "session/block_survey.hpp"
+#include "session/compared_results.hpp"
 #include "session/current_project.hpp"
 #include "session/current_run.hpp"
 #include "session/display.hpp"
 #include "session/drawn_joints.hpp"
+#include "session/field_line.hpp"
+#include "session/measured_slide.hpp"
 #include "session/messages.hpp"
 #include "session/picking.hpp"
 #include "session/playback.hpp"
@@ -42,9 +46,13 @@ struct Session {
   SolidSurfaces surfaces;
   Playback playback;
   CurrentRun run;
+  MeasuredSlide slide;
+  BlockHistories histories;
+  ComparedResults compared;
   ProjectStudy study;
   Display display;
   Picking picking;
+  FieldLine line;
   BlockSurvey survey;
   BlockColouring colouring;
   DrawnJoints joints;

@@ -45,7 +45,8 @@ Project beginning_of(const Project& project, int static_steps);
 
 /// On one thread, into a folder that goes away again. `budget`: s of the processor; static stages get half of it at
 /// most. Where it lasts for fewer than four steps, or for less than a tenth of the run, up to five times as much is
-/// spent, unless that would last for less than a hundredth of it; two steps are taken whatever they cost. Throws InputError as Simulation does, Cancelled.
+/// spent, unless that would last for less than a hundredth of it; two steps are taken whatever they cost. Throws
+/// InputError as Simulation does, Cancelled.
 RunBeginning run_beginning(const Project& project, const BlockSystem& system, double budget, Progress& progress);
 
 }  // namespace talus

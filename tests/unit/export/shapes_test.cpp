@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
-#include "export/block_travel.hpp"
 #include "export/export.hpp"
+#include "measures/block_travel.hpp"
 #include "unit/results/example_results.hpp"
 
 // STL and glTF, read back by their formats' own rules.

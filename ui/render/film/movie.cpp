@@ -1,10 +1,14 @@
 #include "render/film/movie.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "base/error.hpp"
+#include "render/film/film_pictures.hpp"
 #include "render/film/movie_encoder.hpp"
+#include "render/paint/numbers.hpp"
 #include "render/scene/offscreen.hpp"
 
 namespace talus {
@@ -68,22 +72,74 @@ void MovieWriter::finish() {
   state_->encoder.reset();
 }
 
-void render_film(Scene& scene, int count, const std::function<std::shared_ptr<const Frame>(int)>& frame,
-                 const std::filesystem::path& path, const FilmOptions& options, Progress& progress) {
-  if (count < 1) throw InputError(path.string(), "there are no frames to film", "solve first");
-  scene.include_in_view(*frame(0));
-  scene.include_in_view(*frame(count - 1));
+std::string speed_text(double speed) {
+  constexpr double rounding = 1e-9;
+  if (std::abs(speed - 1) < rounding) return {};
+  const double parts = 1 / speed;
+  if (speed < 1 && std::abs(parts - std::round(parts)) < rounding * parts)
+    return "1/" + format_decimals(parts, 0) + " of real time";
+  return format_number(speed,
+                       speed == std::round(speed) && speed < 1000 ? static_cast<int>(std::log10(speed)) + 1 : 3) +
+         " \u00d7 real time";
+}
+
+namespace {
+
+/// Far enough away that nothing leaves the picture while the camera turns.
+CameraPose pose_for_turning(Scene& scene, const CameraMoves& moves, const BlockSystem& system) {
+  constexpr int looks = 12;
+  CameraPose held = scene.pose();
+  const Vec3 towards = (held.position - held.focal_point).normalized();
+  const CameraPath turning({.keys = {}, .turn = moves.turn, .follow = {}}, system, held);
+  double distance = 0, half_height = 0;
+  for (int i = 0; i <= looks; ++i) {
+    scene.set_pose(turning.pose({}, static_cast<double>(i) / looks));
+    scene.fit();
+    const CameraPose fitted = scene.pose();
+    distance = std::max(distance, (fitted.position - held.focal_point).norm());
+    half_height = std::max(half_height, fitted.parallel_scale);
+  }
+  held.position = held.focal_point + distance * towards;
+  held.parallel_scale = half_height;
+  return held;
+}
+
+}  // namespace
+
+int render_film(const Filmed& film, const std::filesystem::path& path, Progress& progress) {
+  const FilmOptions& options = film.options;
+  const std::vector<int> pictures = frames_of_pictures(film.times, options.speed, options.fps);
+  if (pictures.empty()) throw InputError(path.string(), "there are no frames to film", "solve first");
+  Scene& scene = film.scene;
+  scene.include_in_view(*film.frame(0));
+  scene.include_in_view(*film.frame(pictures.back()));
   MovieWriter writer(path, options.width, options.height, options.fps);
   OffscreenView view(scene, options.width, options.height, Sampling::fast);
-  scene.set_frame(frame(0));
+  SceneSettings settings = scene.settings();
+  settings.remark = speed_text(options.speed);
+  scene.set_settings(settings);
+  scene.set_frame(film.frame(0));
   view.hold_camera();
-  for (int i = 0; i < count; ++i) {
+  const bool turns_about_all = options.camera.turn != 0 && options.camera.keys.empty() && !options.camera.follow;
+  const CameraPath camera(options.camera, film.system,
+                          turns_about_all ? pose_for_turning(scene, options.camera, film.system) : scene.pose());
+  const int count = static_cast<int>(pictures.size());
+  Image drawn;
+  for (int i = 0, shown = -1; i < count; ++i) {
     if (progress.cancelled()) throw Cancelled{};
-    scene.set_frame(frame(i));
-    writer.add_frame(view.draw());
+    const int number = pictures[static_cast<std::size_t>(i)];
+    if (number != shown || !camera.stands_still()) {
+      const std::shared_ptr<const Frame> frame = film.frame(number);
+      if (number != shown) scene.set_frame(frame);
+      if (!camera.stands_still()) scene.set_pose(camera.pose(*frame, count > 1 ? i / (count - 1.0) : 0));
+      drawn = view.draw();
+      shown = number;
+    }
+    writer.add_frame(drawn);
     progress.report((i + 1.0) / count, "picture " + std::to_string(i + 1) + " of " + std::to_string(count));
   }
   writer.finish();
+  return count;
 }
 
 }  // namespace talus

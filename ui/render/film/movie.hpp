@@ -3,8 +3,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/progress.hpp"
+#include "render/film/camera_path.hpp"
 #include "render/paint/image.hpp"
 #include "render/scene/scene.hpp"
 
@@ -34,12 +37,25 @@ class MovieWriter {
 struct FilmOptions {
   int width = 1280, height = 720;  ///< pixels, drawn with Sampling::fast
   int fps = 25;
+  double speed = 1;  ///< seconds of the model in a second of film
+  CameraMoves camera{};
 };
 
-/// Films `count` pictures of `scene`: frame(0) … frame(count − 1), one picture each, and reports after each.
-/// The caller has set view, field and range; frame(0) and the last are included in the view here, so that the camera
-/// stands still. Throws Cancelled when `progress` says so; no file is left then.
-void render_film(Scene& scene, int count, const std::function<std::shared_ptr<const Frame>(int)>& frame,
-                 const std::filesystem::path& path, const FilmOptions& options, Progress& progress);
+/// What is filmed. The caller has set view, field and range.
+struct Filmed {
+  Scene& scene;
+  const BlockSystem& system;
+  std::vector<double> times;                               ///< s, of the frames
+  std::function<std::shared_ptr<const Frame>(int)> frame;  ///< by number
+  FilmOptions options{};
+};
+
+/// Films all frames, and reports after each picture; each says how fast the film is, where that is not real time. The
+/// first frame and the last are included in the view here, so that the camera stands still where it is not to move.
+/// Throws Cancelled when `progress` says so; no file is left then. Returns the number of pictures.
+int render_film(const Filmed& film, const std::filesystem::path& path, Progress& progress);
+
+/// "4 × real time", "1/10 of real time"; empty for real time.
+std::string speed_text(double speed);
 
 }  // namespace talus

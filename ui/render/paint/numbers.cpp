@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <utility>
 
 namespace talus {
 namespace {
@@ -120,6 +121,10 @@ DisplayUnit display_unit(std::string_view si_unit, double magnitude) {
     if (size >= 1e5) return {"MPa", 1e-6};
     if (size >= 1e2) return {"kPa", 1e-3};
   }
+  if (si_unit == "N" || si_unit == "J")
+    for (const auto& [prefix, least] :
+         {std::pair("T", 1e12), std::pair("G", 1e9), std::pair("M", 1e6), std::pair("k", 1e3)})
+      if (size >= least) return {prefix + std::string(si_unit), 1 / least};
   if ((si_unit == "m" || si_unit == "m/s") && size > 0) {
     const std::string rest(si_unit.substr(1));
     if (size < 1e-5) return {"\u00b5m" + rest, 1e6};

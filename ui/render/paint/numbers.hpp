@@ -34,7 +34,8 @@ struct DisplayUnit {
   double factor = 1;
 };
 
-/// Prefix for values up to `magnitude` (SI): Pa, kPa, MPa or GPa; µm, mm or m; other units stay.
+/// Prefix for values up to `magnitude` (SI): Pa, kPa, MPa or GPa; N, kN … TN, and J likewise; µm, mm or m;
+/// other units stay.
 DisplayUnit display_unit(std::string_view si_unit, double magnitude);
 
 }  // namespace talus

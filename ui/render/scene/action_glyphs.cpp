@@ -144,9 +144,7 @@ double largest_of(const std::vector<ActionGlyph>& glyphs, Kind kind) {
 }
 
 std::string amount_text(double value, const std::string& unit) {
-  DisplayUnit shown = display_unit(unit, std::abs(value));
-  if (unit == "N" && std::abs(value) >= 1e6) shown = {"MN", 1e-6};
-  if (unit == "N" && std::abs(value) >= 1e3 && std::abs(value) < 1e6) shown = {"kN", 1e-3};
+  const DisplayUnit shown = display_unit(unit, std::abs(value));
   std::string figures = format_number(value * shown.factor);
   if (figures.find('.') != std::string::npos) {
     figures.erase(figures.find_last_not_of('0') + 1);

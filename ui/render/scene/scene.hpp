@@ -65,7 +65,8 @@ struct SceneSettings {
   /// Smooths outlines of pictures that are drawn at their own size. On a screen it would break thin edges into dashes.
   bool smooth_outlines = true;
 
-  std::string title;  ///< top left; empty: none
+  std::string title;   ///< top left; empty: none
+  std::string remark;  ///< beside the time: how fast a film goes
   bool legend = true, time_stamp = true, triad = true, scale_bar = true;
   double text_height = 0;  ///< pixels; 0: grows with the picture's height
 };

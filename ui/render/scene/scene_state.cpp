@@ -324,6 +324,7 @@ void Scene::State::make_overlay() {
   if (frame && settings.deformation_scale != 1)
     overlay.remarks += (overlay.remarks.empty() ? "" : ", ") + std::string("displacements \u00d7 ") +
                        format_decimals(settings.deformation_scale, whole ? 0 : 2);
+  if (frame && !settings.remark.empty()) overlay.remarks += (overlay.remarks.empty() ? "" : ", ") + settings.remark;
   if (settings.legend && settings.contacts && frame) {
     overlay.key_title = "contacts";
     overlay.key = {{state_colour(ContactState::open), "open"},

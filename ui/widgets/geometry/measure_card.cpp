@@ -97,7 +97,13 @@ void MeasureCard::follow() {
 }
 
 void MeasureCard::take(const std::vector<PickedPlace>& places) {
-  rows_ = measure(chosen(), places, document_.project().origin);
+  // What is seen is measured: in a frame of a run blocks where they have got to.
+  std::vector<PickedPlace> seen = places;
+  for (PickedPlace& place : seen) {
+    if (place.now) place.normal = place.now->normal;
+    place.point = place.seen();
+  }
+  rows_ = measure(chosen(), seen, document_.project().origin);
   showRows();
   ask();
 }

@@ -227,6 +227,26 @@ void Plot::drawCursor(QPainter& painter) const {
     painter.setBrush(theme::seriesColour(curve.colour));
     painter.drawEllipse(QPointF(x, yAt(*value)), 3.5, 3.5);
   }
+  drawValuesAtCursor(painter);
+}
+
+/// In the heading, from the right edge, as many as there is room for.
+void Plot::drawValuesAtCursor(QPainter& painter) const {
+  constexpr double gap = 10;
+  const QFont bold = theme::font(theme::now().type.small, QFont::DemiBold);
+  const double heading = 12 + QFontMetricsF(bold).horizontalAdvance(title_ + unit_) + 2 * gap;
+  painter.setFont(theme::font(theme::now().type.small, QFont::Medium));
+  double right = width() - 12;
+  for (size_t i = curves_.size(); i-- > 0;) {
+    const auto value = valueAt(curves_[i], *cursor_);
+    if (!value || !std::isfinite(*value)) continue;
+    const QString words = QString::fromStdString(format_number(*value));
+    const double room = painter.fontMetrics().horizontalAdvance(words);
+    if (right - room < heading) return;
+    painter.setPen(theme::seriesColour(curves_[i].colour));
+    painter.drawText(QRectF(right - room, 6, room, 16), Qt::AlignVCenter | Qt::AlignRight, words);
+    right -= room + gap;
+  }
 }
 
 void Plot::chooseTime(double x) {

@@ -56,6 +56,7 @@ class Plot : public QWidget {
   void drawCurve(QPainter& painter, const Curve& curve) const;
   void drawNames(QPainter& painter) const;
   void drawCursor(QPainter& painter) const;
+  void drawValuesAtCursor(QPainter& painter) const;
 
   QString title_, unit_;
   std::vector<Curve> curves_;

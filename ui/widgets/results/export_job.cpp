@@ -20,13 +20,11 @@ void draw(const ExportTask& task, Progress& progress) {
   scene.set_joints(task.joints, task.chosenCuts);
   scene.set_pose(task.pose);
   if (task.path.extension() == ".png") {
-    if (task.frameCount > 0) scene.set_frame(task.frame(task.firstFrame));
+    if (!task.times.empty()) scene.set_frame(task.frame(0));
     render_png(scene, task.path, task.film.width, task.film.height);
     return;
   }
-  render_film(
-      scene, task.frameCount, [&](int number) { return task.frame(task.firstFrame + number); }, task.path, task.film,
-      progress);
+  render_film({scene, *task.system, task.times, task.frame, task.film}, task.path, progress);
 }
 
 }  // namespace

@@ -28,9 +28,9 @@ struct ExportTask {
   std::vector<std::string> stageNames;
   /// Frames by number, called on the exporting thread.
   std::function<std::shared_ptr<const Frame>(int)> frame;
-  int firstFrame = 0, frameCount = 0;  ///< a picture has one frame, or none for the rock as set up
-  std::filesystem::path path;          ///< .png, .mp4, .gif
-  FilmOptions film;                    ///< width and height of a picture too
+  std::vector<double> times;   ///< s, of the frames: one for a picture, or none for the rock as set up
+  std::filesystem::path path;  ///< .png, .mp4, .gif
+  FilmOptions film;            ///< width and height of a picture too
 };
 
 /// Writes pictures, films, data and reports on a thread of its own; what is drawn has a GL context of its own.

@@ -234,8 +234,7 @@ void Timeline::tick() {
     return;
   }
   if (playback_.isWaiting()) return;  // a slow disk plays with fewer pictures, not late
-  const double speed = speeds[std::max(0, speed_->currentIndex())];
-  const double time = playedFrom_ + speed * static_cast<double>(clock_.elapsed()) / 1000;
+  const double time = playedFrom_ + speed() * static_cast<double>(clock_.elapsed()) / 1000;
   const int number = frameAt(times, time);
   if (number != playback_.number()) playback_.showFrame(number);
   if (time < times.back()) return;
@@ -272,5 +271,7 @@ void Timeline::refresh() {
   total_->setText(any ? tr("of %1 s").arg(numbers::figure(times.back(), 4)) : tr("no frames yet"));
   track_->update();
 }
+
+double Timeline::speed() const { return speeds[std::max(0, speed_->currentIndex())]; }
 
 }  // namespace talus

@@ -57,6 +57,8 @@ class Timeline : public QFrame {
  public:
   Timeline(Document& document, CurrentRun& run, Playback& playback);
   bool isPlaying() const { return timer_.isActive(); }
+  /// Seconds of the model in a second of play: 1 is real time.
+  double speed() const;
 
  public slots:
   void togglePlay();

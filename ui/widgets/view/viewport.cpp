@@ -237,10 +237,12 @@ void Viewport::drawRoughlyFirst() {
   applySettings();
 }
 
+std::shared_ptr<const Frame> Viewport::shownFrame() const { return showsSolids_ ? nullptr : session_.playback.frame(); }
+
 void Viewport::showFrame() {
   if (!scene_ || isStale()) return;
-  if (session_.playback.frame() && !showsSolids_)
-    scene_->set_frame(session_.playback.frame());
+  if (const auto frame = shownFrame())
+    scene_->set_frame(frame);
   else
     scene_->clear_frame();
   card_->hide();
@@ -352,6 +354,11 @@ void Viewport::render() {
 void Viewport::drawNow() {
   sinceDrawing_.start();
   surface_->requestRender();
+  emit redrawn();
+}
+
+void Viewport::moveTo(const CameraPose& pose) {
+  if (scene_) moveCamera(pose);
 }
 
 void Viewport::becomeStill() {

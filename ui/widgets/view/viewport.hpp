@@ -60,6 +60,8 @@ class Viewport : public QWidget {
 
   /// Empty until there are blocks.
   std::optional<CameraPose> pose() const;
+  /// As if the user had moved the camera there.
+  void moveTo(const CameraPose& pose);
   /// What the user chose, as this screen wants it on this page.
   SceneSettings screenSettings() const;
   /// The camera is on its way to a place that was asked for.
@@ -115,6 +117,7 @@ class Viewport : public QWidget {
   QString surveyedPlace(const Pick& pick) const;
 
  signals:
+  void redrawn();  ///< or about to be: the camera, the frame or the settings may be others
   /// Of what is selected, at a point of the screen.
   void menuWanted(const QPoint& at);
   /// The project has none yet.
@@ -185,6 +188,10 @@ class Viewport : public QWidget {
   std::vector<int> selectedInView() const;
   std::optional<int> hoveredInView() const;
   Item itemOf(int block) const;
+  /// The frame in which the blocks are drawn; null where they are drawn at rest.
+  std::shared_ptr<const Frame> shownFrame() const;
+  bool tellsOfRun() const;
+  QString wordsOfPick(const Pick& pick) const;
   void showCard(const Pick& pick, QPointF point);
 
   Session& session_;

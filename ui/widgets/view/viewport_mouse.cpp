@@ -9,6 +9,7 @@
 
 #include "document/selection.hpp"
 #include "removability/block_rule.hpp"
+#include "session/workflow_page.hpp"
 #include "widgets/kit/numbers.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/view/lasso.hpp"
@@ -45,6 +46,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       hoverTimer_.stop();
       for (ViewTool* tool : overlay_->tools()) tool->leave();
       selection().hover();
+      if (tellsOfRun()) card_->hide();
       emit pointedAt({});
       return false;
     default:
@@ -169,7 +171,7 @@ void Viewport::pickForHover() {
   const auto pick = pickAt(last_);
   selection().hover(pick ? itemOf(pick->block) : Item{});
   emit pointedAt(pick ? surveyedPlace(*pick) : QString());
-  if (!showsSolids_) return;
+  if (!showsSolids_ && !tellsOfRun()) return;
   if (pick)
     showCard(*pick, last_);
   else
@@ -239,6 +241,26 @@ QString Viewport::surveyedPlace(const Pick& pick) const {
       .arg(numbers::fixed(surveyed.x(), 1), numbers::fixed(surveyed.y(), 1), numbers::fixed(surveyed.z(), 1));
 }
 
+/// A frame of a run is in view, on the pages that tell of one.
+bool Viewport::tellsOfRun() const { return page() == WorkflowPage::results && shownFrame(); }
+
+/// The joint that the face lies on, the element behind it, and of several blocks that are selected their volume.
+QString Viewport::wordsOfPick(const Pick& pick) const {
+  const Block& block = system_->blocks[static_cast<std::size_t>(pick.block)];
+  const int joint = block.surface[static_cast<std::size_t>(pick.facet)].joint;
+  const bool isNamed = joint >= 0 && joint < static_cast<int>(system_->joint_names.size());
+  QString words = isNamed ? tr("Face on joint %1").arg(text(system_->joint_names[static_cast<std::size_t>(joint)]))
+                          : tr("Face on no joint");
+  words += u'\n' + tr("Element %1, node %2").arg(pick.tetrahedron).arg(pick.node);
+  const std::vector<int>& chosen = selection().blocks();
+  double volume = 0;
+  for (const int one : chosen) volume += system_->blocks[static_cast<std::size_t>(one)].volume;
+  if (chosen.size() > 1)
+    words +=
+        u'\n' + tr("%1 selected: %2 m³").arg(numbers::counted(chosen.size(), "block"), numbers::significant(volume, 4));
+  return words;
+}
+
 void Viewport::showCard(const Pick& pick, QPointF point) {
   const Block& block = system_->blocks[static_cast<std::size_t>(pick.block)];
   cardTitle_->setText(text(block.name));
@@ -249,6 +271,7 @@ void Viewport::showCard(const Pick& pick, QPointF point) {
     const std::string unit(field.unit);
     words = tr("%1 %2").arg(text(field.title), numbers::quantity(*pick.value, unit.c_str())) + u'\n' + words;
   }
+  if (tellsOfRun()) words = wordsOfPick(pick) + u'\n' + words;
   cardText_->setText(words);
   card_->adjustSize();
   const int x = std::clamp(static_cast<int>(point.x()) + 16, 4, std::max(4, width() - card_->width() - 8));

@@ -21,13 +21,30 @@ std::optional<Pick> Viewport::pickAt(QPointF point) const {
 PickedPlace Viewport::placeOf(const Pick& pick) const {
   const Block& block = system_->blocks.at(static_cast<size_t>(pick.block));
   const SurfaceTriangle& facet = block.surface.at(static_cast<size_t>(pick.facet));
-  const auto corner = [&](int i) { return block.mesh.nodes[static_cast<size_t>(facet.nodes[static_cast<size_t>(i)])]; };
+  const auto corner = [&](int i) -> const Vec3& {
+    return block.mesh.nodes[static_cast<size_t>(facet.nodes[static_cast<size_t>(i)])];
+  };
   PickedPlace place;
   place.block = showsSolids_ ? -1 : pick.block;
   place.solid = block.solid;
   place.joint = facet.joint;
   place.point = pick.rest;
-  place.normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+  const Vec3 area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+  place.normal = area.normalized();
+  const std::shared_ptr<const Frame> frame = shownFrame();
+  if (!frame) return place;
+  size_t first = 0;
+  for (int b = 0; b < pick.block; ++b) first += system_->blocks[static_cast<size_t>(b)].mesh.nodes.size();
+  const auto moved = [&](int i) -> const Vec3& {
+    return frame->displacement[first + static_cast<size_t>(facet.nodes[static_cast<size_t>(i)])];
+  };
+  Vec3 point = place.point;
+  for (int i = 0; i < 3; ++i) {  // by the corners' shares in it
+    const Vec3 &one = corner((i + 1) % 3), &other = corner((i + 2) % 3);
+    point += (other - one).cross(place.point - one).dot(area) / area.squaredNorm() * moved(i);
+  }
+  const auto now = [&](int i) -> Vec3 { return corner(i) + moved(i); };
+  place.now = {point, (now(1) - now(0)).cross(now(2) - now(0)).normalized()};
   return place;
 }
 

@@ -16,7 +16,10 @@
 #include "widgets/kit/theme.hpp"
 #include "widgets/project/page_table.hpp"
 #include "widgets/project/problem_list.hpp"
+#include "widgets/results/block_history_panel.hpp"
 #include "widgets/results/history_panel.hpp"
+#include "widgets/results/line_panel.hpp"
+#include "widgets/results/slide_panel.hpp"
 #include "widgets/window/top_bar.hpp"
 
 namespace talus {
@@ -44,6 +47,9 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   splinters_->setParent(this);
   splinters_->hide();
   histories_ = new HistoryPanel(session.run, session.playback, session.display);
+  auto* histories = new BlockHistoryPanel(session.histories, session.playback, session.messages);
+  auto* slide = new SlidePanel(session.slide, session.playback, session.display);
+  auto* alongLine = new LinePanel(session.line, session.messages);
   problems_ = new ProblemList(session.project.problems(), session.messages, session.display);
   log_ = new QPlainTextEdit;
   log_->setReadOnly(true);
@@ -53,6 +59,9 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   log_->setAccessibleName(tr("Log"));
   addTab(tables_, {});
   addTab(histories_, tr("Histories"));
+  addTab(histories, tr("Blocks' histories"));
+  addTab(slide, tr("Run-out"));
+  addTab(alongLine, tr("Along a line"));
   addTab(problems_, {});
   addTab(log_, tr("Log"));
   connect(table_, &PageTable::titleChanged, this, &BottomPanel::showTitle);

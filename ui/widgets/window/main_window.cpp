@@ -28,6 +28,7 @@
 #include "widgets/results/export_strip.hpp"
 #include "widgets/run/run_panel.hpp"
 #include "widgets/setup/property_panel.hpp"
+#include "widgets/view/compared_viewport.hpp"
 #include "widgets/view/timeline.hpp"
 #include "widgets/view/viewport.hpp"
 #include "widgets/window/bottom_panel.hpp"
@@ -116,7 +117,11 @@ void MainWindow::makeCentre() {
   setMargins(column, 0, 0);
   viewport_ = new Viewport(session_);
   timeline_ = new Timeline(session_.project.document(), session_.run, session_.playback);
-  column->addWidget(viewport_, 1);
+  auto* views = new QHBoxLayout;
+  setMargins(views, 0, 1);
+  views->addWidget(viewport_, 1);
+  views->addWidget(new ComparedViewport(session_.compared, *viewport_), 1);
+  column->addLayout(views, 1);
   column->addWidget(timeline_);
   centre_->addWidget(start_);
   centre_->addWidget(work);
@@ -298,7 +303,7 @@ void MainWindow::savePicture(const std::filesystem::path& path) {
   ExportTask task = exportTask(path, 1920);
   if (const auto frame = session_.playback.frame(); frame && !viewport_->showsSolids()) {
     task.frame = [frame](int) { return frame; };
-    task.frameCount = 1;
+    task.times = {frame->time};
   }
   task.what = tr("Picture");
   session_.messages.settle(Problem::Of::picture);
@@ -316,7 +321,9 @@ void MainWindow::saveFilm(const std::filesystem::path& path) {
     task.hidden.clear();
   }
   task.frame = session_.playback.source();
-  task.frameCount = static_cast<int>(session_.playback.times().size());
+  task.times = session_.playback.times();
+  task.film.speed = timeline_->speed();
+  task.settings.title = session_.project.document().name().toStdString();
   task.what = tr("Film");
   session_.messages.settle(Problem::Of::picture);
   exporter_.start(std::move(task));

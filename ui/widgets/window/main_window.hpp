@@ -61,6 +61,8 @@ class MainWindow : public QMainWindow {
   /// How results are shown, as a view file by which talus-cli draws the same; what goes wrong is said as a problem.
   void saveView(const std::filesystem::path& path);
   void openView(const std::filesystem::path& path);
+  /// Shows other results beside those that are open.
+  void compareWith(const std::filesystem::path& folder);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -82,6 +84,7 @@ class MainWindow : public QMainWindow {
   void showRecent();
   void askForProject();
   void askForResults();
+  void askForComparison();
   bool saveAs();
   void solve();
   bool begin(const Draft& draft, const QString& what);

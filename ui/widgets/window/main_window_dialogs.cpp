@@ -44,6 +44,7 @@ void MainWindow::connectActions() {
   connect(actions_->saveAs, &QAction::triggered, this, &MainWindow::saveAs);
   connect(actions_->savePicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(actions_->saveFilm, &QAction::triggered, this, &MainWindow::askForFilm);
+  connect(actions_->compare, &QAction::triggered, this, &MainWindow::askForComparison);
   connect(actions_->saveReport, &QAction::triggered, this, &MainWindow::askForReport);
   connect(actions_->saveView, &QAction::triggered, this, [this] { askForView(true); });
   connect(actions_->openView, &QAction::triggered, this, [this] { askForView(false); });
@@ -115,6 +116,13 @@ void MainWindow::askForResults() {
   const QString name = QFileDialog::getExistingDirectory(this, tr("Open a results folder"), folderForDialogs());
   if (!name.isEmpty()) open(name.toStdString());
 }
+
+void MainWindow::askForComparison() {
+  const QString name = QFileDialog::getExistingDirectory(this, tr("Compare with a results folder"), folderForDialogs());
+  if (!name.isEmpty()) compareWith(name.toStdString());
+}
+
+void MainWindow::compareWith(const std::filesystem::path& folder) { session_.compared.open(folder); }
 
 bool MainWindow::saveAs() {
   const QString name = QFileDialog::getSaveFileName(

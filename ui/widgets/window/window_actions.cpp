@@ -78,6 +78,7 @@ void WindowActions::makeFileActions() {
   saveFilm = add(tr("Save film…"), QStringLiteral("film"), QKeySequence(tr("Ctrl+Shift+M")));
   saveView = add(tr("Save view…"), QStringLiteral("file"));
   openView = add(tr("Open view…"), QStringLiteral("folder"));
+  compare = add(tr("Compare with results…"), QStringLiteral("results"));
   saveReport = add(tr("Save report…"), QStringLiteral("report"), QKeySequence(tr("Ctrl+Shift+R")));
   for (const auto& [format, name] : {std::pair(DataFormat::csv, tr("Export tables (CSV)…")),
                                      std::pair(DataFormat::vtu, tr("Export for ParaView (VTU)…")),
@@ -254,7 +255,7 @@ void WindowActions::fill(QMenuBar& bar, QMenu* recent) {
                         nullptr, savePicture, saveFilm, saveReport, nullptr, saveView, openView, nullptr});
   for (const auto& [format, action] : exports) results->addAction(action);
   results->addSeparator();
-  results->addAction(accuracy);
+  results->addActions({compare, accuracy});
   menu(tr("Help"), {manual, nullptr, knownAnswers, hardCases, nullptr, about});
 }
 
@@ -284,6 +285,7 @@ void WindowActions::refresh() {
   const QString noResults = isLive ? tr("The run goes on: its results are complete at its end") : noFrames;
   allow(*saveReport, noResults);
   for (auto* action : {saveView, openView}) allow(*action, noFrames);
+  allow(*compare, noResults);
   for (const auto& [format, action] : exports) allow(*action, noResults);
   for (auto* action : {fit, iso, front, side, top, projection, showAll, explode, section, showActions})
     allow(*action, nothingSeen);

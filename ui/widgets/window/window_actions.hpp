@@ -31,7 +31,8 @@ class WindowActions : public QObject {
   WindowActions(Session& session, QWidget& window);
 
   // File
-  QAction *newProject, *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *saveReport, *startPage, *quit;
+  QAction *newProject, *open, *openResults, *save, *saveAs, *savePicture, *saveFilm, *saveReport, *compare, *startPage,
+      *quit;
   QAction *saveView, *openView;
   // Edit
   QAction *undo, *redo, *clearSelection;

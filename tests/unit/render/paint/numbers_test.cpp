@@ -82,6 +82,9 @@ TEST(DisplayUnit, ChoosesThePrefixByMagnitude) {
   EXPECT_DOUBLE_EQ(display_unit("Pa", 3e6).factor, 1e-6);
   EXPECT_EQ(display_unit("Pa", -2e4).name, "kPa");
   EXPECT_EQ(display_unit("Pa", 5e10).name, "GPa");
+  EXPECT_EQ(display_unit("N", 999).name, "N");
+  EXPECT_EQ(display_unit("N", 1000).name, "kN");
+  EXPECT_EQ(display_unit("J", -3e9).name, "GJ");
   EXPECT_EQ(display_unit("m", 0.004).name, "mm");
   EXPECT_EQ(display_unit("m/s", 2e-6).name, "\u00b5m/s");
   EXPECT_EQ(display_unit("m", 45).name, "m");

@@ -6,9 +6,11 @@
 #include "command.hpp"
 #include "options.hpp"
 #include "render/charts/charts.hpp"
-#include "sheet.hpp"
 #include "text/json_text.hpp"
 #include "text/report_text.hpp"
+#include "text/terminal.hpp"
+#include "values/block_charts.hpp"
+#include "values/line_values.hpp"
 
 namespace talus::cli {
 
@@ -17,19 +19,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct PlotOptions {
-  std::filesystem::path results, out, events;
+  std::filesystem::path results, events;
   std::vector<std::string> monitors;
-  PictureSize size{1600, 1000};
-  Theme theme = Theme::light;
+  BlockChoice blocks;  ///< of no blocks: monitors are plotted
+  LineChoice line;
+  ChartFiles files;
 };
-
-struct Chart {
-  std::string name;
-  HistoryPlot plot;
-};
-
-/// A row a monitor, a chart a field.
-using Charts = std::vector<std::vector<Chart>>;
 
 /// The monitors to plot, as indices into the results' own; all where none is named.
 std::vector<int> chosen_monitors(const PlotOptions& options, const ResultReader& results) {
@@ -79,38 +74,11 @@ Charts all_charts(const PlotOptions& options, const ResultReader& results, const
     for (const Quantity::Field field : fields_of(monitor)) {
       HistoryPlot plot = monitor_plot(monitor.name, index, history, field);
       plot.marks = marks;
-      plot.theme = options.theme;
+      plot.theme = options.files.theme;
       row.push_back({monitor.name + ending_of(field), std::move(plot)});
     }
   }
   return rows;
-}
-
-std::vector<std::string> write_into_folder(const Charts& rows, const PlotOptions& options) {
-  std::error_code failure;
-  std::filesystem::create_directories(options.out, failure);
-  if (failure) throw InputError(options.out.string(), "cannot be made: " + failure.message(), "choose another folder");
-  std::vector<std::string> files;
-  for (const auto& row : rows) {
-    for (const Chart& chart : row) {
-      std::string name = chart.name + ".png";
-      std::replace(name.begin(), name.end(), '/', '_');
-      write_png(draw_chart(chart.plot, options.size.width, options.size.height), options.out / name);
-      files.push_back((options.out / name).string());
-    }
-  }
-  return files;
-}
-
-std::vector<std::string> write_all(const PlotOptions& options, const Charts& charts, const std::string& title) {
-  if (!is_sheet(options.out)) return write_into_folder(charts, options);
-  Sheet sheet{{}, options.size, colours(options.theme).surface, title};
-  for (const auto& row : charts) {
-    std::vector<Painting>& paintings = sheet.rows.emplace_back();
-    for (const Chart& chart : row) paintings.push_back(chart_painting(chart.plot));
-  }
-  write_sheet(sheet, options.out);
-  return {options.out.string()};
 }
 
 Json json_of(const std::vector<EventComparison>& comparisons) {
@@ -123,8 +91,7 @@ Json json_of(const std::vector<EventComparison>& comparisons) {
   return array;
 }
 
-ExitCode plot(const PlotOptions& options, bool json) {
-  const ResultReader results(options.results);
+ExitCode plot_monitors(const PlotOptions& options, const ResultReader& results, bool json) {
   const auto monitors = about(options.results, [&] { return chosen_monitors(options, results); });
   const auto history = results.history();
   if (history.empty())
@@ -133,7 +100,8 @@ ExitCode plot(const PlotOptions& options, bool json) {
   if (!options.events.empty())
     comparisons = compare_events(read_reference_events(options.events), results.monitor_names(), history);
   const auto marks = marks_of(comparisons, results.report().value_or(RunReport{}).events);
-  const auto files = write_all(options, all_charts(options, results, monitors, history, marks), results.project_name());
+  const auto files =
+      write_charts(options.files, all_charts(options, results, monitors, history, marks), results.project_name());
 
   if (json) {
     const Json result = {{"pictures", files},
@@ -147,28 +115,62 @@ ExitCode plot(const PlotOptions& options, bool json) {
   return done;
 }
 
+ExitCode name(const std::vector<std::string>& files, bool json) {
+  if (json)
+    std::cout << json_text({{"files", files}}) << '\n';
+  else
+    for (const std::string& file : files) std::cout << file << '\n';
+  return done;
+}
+
+ExitCode plot_blocks(const PlotOptions& options, const ResultReader& results, bool json) {
+  catch_interrupts();
+  const BlockHistory history = about(options.results, [&] { return chosen_history(options.blocks, results); });
+  const std::vector<std::string> files =
+      options.files.out.extension() == ".csv"
+          ? write_table(options.files.out, history, options.blocks)
+          : write_charts(options.files, block_charts(history, options.blocks, options.files.theme),
+                         results.project_name());
+  return name(files, json);
+}
+
+ExitCode plot(const PlotOptions& options, bool json) {
+  const ResultReader results(options.results);
+  if (!options.line.ends.empty())
+    return name(about(options.results, [&] { return write_line(options.line, results, options.files); }), json);
+  return options.blocks.names.empty() ? plot_monitors(options, results, json) : plot_blocks(options, results, json);
+}
+
 }  // namespace
 
 void add_plot(CLI::App& program, Invocation& invocation) {
-  auto* command = program.add_subcommand("plot", "Draw the histories of monitors as PNG, SVG or PDF");
+  auto* command = program.add_subcommand(
+      "plot", "Draw histories of monitors or of any blocks, or a field along a line, as PNG, SVG or PDF");
   auto options = std::make_shared<PlotOptions>();
   add_results(*command, options->results);
   command
-      ->add_option("--out", options->out,
-                   "Folder for a PNG of each chart; one sheet of all as PNG or SVG; or a PDF of a page for each")
+      ->add_option(
+          "--out", options->files.out,
+          "Folder for a PNG of each chart; one sheet of all as PNG or SVG; a PDF of a page for each; of blocks "
+          "and lines also the table as CSV")
       ->required()
-      ->type_name("DIR|P.png|P.svg|P.pdf");
-  command->add_option("--monitor", options->monitors, "Only this monitor; may be given again (default: all)")
-      ->allow_extra_args(false)
-      ->type_name("NAME");
+      ->type_name("DIR|P.png|P.svg|P.pdf|T.csv");
+  auto* monitor =
+      command->add_option("--monitor", options->monitors, "Only this monitor; may be given again (default: all)")
+          ->allow_extra_args(false)
+          ->type_name("NAME");
+  add_block_choice(*command, options->blocks, *monitor);
+  add_line_choice(*command, options->line);
   command
       ->add_option("--events", options->events,
                    "Published events to mark and compare with: time [s],event,quantity,minus,reaches [m, m/s]")
       ->type_name("FILE.csv");
-  add_size(*command, options->size);
-  add_theme(*command, options->theme);
-  command->callback(
-      [&invocation, options] { invocation.run = [&invocation, options] { return plot(*options, invocation.json); }; });
+  add_size(*command, options->files.size);
+  add_theme(*command, options->files.theme);
+  command->callback([&invocation, options] {
+    options->blocks.results = options->results;
+    invocation.run = [&invocation, options] { return plot(*options, invocation.json); };
+  });
 }
 
 }  // namespace talus::cli

@@ -1,4 +1,4 @@
-#include "export/block_travel.hpp"
+#include "measures/block_travel.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,0 +1,199 @@
+#include "render/charts/slide_charts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "render/charts/chart_layout.hpp"
+#include "render/paint/colour_map.hpp"
+#include "render/paint/numbers.hpp"
+#include "render/paint/value_range.hpp"
+
+namespace talus {
+
+namespace {
+
+/// A map of a given size, laid out once and then painted. Lengths in text heights where nothing else is said.
+class DepositMap {
+ public:
+  DepositMap(const Slide& slide, Theme theme, double width, double height)
+      : slide_(slide), colours_(colours(theme)), em_(std::max(11.0, std::min(height / 40, width / 60))) {
+    scale_end_ = round_up(slide.deposit.max_depth);
+    low_ = height < 26 * em_;
+    place(width, height);
+  }
+
+  void paint(Painter& painter) const {
+    if (!low_)
+      painter.text({map_.left, map_.top + 1.2 * em_}, "Depth of the deposit at " + format_number(slide_.time, 3) + " s",
+                   {.height = 1.25 * em_, .colour = colours_.text, .weight = FontWeight::semibold});
+    paint_depth(painter);
+    for (const PlanRing& ring : slide_.source) paint_ring(painter, ring, colours_.muted);
+    for (const PlanRing& ring : slide_.deposit.outline) paint_ring(painter, ring, colours_.text);
+    const Descent& descent = slide_.run_out.crown_to_toe;
+    painter.dashed(pixel(descent.from.x(), descent.from.y()), pixel(descent.to.x(), descent.to.y()), line_ * em_,
+                   0.5 * em_, colours_.warn);
+    paint_axes(painter);
+    paint_legend(painter);
+  }
+
+ private:
+  static constexpr double line_ = 0.1;
+  static constexpr int steps_ = 20;  ///< of colour: cells of one step that lie in a row are painted at once
+
+  void place(double width, double height) {
+    ValueRange x, y;
+    for (const auto* rings : {&slide_.deposit.outline, &slide_.source})
+      for (const PlanRing& ring : *rings)
+        for (const auto& [east, north] : ring) {
+          x.include(east);
+          y.include(north);
+        }
+    const double left = 6.5 * em_, right = width - (low_ ? 19 : 14) * em_, bottom = 4.2 * em_,
+                 top = height - (low_ ? 1 : 4) * em_;
+    const double margin = 0.04 * std::max(x.high - x.low, y.high - y.low);
+    scale_ = std::min((right - left) / (x.high - x.low + 2 * margin), (top - bottom) / (y.high - y.low + 2 * margin));
+    const double across = scale_ * (x.high - x.low + 2 * margin), up = scale_ * (y.high - y.low + 2 * margin);
+    const double begin = left + (right - left - across) / 2;
+    map_ = {begin, top - up, begin + across, top};
+    west_ = x.low - margin;
+    south_ = y.low - margin;
+  }
+
+  PixelPoint pixel(double x, double y) const {
+    return {map_.left + scale_ * (x - west_), map_.bottom + scale_ * (y - south_)};
+  }
+
+  /// Of a depth: the middle of its step.
+  int step_of(double depth) const { return std::clamp(static_cast<int>(steps_ * depth / scale_end_), 0, steps_ - 1); }
+  static Rgb colour_of(int step) { return batlow().at((step + 0.5) / steps_); }
+
+  void paint_depth(Painter& painter) const {
+    const DepthGrid& grid = slide_.deposit.grid;
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns;) {
+        if (!grid.covers(column, row)) {
+          ++column;
+          continue;
+        }
+        const int begin = column, step = step_of(grid.at(column, row));
+        while (grid.covers(column, row) && step_of(grid.at(column, row)) == step) ++column;
+        const PixelPoint a = pixel(grid.west + begin * grid.cell, grid.south + row * grid.cell);
+        const PixelPoint b = pixel(grid.west + column * grid.cell, grid.south + (row + 1) * grid.cell);
+        constexpr double lap = 0.4;  // pixels, over the neighbours: no paper is seen between them
+        painter.fill(PixelRect{a.x, a.y, b.x + lap, b.y + lap}, colour_of(step));
+      }
+  }
+
+  void paint_ring(Painter& painter, const PlanRing& ring, Rgb colour) const {
+    std::vector<PixelPoint> points;
+    for (const auto& [x, y] : ring) points.push_back(pixel(x, y));
+    points.push_back(points.front());
+    painter.line(points, line_ * em_, colour);
+  }
+
+  /// Along a side of so many pixels, one every so many text heights.
+  int most_ticks(double side, double apart) const { return std::clamp(static_cast<int>(side / (apart * em_)), 2, 7); }
+
+  void paint_axes(Painter& painter) const {
+    const auto frame = {PixelPoint{map_.left, map_.bottom}, PixelPoint{map_.right, map_.bottom},
+                        PixelPoint{map_.right, map_.top}, PixelPoint{map_.left, map_.top},
+                        PixelPoint{map_.left, map_.bottom}};
+    painter.line(std::vector<PixelPoint>(frame), axis_width * em_, colours_.line);
+    const auto ticks = nice_ticks(west_, west_ + map_.width() / scale_, most_ticks(map_.width(), 5));
+    const auto labels = tick_labels(ticks);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+      const double x = pixel(ticks[i], south_).x;
+      painter.line({x, map_.bottom}, {x, map_.bottom - 0.4 * em_}, axis_width * em_, colours_.line);
+      painter.text({x, map_.bottom - 0.7 * em_}, labels[i],
+                   {.height = em_, .colour = colours_.text, .x = AlignX::centre, .y = AlignY::top});
+    }
+    painter.text({(map_.left + map_.right) / 2, map_.bottom - 2.1 * em_}, "East, x (m)",
+                 {.height = em_, .colour = colours_.text, .x = AlignX::centre, .y = AlignY::top});
+    const auto heights = nice_ticks(south_, south_ + map_.height() / scale_, most_ticks(map_.height(), 3));
+    const auto names = tick_labels(heights);
+    double widest = 0;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      const double y = pixel(west_, heights[i]).y;
+      painter.line({map_.left, y}, {map_.left - 0.4 * em_, y}, axis_width * em_, colours_.line);
+      painter.text({map_.left - 0.8 * em_, y}, names[i],
+                   {.height = em_, .colour = colours_.text, .x = AlignX::right, .y = AlignY::centre});
+      widest = std::max(widest, text_width(names[i], em_));
+    }
+    painter.text({map_.left - widest - 2.6 * em_, (map_.bottom + map_.top) / 2}, "North, y (m)",
+                 {.height = em_, .colour = colours_.text, .x = AlignX::centre, .y = AlignY::top, .upwards = true});
+  }
+
+  /// Right of the map: which colour is which depth, and below it which line is what.
+  void paint_legend(Painter& painter) const {
+    const double left = map_.right + 2 * em_, top = map_.top - 1.8 * em_;
+    const double bottom = top - std::clamp(map_.height() - (low_ ? 1.8 : 7) * em_, 4 * em_, 14 * em_);
+    const DisplayUnit unit = display_unit("m", scale_end_);
+    painter.text({left, map_.top}, "Depth (" + unit.name + ")",
+                 {.height = em_, .colour = colours_.text, .y = AlignY::top});
+    for (int step = 0; step < steps_; ++step)
+      painter.fill(PixelRect{left, bottom + (top - bottom) * step / steps_, left + 1.2 * em_,
+                             bottom + (top - bottom) * (step + 1) / steps_},
+                   colour_of(step));
+    const auto ticks = nice_ticks(0, unit.factor * scale_end_, 5);
+    const auto labels = tick_labels(ticks);
+    for (std::size_t i = 0; i < ticks.size(); ++i)
+      painter.text({left + 1.8 * em_, bottom + (top - bottom) * ticks[i] / (unit.factor * scale_end_)}, labels[i],
+                   {.height = em_, .colour = colours_.text, .y = AlignY::centre});
+    struct Line {
+      const char* meaning;
+      Rgb colour;
+    };
+    // Below the colours, or beside them where there is no room.
+    const double key = low_ ? left + 6 * em_ : left;
+    double y = low_ ? map_.top - 0.6 * em_ : bottom - 2.2 * em_;
+    for (const Line& line : {Line{"deposit", colours_.text}, Line{"the rock at rest", colours_.muted},
+                             Line{"crown to toe", colours_.warn}}) {
+      if (line.colour == colours_.warn)
+        painter.dashed({key, y}, {key + 2 * em_, y}, line_ * em_, 0.5 * em_, line.colour);
+      else
+        painter.line({key, y}, {key + 2 * em_, y}, line_ * em_, line.colour);
+      painter.text({key + 2.6 * em_, y}, line.meaning, {.height = em_, .colour = colours_.text, .y = AlignY::centre});
+      y -= 1.6 * em_;
+    }
+  }
+
+  const Slide& slide_;
+  const ThemeColours& colours_;
+  double em_;         ///< text height, pixels
+  double scale_end_;  ///< m
+  bool low_ = false;  ///< there is hardly room for a map
+  double scale_ = 1;  ///< pixels a metre
+  double west_ = 0, south_ = 0;
+  PixelRect map_;
+};
+
+}  // namespace
+
+HistoryPlot front_plot(const Slide& slide, Theme theme) {
+  HistoryPlot plot;
+  plot.title = "Velocity of the front";
+  plot.y_title = "Velocity, forward";
+  plot.theme = theme;
+  Series series{.name = "front", .x = {}, .y = {}};
+  double largest = 0;
+  for (const FrontMoment& moment : slide.front) {
+    series.x.push_back(moment.time);
+    series.y.push_back(moment.velocity);
+    largest = std::max(largest, std::abs(moment.velocity));
+  }
+  const DisplayUnit unit = display_unit("m/s", largest);
+  plot.y_unit = unit.name;
+  for (double& velocity : series.y) velocity *= unit.factor;
+  plot.series.push_back(std::move(series));
+  return plot;
+}
+
+Painting deposit_map(const Slide& slide, Theme theme) {
+  if (slide.deposit.outline.empty()) throw std::invalid_argument("no rock has moved: there is no deposit to draw");
+  return [slide, theme](Painter& painter, double width, double height) {
+    DepositMap(slide, theme, width, height).paint(painter);
+  };
+}
+
+}  // namespace talus
