@@ -6645,7 +6645,7 @@ Diese Datei gibt es nicht mehr</translation>
     </message>
     <message>
         <source>Farthest block</source>
-        <translation>Weitest gekommener Block</translation>
+        <translation>Weitester Block</translation>
     </message>
     <message>
         <source>… in plan</source>

@@ -114,7 +114,7 @@ void SlidePanel::refresh() {
                          : tr("Run-out and deposit are being measured."));
   if (slide) {
     facts_->setContent({{}, {}}, facts(), {true, false});
-    facts_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    facts_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   }
   map_->setVisible(moved);
   front_->setVisible(moved);
