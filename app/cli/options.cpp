@@ -114,14 +114,17 @@ void add_look(CLI::App& command, Look& look) {
           "--only", [&look](const std::string& text) { look.only = parsed_range("--only", text); },
           "Draw only faces on which the field lies from LOW to HIGH, in its SI unit; of the others the edges stay")
       ->type_name("LOW,HIGH");
-  const std::map<std::string, Arrows> arrows{
-      {"none", Arrows::none}, {"velocity", Arrows::velocity}, {"force", Arrows::contact_force}};
+  const std::map<std::string, Arrows> arrows{{"none", Arrows::none},
+                                             {"velocity", Arrows::velocity},
+                                             {"force", Arrows::contact_force},
+                                             {"stress", Arrows::principal_stress}};
   command
       .add_option_function<std::string>(
           "--arrows", [&look, arrows](const std::string& name) { look.arrows = arrows.at(name); },
-          "Arrows of blocks' velocities, or of the contact forces between each two blocks")
+          "Arrows of blocks' velocities or of the contact forces between each two blocks, or crosses of principal "
+          "stresses")
       ->check(CLI::IsMember(arrows).description(""))
-      ->type_name("none|velocity|force")
+      ->type_name("none|velocity|force|stress")
       ->default_str("none");
   command
       .add_option("--view", look.view,

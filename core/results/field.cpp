@@ -116,13 +116,26 @@ double von_mises(const Voigt& stress) {
   return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * stress.tail<3>().squaredNorm());
 }
 
-Vec3 principal_stresses(const Voigt& stress) {
+namespace {
+
+Mat3 tensor_of(const Voigt& stress) {
   Mat3 tensor;
   tensor << stress[0], stress[3], stress[5],  //
       stress[3], stress[1], stress[4],        //
       stress[5], stress[4], stress[2];
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor, Eigen::EigenvaluesOnly);
+  return tensor;
+}
+
+}  // namespace
+
+Vec3 principal_stresses(const Voigt& stress) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor_of(stress), Eigen::EigenvaluesOnly);
   return solver.eigenvalues().reverse();
+}
+
+PrincipalAxes principal_axes(const Voigt& stress) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor_of(stress));
+  return {solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse()};
 }
 
 }  // namespace talus

@@ -83,4 +83,11 @@ double von_mises(const Voigt& stress);
 /// Principal stresses [Pa], descending: tension first.
 Vec3 principal_stresses(const Voigt& stress);
 
+/// The same with their directions, unit, in columns.
+struct PrincipalAxes {
+  Vec3 values = Vec3::Zero();
+  Mat3 directions = Mat3::Identity();
+};
+PrincipalAxes principal_axes(const Voigt& stress);
+
 }  // namespace talus

@@ -4097,8 +4097,12 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
         <translation>Pfeile</translation>
     </message>
     <message>
-        <source>How fast blocks go where, or the forces by which each two push each other</source>
-        <translation>Wie schnell Blöcke wohin gehen, oder die Kräfte, mit denen je zwei gegeneinander drücken</translation>
+        <source>principal stress</source>
+        <translation>Hauptspannung</translation>
+    </message>
+    <message>
+        <source>How fast blocks go where, the forces by which each two push each other, or the principal stresses: heads point inwards where rock is pressed</source>
+        <translation>Wie schnell Blöcke wohin gehen, die Kräfte, mit denen je zwei gegeneinander drücken, oder die Hauptspannungen: Spitzen zeigen nach innen, wo Fels gedrückt wird</translation>
     </message>
 </context>
 <context>

@@ -114,6 +114,20 @@ TEST(SceneImage, OnlyFacesWhoseValuesLieInARangeAndArrowsOfVelocity) {
   expect_baseline(image);
 }
 
+TEST(SceneImage, CrossesOfPrincipalStressPointInwardsWhereRockIsPressed) {
+  const BlockSystem slope = jointed_slope();
+  SceneSettings settings = titled("Principal stresses");
+  settings.arrows = Arrows::principal_stress;
+  settings.edges = Edges::none;
+  Scene scene(slope, settings);
+  const auto frame = slid(slope, 0, 0);
+  for (std::size_t i = 0; i < frame->stress.size(); ++i) frame->stress[i][0] = -0.5 * frame->stress[i][2];
+  scene.set_frame(frame);
+  const Image image = draw_image(scene, width, height);
+  EXPECT_GT(count_of(image, colours(Theme::light).pick), 100);
+  expect_baseline(image);
+}
+
 TEST(SceneImage, SignedStressInTheDarkWithMeshAndSelection) {
   const BlockSystem slope = jointed_slope();
   SceneSettings settings = titled("Vertical stress");

@@ -37,6 +37,18 @@ TEST(Field, PrincipalStressesOfPlaneShearArePlusAndMinusTau) {
   }
 }
 
+TEST(Field, PrincipalAxesMakeTheTensorAgain) {
+  const Voigt s = stress(-3, 2, 5, 1.5, -0.5, 4);
+  const PrincipalAxes axes = principal_axes(s);
+  EXPECT_LT((axes.values - principal_stresses(s)).norm(), 1e-12);
+  const Mat3 tensor = axes.directions * axes.values.asDiagonal() * axes.directions.transpose();
+  EXPECT_NEAR(tensor(0, 0), -3, 1e-12);
+  EXPECT_NEAR(tensor(1, 1), 2, 1e-12);
+  EXPECT_NEAR(tensor(0, 1), 1.5, 1e-12);
+  EXPECT_NEAR(tensor(1, 2), -0.5, 1e-12);
+  EXPECT_NEAR(tensor(0, 2), 4, 1e-12);
+}
+
 TEST(Field, PrincipalStressesKeepTheThreeInvariants) {
   const Voigt s = stress(-3, 2, 5, 1.5, -0.5, 4);
   const Vec3 p = principal_stresses(s);

@@ -26,8 +26,8 @@ struct PixelRect;
 
 enum class View { iso, front, back, left, right, top };
 enum class Edges { none, blocks, mesh };
-/// What arrows show of a frame: how blocks move, or how they push each other.
-enum class Arrows { none, velocity, contact_force };
+/// What arrows show of a frame: how blocks move, how they push each other, or the principal stresses in them.
+enum class Arrows { none, velocity, contact_force, principal_stress };
 
 /// "iso", "front", "back", "left", "right", "top"; throws InputError that lists them.
 View view_named(std::string_view name);

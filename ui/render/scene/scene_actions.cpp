@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/units.hpp"
 #include "fields/pair_forces.hpp"
@@ -126,13 +127,12 @@ void Scene::State::add_arrow(const Vec3& from, const Vec3& to, int heads, Rgb co
   action_shapes.add_bar(from, to - head * em * along, shaft * em, shaft * em, colour);
 }
 
-void Scene::State::add_cross(std::size_t i) {
-  const double em = metres_per_pixel() * text_height(), largest = largest_of(actions, Kind::stress);
-  const Vec3 at = place_of_action(i) - origin;
-  for (const auto& [direction, value] : actions[i].cross) {
+void Scene::State::add_cross(const Vec3& at, const std::array<ActionGlyph::Principal, 3>& cross, double largest,
+                             Rgb colour, double size) {
+  const double em = size * metres_per_pixel() * text_height();
+  for (const auto& [direction, value] : cross) {
     const double length = largest > 0 ? longest_bar * std::abs(value) / largest : 0;
     if (length < 0.3) continue;
-    const Rgb colour = shown_colour(actions[i], settings.theme);
     for (const double side : {-1.0, 1.0}) {
       const Vec3 outer = at + side * length * em * direction;
       action_shapes.add_bar(at, outer, bar * em, bar * em, colour);
@@ -157,14 +157,14 @@ void Scene::State::shape_actions() {
       if (glyph.held[static_cast<std::size_t>(axis)])
         action_shapes.add_bar(at - cone * em * Vec3::Unit(axis), at, cone_radius * em, 0, colour);
     if (glyph.kind == Kind::monitor || glyph.kind == Kind::support) action_shapes.add_ball(at, ball * em, colour);
-    if (glyph.kind == Kind::stress) add_cross(i);
+    if (glyph.kind == Kind::stress) add_cross(at, glyph.cross, largest_of(actions, Kind::stress), colour, 1);
   }
   shape_frame_arrows();
   action_shapes.finish();
 }
 
 std::vector<Scene::State::FrameArrow> Scene::State::frame_arrows() const {
-  if (!frame || settings.arrows == Arrows::none) return {};
+  if (!frame || settings.arrows == Arrows::none || settings.arrows == Arrows::principal_stress) return {};
   return settings.arrows == Arrows::velocity ? velocity_arrows() : contact_arrows();
 }
 
@@ -195,7 +195,55 @@ std::vector<Scene::State::FrameArrow> Scene::State::contact_arrows() const {
   return arrows;
 }
 
+/// Of each field of a grid on the screen that of the face nearest to the viewer: they cover neither each other nor all
+/// of the rock.
+std::vector<Scene::State::StressCross> Scene::State::stress_crosses() const {
+  constexpr double apart = 3.4;  // text heights
+  struct Nearest {
+    double depth;
+    Vec3 at;
+    int tetrahedron;
+  };
+  std::map<std::array<int, 2>, Nearest> of_fields;
+  const Vec3 eye = pose().position - origin;
+  for (const int number : movable.drawn()) {
+    const BlockSurface::Triangle& face = movable.surface().triangles[number];
+    std::array<Vec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = movable.positions()[face.vertices[k]] - origin;
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+    const bool is_seen = (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(eye - middle) > 0;
+    const auto pixel = pixel_of(middle);
+    if (face.tetrahedron < 0 || !is_seen || !pixel) continue;
+    const auto field_at = [&](double at) { return static_cast<int>(std::floor(at / (apart * text_height()))); };
+    const Nearest here{(eye - middle).norm(), middle, face.tetrahedron};
+    auto& nearest = of_fields.try_emplace({field_at(pixel->x), field_at(pixel->y)}, here).first->second;
+    if (here.depth < nearest.depth) nearest = here;
+  }
+  std::vector<StressCross> crosses;
+  for (const auto& [field, nearest] : of_fields) {
+    StressCross& cross = crosses.emplace_back(StressCross{nearest.at, {}});
+    const auto [values, directions] = principal_axes(frame->stress[static_cast<std::size_t>(nearest.tetrahedron)]);
+    for (int k = 0; k < 3; ++k) cross.principal[static_cast<std::size_t>(k)] = {directions.col(k), values[k]};
+  }
+  return crosses;
+}
+
+double Scene::State::largest_stress() const {
+  double largest = 0;
+  for (const int number : movable.drawn())
+    if (const int tetrahedron = movable.surface().triangles[number].tetrahedron; tetrahedron >= 0)
+      largest = std::max(
+          largest, principal_axes(frame->stress[static_cast<std::size_t>(tetrahedron)]).values.cwiseAbs().maxCoeff());
+  return largest;
+}
+
 void Scene::State::shape_frame_arrows() {
+  if (frame && settings.arrows == Arrows::principal_stress) {
+    constexpr double size = 0.5;  // of crosses of stress in situ, which are few
+    const double largest = largest_stress();
+    for (const StressCross& cross : stress_crosses())
+      add_cross(cross.at, cross.principal, largest, colours(settings.theme).pick, size);
+  }
   constexpr double least_seen = 0.03;  // of the longest
   const std::vector<FrameArrow> arrows = frame_arrows();
   const double longest = largest_value(arrows), em = metres_per_pixel() * text_height();
@@ -213,7 +261,10 @@ double Scene::State::largest_value(const std::vector<FrameArrow>& arrows) {
   return largest;
 }
 
-KeyEntry Scene::State::meaning_of_arrows(const std::vector<FrameArrow>& arrows) const {
+KeyEntry Scene::State::meaning_of_arrows() const {
+  if (settings.arrows == Arrows::principal_stress)
+    return {colours(settings.theme).pick, "principal stresses, longest " + amount_text(largest_stress(), "Pa")};
+  const std::vector<FrameArrow> arrows = frame_arrows();
   const bool of_velocity = settings.arrows == Arrows::velocity;
   return {colours(settings.theme).pick, std::string(of_velocity ? "velocity" : "contact force") + ", longest " +
                                             amount_text(largest_value(arrows), of_velocity ? "m/s" : "N")};

@@ -338,8 +338,7 @@ void Scene::State::make_overlay() {
     if (settings.legend && settings.actions && std::ranges::find(actions, kind, &ActionGlyph::kind) != actions.end())
       overlay.key.push_back({action_colour(kind, settings.theme), action_meaning(kind, largest_of(actions, kind))});
   if (!field_values.empty()) explain_field();
-  if (settings.legend && settings.arrows != Arrows::none)
-    if (const auto arrows = frame_arrows(); !arrows.empty()) overlay.key.push_back(meaning_of_arrows(arrows));
+  if (settings.legend && frame && settings.arrows != Arrows::none) overlay.key.push_back(meaning_of_arrows());
 }
 
 void Scene::State::reset_extent() {

@@ -69,7 +69,16 @@ struct Scene::State {
   std::array<Vec3, 2> arrow_of(std::size_t i) const;
   void shape_actions();
   void add_arrow(const Vec3& from, const Vec3& to, int heads, Rgb colour);
-  void add_cross(std::size_t i);
+  /// Bars along principal stresses at a place [m from the origin]; the longest stands for `largest` [Pa]. `size`: of
+  /// the usual.
+  void add_cross(const Vec3& at, const std::array<ActionGlyph::Principal, 3>& cross, double largest, Rgb colour,
+                 double size);
+  /// Principal stresses behind faces that are seen, and the largest behind any [Pa].
+  struct StressCross {
+    Vec3 at;  ///< m from the origin
+    std::array<ActionGlyph::Principal, 3> principal;
+  };
+  std::vector<StressCross> stress_crosses() const;
   void paint_actions(Painter& painter) const;
   std::optional<ActionGlyph> action_at(const PixelPoint& pixel) const;
   /// At the depth of the focal point.
@@ -100,8 +109,9 @@ struct Scene::State {
   std::vector<FrameArrow> velocity_arrows() const;
   std::vector<FrameArrow> contact_arrows() const;
   static double largest_value(const std::vector<FrameArrow>& arrows);
+  double largest_stress() const;
   void shape_frame_arrows();
-  KeyEntry meaning_of_arrows(const std::vector<FrameArrow>& arrows) const;
+  KeyEntry meaning_of_arrows() const;
   /// What the colours of the field mean: a scale, or words.
   void explain_field();
   /// Corners are shaded: where nothing moves, and nothing is seen through.

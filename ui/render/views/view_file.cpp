@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array edges_words{"none", "blocks", "mesh"};
-constexpr std::array arrows_words{"none", "velocity", "force"};
+constexpr std::array arrows_words{"none", "velocity", "force", "stress"};
 
 /// What is on or off, by its key.
 struct SettingSwitch {

@@ -68,13 +68,15 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   inner->addWidget(makeLine(Qt::Horizontal));
 
   auto* overlays = new Section(tr("Overlays"));
-  arrows_ = makeCombo({tr("none"), tr("velocity"), tr("contact force")}, tr("Arrows"));
+  arrows_ = makeCombo({tr("none"), tr("velocity"), tr("contact force"), tr("principal stress")}, tr("Arrows"));
   connect(arrows_, &QComboBox::activated, this, [this](int index) {
     SceneSettings settings = display_.settings();
     settings.arrows = static_cast<Arrows>(index);
     display_.set(settings);
   });
-  arrows_->setToolTip(tr("How fast blocks go where, or the forces by which each two push each other"));
+  arrows_->setToolTip(
+      tr("How fast blocks go where, the forces by which each two push each other, or the principal stresses: heads "
+         "point inwards where rock is pressed"));
   overlays->addRow(tr("Arrows"), arrows_);
   addSwitch(overlays, tr("Contact points"), &SceneSettings::contacts)
       ->setToolTip(tr("Open grey, stick blue, slip orange"));
