@@ -119,6 +119,15 @@ SceneSettings settings_of(const Json& json) {
   return settings;
 }
 
+/// Puts the file in front of the place of an InputError.
+auto about_file(const std::filesystem::path& file, const auto& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(file.string() + ": " + error.place(), error.problem(), error.remedy());
+  }
+}
+
 }  // namespace
 
 std::string view_text(const SavedView& view) {
@@ -165,15 +174,12 @@ SavedView view_of_text(const std::string& text) {
 }
 
 SavedView read_view(const std::filesystem::path& file) {
-  const std::string text = read_whole_file(file);
-  try {
-    return view_of_text(text);
-  } catch (const InputError& error) {
-    throw InputError(file.string() + ": " + error.place(), error.problem(), error.remedy());
-  }
+  return about_file(file, [&] { return view_of_text(read_whole_file(file)); });
 }
 
-void save_view(const SavedView& view, const std::filesystem::path& file) { replace_whole_file(file, view_text(view)); }
+void save_view(const SavedView& view, const std::filesystem::path& file) {
+  about_file(file, [&] { replace_whole_file(file, view_text(view)); });
+}
 
 std::vector<int> blocks_named(const BlockSystem& system, const std::vector<std::string>& names) {
   std::vector<int> blocks;

@@ -109,6 +109,16 @@ TEST(ViewFile, WhatIsWrongIsSaidWithPlaceAndRemedy) {
   EXPECT_THAT(complaint(nowhere), HasSubstr("looks nowhere"));
 }
 
+TEST(ViewFile, AFileThatIsNotThereIsNamed) {
+  try {
+    read_view("/nowhere/slope.view.json");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.place(), testing::StartsWith("/nowhere/slope.view.json: "));
+  }
+  EXPECT_THROW(save_view(full_view(), "/nowhere/slope.view.json"), InputError);
+}
+
 TEST(ViewFile, NamesOfBlocksThatAreNotThereAreRefused) {
   BlockSystem system;
   system.blocks.resize(3);
