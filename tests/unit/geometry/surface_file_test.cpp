@@ -127,6 +127,39 @@ TEST_F(SurfaceFiles, WithFaultsOfExportAreMended) {
   EXPECT_TRUE(surface.closed);
 }
 
+TEST_F(SurfaceFiles, OfFacesWithoutAreaAloneAreRefused) {
+  // Found by tests/fuzz: CGAL looked for the outside of no faces at all.
+  Surface flat;
+  flat.points = {{0, 0, 0}, {1, 1, 0}, {2, 0, 0}};
+  flat.triangles = {{0, 1, 1}, {1, 2, 2}, {2, 2, 0}};
+  write_stl("flat.stl", flat);
+  for (const SolidShape& shape : {SolidShape(FileShape{"flat.stl"}), SolidShape(TerrainShape{"flat.stl", -5, 0})})
+    EXPECT_THAT(error_of(project_of({solid("rock", shape)}), folder()),
+                StartsWith("flat.stl: all of its faces are without area; "));
+}
+
+TEST_F(SurfaceFiles, WithPointsThatNoFaceNeedsAreReadWithoutThem) {
+  // Found by tests/fuzz: CGAL asked for the faces of a point that has none.
+  Surface surface = cube_surface();
+  surface.points.emplace_back(20, 20, 20);
+  surface.points.emplace_back(21, 20, 20);
+  surface.triangles.push_back({8, 9, 9});
+  write_obj("point.obj", surface);
+  const SolidSurface read = surface_in("point.obj");
+  EXPECT_NEAR(read.volume, 1000, 1e-9);
+  EXPECT_EQ(read.vertices.size(), 8u);
+  EXPECT_TRUE(read.closed);
+}
+
+TEST_F(SurfaceFiles, OfAPropertyWithoutAnElementAreRefused) {
+  // Found by tests/fuzz: CGAL looked at the last of no elements.
+  write("lost.ply",
+        "ply\nformat ascii 1.0\nel#ement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_THAT(error_of(project_of({solid("rock", FileShape{"lost.ply"})}), folder()),
+              StartsWith("lost.ply: is not a readable PLY file"));
+}
+
 TEST_F(SurfaceFiles, MayHoldSeveralBodiesAndCavities) {
   write_stl("two.stl", together(cube_surface(), cube_surface({20, 0, 0}, {21, 1, 1})));
   const SolidSurface two = surface_in("two.stl");

@@ -139,6 +139,7 @@ HeightField height_field(const std::vector<Vec3>& given, double tolerance, const
 }
 
 HeightField height_field(const TriangleSoup& soup, double tolerance, const std::string& place) {
+  if (soup.triangles.empty()) throw InputError(place, "all of its faces are without area", "export the surface again");
   check_is_height_field(soup, place);
   const auto triangles = turned_upwards(soup);
   const Edges edges = all_edges(triangles);

@@ -39,7 +39,7 @@ class Mender {
     fill_holes();
     note_tiny_faces();
     const bool crossing = note_self_intersections();
-    if (CGAL::is_closed(mesh_) && !crossing) {
+    if (mesh_.number_of_faces() > 0 && CGAL::is_closed(mesh_) && !crossing) {
       pmp::orient_to_bound_a_volume(mesh_);
       note_bodies();
     }
@@ -82,6 +82,8 @@ class Mender {
     for (const auto face : flat) places.push_back(middle_of(face));
     if (!flat.empty()) pmp::remove_degenerate_faces(mesh_);
     note(Kind::degenerate_face, places, true);
+    for (const auto v : mesh_.vertices())
+      if (mesh_.is_isolated(v)) mesh_.remove_vertex(v);
   }
 
   Eigen::AlignedBox3d bounds_of_hole(Mesh::Halfedge_index border) const {

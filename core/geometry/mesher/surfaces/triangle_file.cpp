@@ -9,6 +9,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "base/error.hpp"
 
@@ -18,10 +19,24 @@ namespace {
 using FilePoint = CGAL::Simple_cartesian<double>::Point_3;
 using FilePolygon = std::vector<std::size_t>;
 
+/// CGAL 5.5 takes a property of a PLY file for one of the element before it, whether there is one or not.
+bool properties_follow_elements(std::istream& file) {
+  bool holds = true, element = false;
+  std::string word;
+  for (std::string line; word != "end_header" && std::getline(file, line);) {
+    std::istringstream(line) >> word;
+    element = element || word == "element";
+    holds = holds && (element || word != "property");
+  }
+  file.clear();
+  file.seekg(0);
+  return holds;
+}
+
 bool read(std::istream& file, const std::string& ending, std::vector<FilePoint>& points,
           std::vector<FilePolygon>& polygons) {
   if (ending == ".stl") return CGAL::IO::read_STL(file, points, polygons);
-  if (ending == ".ply") return CGAL::IO::read_PLY(file, points, polygons);
+  if (ending == ".ply") return properties_follow_elements(file) && CGAL::IO::read_PLY(file, points, polygons);
   return CGAL::IO::read_OBJ(file, points, polygons);
 }
 
