@@ -20,7 +20,8 @@ endif()
 if(TALUS_SANITIZE)
   list(JOIN TALUS_SANITIZE "," sanitizers)
   target_compile_options(talus_options INTERFACE -fsanitize=${sanitizers} -fno-omit-frame-pointer
-    -Wno-maybe-uninitialized)  # GCC 12 sees ghosts in std::function and std::regex once they are instrumented
+    # GCC 12 sees ghosts in std::function and std::regex once they are instrumented.
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(talus_options INTERFACE -fsanitize=${sanitizers})
 endif()
 
