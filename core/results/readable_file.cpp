@@ -79,11 +79,11 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
   return reinterpret_cast<H5FD_t*>(file.release());
 }
 
-/// Makes the file longer than what was given away, by a tenth and at least 4 MB: readers that have just looked find
+/// Makes the file longer than what was given away, by a tenth and at least 32 MB: readers that have just looked find
 /// within that what comes next. Who opens it asks for its length first and reads the superblock then: that tells of a
 /// new length only when readers have had the time for it. True where the file is as long.
 bool keep_longer(OpenFile& file) {
-  constexpr haddr_t least = haddr_t{4} << 20, part = 10;
+  constexpr haddr_t least = haddr_t{32} << 20, part = 10;
   constexpr std::chrono::milliseconds a_while{200};
   const haddr_t spare = std::max(least, file.end_of_room / part);
   const Clock::time_point now = Clock::now();
