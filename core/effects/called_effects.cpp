@@ -175,9 +175,11 @@ void add_the_rest(const Project& project, const Scene& scene, bool rebounds, Cal
             "the integrator carries accelerations on", "");
   calls.add(EffectKind::sleep, switches.sleep, moves && solver.sleep_tolerance > 0,
             moves ? "a sleep tolerance of 0 lets no block sleep" : nothing_moves, true, "blocks may come to rest", "");
-  calls.add(EffectKind::elimination, switches.elimination, scene.touching && newton,
-            !scene.touching ? scene.no_touch : "contacts keep their states for a round", true,
-            "a few blocks may be far out of balance while the others are not", "");
+  calls.add(EffectKind::elimination, switches.elimination, scene.touching && newton && scene.movable > 1,
+            !scene.touching ? scene.no_touch
+            : !newton       ? "contacts keep their states for a round"
+                            : "one block moves alone",
+            true, "a few blocks may be far out of balance while the others are not", "");
 }
 
 }  // namespace

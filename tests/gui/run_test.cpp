@@ -158,9 +158,9 @@ QStringList saidOfEffects(MainWindow& window) {
 TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   openAndMesh(slidingCube(200));
   ASSERT_TRUE(wait([&] { return !session->run.effectCosts().empty(); }));
-  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 10 of 20 on"));
+  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 12 of 20 on"));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("no stage or material asks for it")));
-  EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" contact points at the start")).size(), 5);
+  EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" contact points at the start")).size(), 7);
   EXPECT_EQ(saidOfEffects(*window).filter(QStringLiteral(" tetrahedra")).size(), 3);
   session->solve();
   ASSERT_TRUE(wait([&] { return session->run.effects().size() == 20 && session->playback.isLive(); }))
@@ -180,7 +180,7 @@ TEST_F(DrivenWindow, OpensResultsAndPlaysThem) {
   EXPECT_EQ(session->run.monitorNames(), std::vector<std::string>{"P1"});
   ASSERT_TRUE(session->run.report());
   EXPECT_EQ(session->run.report()->status, RunStatus::completed);
-  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 10 of 20 on"));
+  EXPECT_EQ(saidOfEffects(*window).front(), QStringLiteral("Effects: 12 of 20 on"));
   EXPECT_TRUE(saidOfEffects(*window).contains(QStringLiteral("time spent")));
   window->timeline().togglePlay();
   EXPECT_TRUE(window->timeline().isPlaying());
@@ -251,7 +251,7 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileASolveRuns) {
         << "the view must follow the run: " << surface.drawings() - drawn << " drawings";
   });
   EXPECT_TRUE(session->run.job().isBusy());
-  ASSERT_EQ(bars.size(), 10);
+  ASSERT_EQ(bars.size(), 12);
   EXPECT_EQ(window->findChild<EffectList*>()->findChildren<ShareBar*>(), bars)
       << "rows that stay are not laid out anew by what they cost";
 }

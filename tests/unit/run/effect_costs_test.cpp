@@ -83,8 +83,9 @@ TEST(EffectCosts, WhatIsOffCostsNothingAndPaysForNothing) {
     EXPECT_EQ(cost.active, !cost.items.empty()) << to_string(cost.kind);
     off += cost.active ? 0 : 1;
   }
-  EXPECT_EQ(off, 8)
-      << "neo-Hookean elasticity, initial stress, constraint, load, shear, cohesion, damping, restitution";
+  EXPECT_EQ(off, 9)
+      << "neo-Hookean elasticity, initial stress, constraint, load, shear, cohesion, damping, restitution, "
+         "elimination";
 }
 
 TEST(EffectCosts, SaysInWordsWhatIsPaidFor) {

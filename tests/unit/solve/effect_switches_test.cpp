@@ -53,7 +53,10 @@ constexpr Named switches[] = {{"normal contact", &EffectSwitches::contact},
 TEST(EffectSwitches, EachIsObeyedAndSaysSo) {
   Project project = falling(200);
   project.joints[0].restitution = 0.3;
-  const BlockSystem system = block_above_slab(0.2);
+  BlockSystem system = block_above_slab(0.2);
+  system.blocks.push_back(system.blocks.back());  // one block alone could not be balanced apart from others
+  system.blocks.back().name = "second";
+  for (Vec3& node : system.blocks.back().mesh.nodes) node.x() += 3;
   for (const auto& [name, member] : switches) {
     EXPECT_TRUE(ran(project, system).effect(name).active) << name << " is called for";
     Project without = project, with = project;
