@@ -1320,6 +1320,77 @@
     </message>
 </context>
 <context>
+    <name>component</name>
+    <message>
+        <source>Von Mises</source>
+        <translation>Von Mises</translation>
+    </message>
+    <message>
+        <source>Largest principal</source>
+        <translation>Größter Hauptwert</translation>
+    </message>
+    <message>
+        <source>Smallest principal</source>
+        <translation>Kleinster Hauptwert</translation>
+    </message>
+    <message>
+        <source>Largest shear</source>
+        <translation>Größter Schub</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Volumetric</source>
+        <translation>Volumetrisch</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Kind of body</source>
+        <translation>Art des Körpers</translation>
+    </message>
+    <message>
+        <source>Motion of blocks</source>
+        <translation>Bewegung der Blöcke</translation>
+    </message>
+    <message>
+        <source>Normal stress</source>
+        <translation>Normalspannung</translation>
+    </message>
+    <message>
+        <source>Shear stress</source>
+        <translation>Schubspannung</translation>
+    </message>
+    <message>
+        <source>Mobilised shear strength</source>
+        <translation>Ausgenutzte Scherfestigkeit</translation>
+    </message>
+    <message>
+        <source>Slip</source>
+        <translation>Gleitweg</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Bonds</source>
+        <translation>Bindungen</translation>
+    </message>
+    <message>
+        <source>Cohesion left</source>
+        <translation>Restkohäsion</translation>
+    </message>
+</context>
+<context>
     <name>counted</name>
     <message numerus="yes">
         <source>block</source>

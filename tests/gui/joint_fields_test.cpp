@@ -38,6 +38,7 @@ TEST_F(DrivenWindow, ShowsFieldsOfJointsOnTheirWalls) {
     EXPECT_NE(window->viewport().picture().toImage(), before) << component->itemText(i).toStdString();
   }
   EXPECT_EQ(component->count(), 8);
+  EXPECT_EQ(component->itemText(0), QStringLiteral("Normal stress")) << "the first box says of what";
   EXPECT_TRUE(session->messages.problems().empty());
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/view/field_chooser.hpp"
 
 #include <QComboBox>
+#include <QCoreApplication>
 
 #include "session/display.hpp"
 #include "widgets/kit/parts.hpp"
@@ -12,18 +13,40 @@ namespace {
 
 constexpr int block_colours = -1;
 
-/// The field's title without its quantity, which the first box says.
-QString componentTitle(const Field& field) {
-  if (field.source == Field::Source::stress) {
-    QString title = text(field.title);
-    title.remove(QStringLiteral(" stress")).remove(QStringLiteral("Stress "));
-    return title;
-  }
-  const bool isVector = field.source == Field::Source::displacement || field.source == Field::Source::velocity;
-  if (!isVector) return text(field.title);
+QString axisTitle(const Field& field) {
   if (field.measure == Field::Measure::magnitude) return QObject::tr("Magnitude");
   const char* axes[] = {"East, x", "North, y", "Up, z"};
   return QObject::tr(axes[field.index]);
+}
+
+/// The field's title without its quantity, which the first box says.
+QString componentTitle(const Field& field) {
+  // What is left of titles: the translators' tool finds it here.
+  static const char* const known[] = {QT_TRANSLATE_NOOP("component", "Von Mises"),
+                                      QT_TRANSLATE_NOOP("component", "Largest principal"),
+                                      QT_TRANSLATE_NOOP("component", "Smallest principal"),
+                                      QT_TRANSLATE_NOOP("component", "Largest shear"),
+                                      QT_TRANSLATE_NOOP("component", "Mean"),
+                                      QT_TRANSLATE_NOOP("component", "Volumetric"),
+                                      QT_TRANSLATE_NOOP("component", "Rotation"),
+                                      QT_TRANSLATE_NOOP("component", "Kind of body"),
+                                      QT_TRANSLATE_NOOP("component", "Motion of blocks"),
+                                      QT_TRANSLATE_NOOP("component", "Normal stress"),
+                                      QT_TRANSLATE_NOOP("component", "Shear stress"),
+                                      QT_TRANSLATE_NOOP("component", "Mobilised shear strength"),
+                                      QT_TRANSLATE_NOOP("component", "Slip"),
+                                      QT_TRANSLATE_NOOP("component", "Opening"),
+                                      QT_TRANSLATE_NOOP("component", "State"),
+                                      QT_TRANSLATE_NOOP("component", "Bonds"),
+                                      QT_TRANSLATE_NOOP("component", "Cohesion left")};
+  static_cast<void>(known);
+  using Source = Field::Source;
+  if (field.source == Source::displacement || field.source == Source::velocity) return axisTitle(field);
+  QString title = text(field.title);
+  if (field.source == Source::stress) title.remove(QStringLiteral(" stress")).remove(QStringLiteral("Stress "));
+  if (field.source == Source::strain) title.remove(QStringLiteral(" strain"));
+  if (field.source == Source::joint) title.remove(QStringLiteral(" on joints")).remove(QStringLiteral(" of joints"));
+  return QCoreApplication::translate("component", title.toUtf8().constData());
 }
 
 }  // namespace
