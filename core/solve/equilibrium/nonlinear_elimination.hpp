@@ -14,7 +14,7 @@ namespace talus {
 /// and close as these move by a fraction of what is as good as nothing to them: it would set the pace of all. So, after
 /// an iteration, bodies that are far out of balance while nearly all others are not are taken out and balanced first
 /// (nonlinear elimination: Cai & Li 2011, "Inexact Newton methods with restricted additive Schwarz based nonlinear
-/// elimination"). An iteration on them looks at their contacts alone and solves small dense systems.
+/// elimination"). An iteration on them looks at their contacts alone and solves small systems.
 class NonlinearElimination {
  public:
   NonlinearElimination(const EliminationTolerances& tolerances, LinearSettings linear)
