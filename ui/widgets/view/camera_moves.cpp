@@ -1,5 +1,8 @@
 #include "widgets/view/camera_moves.hpp"
 
+#include <QMouseEvent>
+#include <QWheelEvent>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -83,6 +86,30 @@ CameraPose withOtherProjection(CameraPose pose) {
     pose.position = pose.focal_point + back * (height / 2 / std::tan(radians(pose.view_angle) / 2));
   }
   return pose;
+}
+
+bool CameraMouse::takes(const QEvent& event, const CameraPose& pose, QSizeF view,
+                        const std::function<void(const CameraPose&)>& move) {
+  constexpr double nearer_of_notch = 0.85;
+  if (event.type() == QEvent::MouseButtonPress) {
+    last_ = static_cast<const QMouseEvent&>(event).position();
+    return true;
+  }
+  if (event.type() == QEvent::MouseMove) {
+    const auto& mouse = static_cast<const QMouseEvent&>(event);
+    const QPointF by = mouse.position() - last_;
+    last_ = mouse.position();
+    if (mouse.buttons().testFlag(Qt::LeftButton))
+      move(turned(pose, -by.x() * degrees_of_pixel_, by.y() * degrees_of_pixel_));
+    else if (mouse.buttons().testFlag(Qt::MiddleButton))
+      move(panned(pose, by, view));
+    return true;
+  }
+  if (event.type() != QEvent::Wheel) return false;
+  const auto& wheel = static_cast<const QWheelEvent&>(event);
+  const double notches = wheel.angleDelta().y() / 120.0;
+  move(zoomed(pose, std::pow(nearer_of_notch, notches), wheel.position(), view));
+  return true;
 }
 
 }  // namespace talus

@@ -2,8 +2,11 @@
 
 #include <QPointF>
 #include <QSizeF>
+#include <functional>
 
 #include "render/scene/scene.hpp"
+
+class QEvent;
 
 /// What the hand does to the camera. A turntable: z stays up, as the slope does. Lengths in logical pixels of the view.
 namespace talus {
@@ -19,5 +22,20 @@ CameraPose withOtherProjection(CameraPose pose);
 
 /// `share` 0…1 of the way from one pose to another that looks the same way.
 CameraPose between(const CameraPose& from, const CameraPose& to, double share);
+
+/// A camera that the mouse moves in a view: the left button turns it, the middle one pans, the wheel zooms at the
+/// pointer.
+class CameraMouse {
+ public:
+  explicit CameraMouse(double degrees_of_pixel) : degrees_of_pixel_(degrees_of_pixel) {}
+
+  /// Whether the event was one of these; where it moves the camera, `move` gets where to.
+  bool takes(const QEvent& event, const CameraPose& pose, QSizeF view,
+             const std::function<void(const CameraPose&)>& move);
+
+ private:
+  double degrees_of_pixel_;
+  QPointF last_;
+};
 
 }  // namespace talus

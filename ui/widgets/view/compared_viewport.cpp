@@ -1,16 +1,11 @@
 #include "widgets/view/compared_viewport.hpp"
 
-#include <QMouseEvent>
 #include <QToolButton>
-#include <QWheelEvent>
 
 #include <vtkRenderer.h>
 
-#include <cmath>
-
 #include "session/compared_results.hpp"
 #include "widgets/kit/parts.hpp"
-#include "widgets/view/camera_moves.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/view/viewport.hpp"
 
@@ -18,8 +13,6 @@ namespace talus {
 
 namespace {
 
-constexpr double degrees_of_pixel = 0.35;  // as in the view beside it
-constexpr double nearer_of_notch = 0.85;
 constexpr int without_delay = 0;  // ms
 
 }  // namespace
@@ -94,26 +87,7 @@ void ComparedViewport::resizeEvent(QResizeEvent*) {
 bool ComparedViewport::eventFilter(QObject* watched, QEvent* event) {
   const auto pose = viewport_.pose();
   if (watched != surface_->widget() || !scene_ || !pose) return QFrame::eventFilter(watched, event);
-  if (event->type() == QEvent::MouseButtonPress) {
-    last_ = static_cast<QMouseEvent*>(event)->position();
-    return true;
-  }
-  if (event->type() == QEvent::MouseMove) {
-    const auto& mouse = *static_cast<QMouseEvent*>(event);
-    const QPointF by = mouse.position() - last_;
-    last_ = mouse.position();
-    if (mouse.buttons().testFlag(Qt::LeftButton))
-      viewport_.moveTo(turned(*pose, -by.x() * degrees_of_pixel, by.y() * degrees_of_pixel));
-    else if (mouse.buttons().testFlag(Qt::MiddleButton))
-      viewport_.moveTo(panned(*pose, by, size()));
-    return true;
-  }
-  if (event->type() == QEvent::Wheel) {
-    const auto& wheel = *static_cast<QWheelEvent*>(event);
-    const double notches = wheel.angleDelta().y() / 120.0;
-    viewport_.moveTo(zoomed(*pose, std::pow(nearer_of_notch, notches), wheel.position(), size()));
-    return true;
-  }
+  if (mouse_.takes(*event, *pose, size(), [this](const CameraPose& to) { viewport_.moveTo(to); })) return true;
   return QFrame::eventFilter(watched, event);
 }
 

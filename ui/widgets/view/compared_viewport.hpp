@@ -5,6 +5,7 @@
 
 #include "jobs/latest_job.hpp"
 #include "render/scene/scene.hpp"
+#include "widgets/view/camera_moves.hpp"
 
 class QToolButton;
 
@@ -42,8 +43,8 @@ class ComparedViewport : public QFrame {
   QToolButton* end_;
   std::shared_ptr<const ResultsIndex> shown_;  ///< whose blocks scene_ draws
   std::shared_ptr<Scene> scene_;
-  QPointF last_;
-  LatestJob drawing_;  ///< last: its thread ends before the others go
+  CameraMouse mouse_{0.35};  // as in the view beside it
+  LatestJob drawing_;        ///< last: its thread ends before the others go
 };
 
 }  // namespace talus

@@ -1,17 +1,11 @@
 #include "widgets/view/solid_viewport.hpp"
 
-#include <QMouseEvent>
-#include <QWheelEvent>
-
 #include <vtkRenderer.h>
-
-#include <cmath>
 
 #include "geometry/solid_surface.hpp"
 #include "render/scene/slope_view.hpp"
 #include "session/solid_surfaces.hpp"
 #include "widgets/kit/theme.hpp"
-#include "widgets/view/camera_moves.hpp"
 #include "widgets/view/render_surface.hpp"
 
 namespace talus {
@@ -20,8 +14,6 @@ namespace {
 
 constexpr int rested_ms = 300;  // after that it is drawn finely
 constexpr int at_once = 0;      // ms
-constexpr double degrees_per_pixel = 0.4;
-constexpr double nearer_per_notch = 0.85;
 
 }  // namespace
 
@@ -111,26 +103,7 @@ void SolidViewport::resizeEvent(QResizeEvent*) {
 
 bool SolidViewport::eventFilter(QObject* watched, QEvent* event) {
   if (watched != surface_->widget() || !scene_) return QWidget::eventFilter(watched, event);
-  if (event->type() == QEvent::MouseButtonPress) {
-    last_ = static_cast<QMouseEvent*>(event)->position();
-    return true;
-  }
-  if (event->type() == QEvent::MouseMove) {
-    const auto& mouse = *static_cast<QMouseEvent*>(event);
-    const QPointF by = mouse.position() - last_;
-    last_ = mouse.position();
-    if (mouse.buttons().testFlag(Qt::LeftButton))
-      moveCamera(turned(scene_->pose(), -by.x() * degrees_per_pixel, by.y() * degrees_per_pixel));
-    else if (mouse.buttons().testFlag(Qt::MiddleButton))
-      moveCamera(panned(scene_->pose(), by, size()));
-    return true;
-  }
-  if (event->type() == QEvent::Wheel) {
-    const auto& wheel = *static_cast<QWheelEvent*>(event);
-    const double notches = wheel.angleDelta().y() / 120.0;
-    moveCamera(zoomed(scene_->pose(), std::pow(nearer_per_notch, notches), wheel.position(), size()));
-    return true;
-  }
+  if (mouse_.takes(*event, scene_->pose(), size(), [this](const CameraPose& to) { moveCamera(to); })) return true;
   if (event->type() != QEvent::MouseButtonDblClick) return QWidget::eventFilter(watched, event);
   fit();
   return true;

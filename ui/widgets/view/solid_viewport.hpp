@@ -7,6 +7,7 @@
 
 #include "jobs/latest_job.hpp"
 #include "render/scene/scene.hpp"
+#include "widgets/view/camera_moves.hpp"
 
 namespace talus {
 
@@ -47,7 +48,7 @@ class SolidViewport : public QWidget {
   std::shared_ptr<const BlockSystem> system_;  ///< what scene_ draws
   std::shared_ptr<Scene> scene_;
   QTimer stillTimer_;  ///< fires when the camera has rested
-  QPointF last_;
+  CameraMouse mouse_{0.4};
   bool moved_ = false;  ///< by hand since it was fitted
   bool anew_ = false;   ///< what comes is looked at anew
   LatestJob drawing_;
