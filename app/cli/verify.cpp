@@ -206,9 +206,10 @@ void add_verify(CLI::App& program, Invocation& invocation) {
   add_random_options(*command, *request, hard_cases);
   add_threads(*command, request->options.run.threads);
   add_tolerance(*command, request->options.run.tolerance);
-  command->add_flag("--repeat", request->options.repeat,
-                    "Run each case again with 2 threads, which must give the same bits, and at a tenth of the scale, "
-                    "which must give the same relative numbers; hard cases with 1 and 2 threads");
+  command->add_flag(
+      "--repeat", request->options.repeat,
+      "Run each case again with 2 threads, which must give the same bits, and at a tenth of the scale, "
+      "which must give the same relative numbers; hard cases with 1 and 2 threads, taken up anew in between");
   command
       ->add_option("--markdown", request->markdown,
                    "Write the results into this page, between its lines <!-- talus-cli verify: begin --> and "

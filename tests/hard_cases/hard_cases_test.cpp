@@ -38,8 +38,9 @@ TEST(HardCasesTable, HasEveryQuickSceneInItsGroup) {
 
 class HardCaseOf : public testing::TestWithParam<HardCase> {};
 
-/// Quick ones once more, on two threads, which must give the same bits, and the figures of their table. Those that are
-/// known to fall short are run as well, and must go on falling short, finite and the same every time.
+/// Quick ones once more, on two threads and taken up anew 25 times, which must give the same bits, and the figures of
+/// their table. Those that are known to fall short are run as well, and must go on falling short, finite and the same
+/// every time.
 TEST_P(HardCaseOf, IsHeld) {
   NoProgress progress;
   TrialOptions options{.threads = 1};

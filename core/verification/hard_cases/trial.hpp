@@ -102,8 +102,10 @@ std::vector<Fault> faults_by_kind(const Trial& trial);
 std::vector<std::string> faults(const Trial& trial);
 
 struct TrialOptions {
-  int threads = 1;               ///< at most
-  std::vector<int> repeat_on{};  ///< run the scene once more on each of these numbers of threads, with the same bits
+  int threads = 1;  ///< at most
+  /// Run the scene once more on each of these numbers of threads, taken up anew 25 times from what was written of it
+  /// (`solve --resume`): with the same bits.
+  std::vector<int> repeat_on{};
   /// Run scenes that say where else they must come to the same there, and at home again.
   bool elsewhere = false;
   Tolerances tolerances{};

@@ -184,7 +184,9 @@ TEST(Trial, OtherBitsOnOtherThreadsAreFound) {
   });
   const Trial trial = trial_of(scene, {.repeat_on = {1, 2}});
   EXPECT_EQ(trial.repetitions[0].difference, "");
-  EXPECT_THAT(faults(trial), ElementsAre(HasSubstr("not the same bits on 2 threads: positions or iterations differ")));
+  EXPECT_THAT(faults(trial),
+              ElementsAre(HasSubstr(
+                  "not the same bits on 2 threads, taken up anew in between: positions or iterations differ")));
 }
 
 TEST(Trial, FingerprintsOfRunsAreTheSameWhereAllTheirSnapshotsAre) {
