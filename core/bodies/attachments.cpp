@@ -12,6 +12,7 @@ void Attachments::clear() {
   pattern_ = 0;
   terms_.clear();
   turns_.clear();
+  pairs_.clear();
   meetings_.clear();
 }
 
@@ -67,19 +68,14 @@ bool Attachments::may_meet() const {
 
 void Attachments::let_meet(int carrier) {
   Point& point = points_.back();
-  const auto side = [&](int k) -> Meeting::Side {
-    const Term& term = terms_[point.term_begin + k];
-    const int body = set_.nodes.body[set_.node_of(term.dof_block)];
-    return {body, term.weight, turns_[point.turn_begin + k].arm / term.weight};
-  };
-  const int first = (terms_[point.term_begin].weight > 0) == (carrier == 0) ? 0 : 1;
+  const bool swapped = (terms_[point.term_begin].weight > 0) != (carrier == 0);
+  const int first = swapped ? 1 : 0;
+  const RigidBody &a = *turns_[point.turn_begin + first].rigid, &b = *turns_[point.turn_begin + 1 - first].rigid;
+  if (pairs_.empty() || !pairs_.back().is_of(a, b)) pairs_.emplace_back(set_, a, b);
+  point.pair = static_cast<int>(pairs_.size()) - 1;
   point.meeting = static_cast<int>(meetings_.size());
-  meetings_.emplace_back(set_, side(first), side(1 - first));
-}
-
-std::array<int, Meeting::part_count> Attachments::numbers_of_parts(const Point& point) const {
-  const bool swapped = meetings_[point.meeting].dof_blocks()[0] != terms_[point.term_begin].dof_block;
-  return swapped ? std::array{1, 0, 3, 2} : std::array{0, 1, 2, 3};
+  const double weight = terms_[point.term_begin + first].weight;
+  meetings_.emplace_back(weight, turns_[point.turn_begin + first].arm / weight);
 }
 
 void Attachments::find_slots(const BlockPattern& pattern) const {
@@ -104,6 +100,13 @@ Attachments::Slots::Slots(const Attachments& attachments, int point, const Block
   first_ = attachments.slots_.data() + attachments.slot_begin_[point];
 }
 
+Attachments::PairSlots::PairSlots(const Attachments& attachments, int point, const BlockPattern& pattern)
+    : slots_(attachments, point, pattern) {
+  const Point& of = attachments.points_[point];
+  const bool swapped = attachments.pair_of(of).dof_blocks()[0] != attachments.terms_[of.term_begin].dof_block;
+  if (swapped) numbers_ = {1, 0, 3, 2};
+}
+
 void Attachments::move(const Turn& turn, const Increment& d) {
   turn.unknowns = d.segment<3>(3 * turn.dof_block);
   const Vec3 theta = turn.unknowns / turn.radius;
@@ -119,7 +122,7 @@ Vec3 Attachments::lever_at(const Turn& turn, const Increment& d, Arms arms) {
 
 Vec3 Attachments::increment(int index, const Increment& d) const {
   const Point& point = points_[index];
-  if (point.meeting >= 0) return meetings_[point.meeting].increment(d);
+  if (point.meeting >= 0) return meetings_[point.meeting].increment(pair_of(point).at(d));
   Vec3 u = point.held;
   for (int i = point.term_begin; i < point.term_end; ++i) u += terms_[i].weight * d.segment<3>(3 * terms_[i].dof_block);
   for (int i = point.turn_begin; i < point.turn_end; ++i) u += moved_by(turns_[i], d);
@@ -152,7 +155,10 @@ void Attachments::join_dof_blocks(int index, DisjointSets& together) const {
 
 void Attachments::add_force(int index, const Increment& d, const Vec3& force, Arms arms, Eigen::VectorXd& sum) const {
   const Point& point = points_[index];
-  if (point.meeting >= 0) return meetings_[point.meeting].add_force(d, force, arms, sum);
+  if (point.meeting >= 0) {
+    const RigidPair& pair = pair_of(point);
+    return meetings_[point.meeting].add_force(pair, pair.at(d), force, arms, sum);
+  }
   for (int i = point.term_begin; i < point.term_end; ++i)
     sum.segment<3>(3 * terms_[i].dof_block) += terms_[i].weight * force;
   for (int i = point.turn_begin; i < point.turn_end; ++i)
@@ -161,19 +167,6 @@ void Attachments::add_force(int index, const Increment& d, const Vec3& force, Ar
 
 void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const {
   const Point& point = points_[index];
-  if (point.meeting >= 0) {
-    const Slots slots(*this, index, sum.pattern());
-    const Meeting& meeting = meetings_[point.meeting];
-    const Meeting::Slope slope = meeting.slope(d);
-    const auto numbers = numbers_of_parts(point);
-    for (int a = 0; a < Meeting::part_count; ++a) {
-      const Mat3 left = slope.place[a].transpose() * spring;
-      for (int b = 0; b <= a; ++b)
-        sum.add_at(slots.of(numbers[a], numbers[b]), meeting.dof_blocks()[a], meeting.dof_blocks()[b],
-                   left * slope.place[b]);
-    }
-    return;
-  }
   const Slots slots(*this, index, sum.pattern());
   for (int a = point.term_begin; a < point.term_end; ++a)
     for (int b = point.term_begin; b <= a; ++b)
@@ -189,9 +182,8 @@ void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, 
   }
 }
 
-void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const {
+void Attachments::add_other_spring(int index, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const {
   const Point& point = points_[index];
-  if (point.meeting >= 0) return add_met_spring(index, d, spring, true, sum);
   const Slots slots(*this, index, sum.pattern());
   for (int a = point.term_begin; a < point.term_end; ++a) {
     for (int b = point.term_begin; b < point.term_end; ++b)
@@ -211,27 +203,10 @@ void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, 
                      (turns_[a].radius * turns_[b].radius));
 }
 
-void Attachments::add_met_spring(int index, const Increment& d, const Mat3& spring, bool whole,
-                                 UnsymmetricBlocks& sum) const {
-  const Slots slots(*this, index, sum.pattern());
-  const Meeting& meeting = meetings_[points_[index].meeting];
-  const Meeting::Slope slope = meeting.slope(d);
-  const auto numbers = numbers_of_parts(points_[index]);
-  for (int a = 0; a < Meeting::part_count; ++a) {
-    Mat3 left = slope.levers[a];
-    if (!whole) left -= slope.place[a].transpose();
-    left *= spring;
-    for (int b = 0; b < Meeting::part_count; ++b)
-      sum.add_at(slots.of(numbers[a], numbers[b]), meeting.dof_blocks()[a], meeting.dof_blocks()[b],
-                 left * slope.place[b]);
-  }
-}
-
 void Attachments::add_lever_difference(int index, const Increment& d, const Mat3& spring, Arms arms,
                                        UnsymmetricBlocks& sum) const {
   if (arms == Arms::end) return;
   const Point& point = points_[index];
-  if (point.meeting >= 0) return add_met_spring(index, d, spring, false, sum);
   const Slots slots(*this, index, sum.pattern());
   for (int a = point.turn_begin; a < point.turn_end; ++a) {
     const Turn& turn = turns_[a];
@@ -247,18 +222,63 @@ void Attachments::add_lever_difference(int index, const Increment& d, const Mat3
 void Attachments::add_turning(int index, const Increment& d, const Vec3& force, Arms arms,
                               UnsymmetricBlocks& sum) const {
   const Point& point = points_[index];
-  if (point.meeting >= 0 && arms == Arms::mean) {
-    const Meeting& meeting = meetings_[point.meeting];
-    for (const Meeting::Turning& turning : meeting.turning(d, force))
-      sum.add(meeting.dof_blocks()[turning.row], meeting.dof_blocks()[turning.column], turning.block);
-    return;
-  }
   for (int i = point.turn_begin; i < point.turn_end; ++i) {
     const Turn& turn = turns_[i];
     const Vec3 arm = (arms == Arms::mean ? 0.5 * turn.stretch : 1) * arm_at(turn, d);
     sum.add(turn.dof_block, turn.dof_block,
             (arm * force.transpose() - arm.dot(force) * Mat3::Identity()) / (turn.radius * turn.radius));
   }
+}
+
+void Attachments::Springs::add(int index, const Mat3& spring) {
+  const Point& point = moves_.points_[index];
+  if (point.meeting < 0) return moves_.add_spring(index, d_, spring, sum_);
+  if (first_ < 0 || moves_.points_[first_].pair != point.pair) {
+    finish();
+    first_ = index;
+  }
+  springs_.add(moves_.pair_of(point).at(d_), moves_.meetings_[point.meeting], spring);
+}
+
+void Attachments::Springs::finish() {
+  if (first_ < 0) return;
+  PairBlocks blocks;
+  const RigidPair& pair = moves_.pair_of(moves_.points_[first_]);
+  springs_.find(pair, pair.at(d_), blocks);
+  const PairSlots slots(moves_, first_, sum_.pattern());
+  for (int a = 0; a < RigidPair::part_count; ++a)
+    for (int b = 0; b <= a; ++b)
+      sum_.add_at(slots.of(a, b), pair.dof_blocks()[a], pair.dof_blocks()[b], PairSlots::block(blocks, a, b));
+  springs_.clear();
+  first_ = -1;
+}
+
+void Attachments::Tangent::add(int index, const Vec3& force, const Mat3& spring, const Mat3& other) {
+  const Point& point = moves_.points_[index];
+  if (point.meeting < 0) {
+    if (!other.isZero(0)) moves_.add_other_spring(index, d_, other, sum_);
+    if (point.turns() == 0) return;
+    moves_.add_turning(index, d_, force, arms_, sum_);
+    return moves_.add_lever_difference(index, d_, spring + other, arms_, sum_);
+  }
+  if (first_ < 0 || moves_.points_[first_].pair != point.pair) {
+    finish();
+    first_ = index;
+  }
+  springs_.add(moves_.pair_of(point).at(d_), moves_.meetings_[point.meeting], force, spring, other);
+}
+
+void Attachments::Tangent::finish() {
+  if (first_ < 0) return;
+  PairBlocks blocks;
+  const RigidPair& pair = moves_.pair_of(moves_.points_[first_]);
+  springs_.find(pair, pair.at(d_), blocks);
+  const PairSlots slots(moves_, first_, sum_.pattern());
+  for (int a = 0; a < RigidPair::part_count; ++a)
+    for (int b = 0; b < RigidPair::part_count; ++b)
+      sum_.add_at(slots.of(a, b), pair.dof_blocks()[a], pair.dof_blocks()[b], PairSlots::block(blocks, a, b));
+  springs_.clear();
+  first_ = -1;
 }
 
 }  // namespace talus

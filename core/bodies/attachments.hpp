@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
 #include "bodies/body_set.hpp"
 #include "bodies/meeting.hpp"
+#include "bodies/pair_springs.hpp"
 #include "bodies/step_context.hpp"
 #include "linear/symmetric_blocks.hpp"
 #include "linear/unsymmetric_blocks.hpp"
@@ -37,15 +40,13 @@ class Attachments {
   /// sum += Jᵀ force with J = ∂u/∂D, where rotations turn the body on from D (BodySet::advance), or with the mean of J
   /// over the step: a force on the point, as forces and moments on the bodies [N].
   void add_force(int point, const Increment& d, const Vec3& force, Arms arms, Eigen::VectorXd& sum) const;
-  /// sum += Jᵀ spring J [N/m]; `spring` is symmetric.
+  /// sum += Jᵀ spring J [N/m] at a point that does not meet; `spring` is symmetric.
   void add_spring(int point, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const;
-  /// The same for a matrix that is not symmetric.
-  void add_spring(int point, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const;
-  /// sum += ∂/∂D of what add_force adds, at a constant force: the arms of turning bodies change [N/m].
+  /// sum += ∂/∂D of what add_force adds, at a constant force at a point that does not meet: the arms of turning bodies
+  /// change [N/m].
   void add_turning(int point, const Increment& d, const Vec3& force, Arms arms, UnsymmetricBlocks& sum) const;
-  /// With mean arms: what sum += Jᵀ spring J of a spring at the point lacks, since Jᵀ has other arms than J [N/m]. With
-  /// those at the end, nothing.
-  void add_lever_difference(int point, const Increment& d, const Mat3& spring, Arms arms, UnsymmetricBlocks& sum) const;
+  class Springs;
+  class Tangent;
   /// Whether some point lies on a rigid body: else add_turning adds nothing.
   bool any_turns() const { return !turns_.empty(); }
   /// The most negative change of direction·u that there can be when each degree-of-freedom block goes on from D by a
@@ -74,7 +75,7 @@ class Attachments {
   struct Point {
     int term_begin, term_end, turn_begin, turn_end;
     Vec3 held;
-    int meeting = -1;  // into meetings_
+    int pair = -1, meeting = -1;  // into pairs_ and meetings_
     int terms() const { return term_end - term_begin; }
     int turns() const { return turn_end - turn_begin; }
   };
@@ -93,6 +94,20 @@ class Attachments {
     const Point& point_;
     const int* first_;
   };
+  /// The same of the parts of a pair, whose blocks are those of the first centroid up to a sign where it is a second.
+  class PairSlots {
+   public:
+    PairSlots(const Attachments& attachments, int point, const BlockPattern& pattern);
+    int of(int a, int b) const { return slots_.of(numbers_[a], numbers_[b]); }
+    static Mat3 block(const PairBlocks& blocks, int a, int b) {
+      const bool opposite = (a == RigidPair::second_centre) != (b == RigidPair::second_centre);
+      return (opposite ? -1 : 1) * blocks[std::max(a - 1, 0)][std::max(b - 1, 0)];
+    }
+
+   private:
+    Slots slots_;
+    std::array<int, RigidPair::part_count> numbers_ = {0, 1, 2, 3};
+  };
   void find_slots(const BlockPattern& pattern) const;
   void add_term(int first, int dof_block, double weight);
   void add_turn(int first, const RigidBody& rigid, int node, double weight);
@@ -104,20 +119,66 @@ class Attachments {
   static Vec3 arm_at(const Turn& turn, const Increment& d) { return turn.arm + moved_by(turn, d); }
   /// With which a force turns the body.
   static Vec3 lever_at(const Turn& turn, const Increment& d, Arms arms);
-  /// Numbers of a meeting's parts among the point's terms and turns.
-  std::array<int, Meeting::part_count> numbers_of_parts(const Point& point) const;
-  /// Of a meeting: sum += levers · spring · place, the `whole` or only what it is more than placeᵀ · spring · place.
-  void add_met_spring(int point, const Increment& d, const Mat3& spring, bool whole, UnsymmetricBlocks& sum) const;
+  /// With mean arms: what sum += Jᵀ spring J of a spring at the point lacks, since Jᵀ has other arms than J [N/m]. With
+  /// those at the end, nothing.
+  void add_lever_difference(int point, const Increment& d, const Mat3& spring, Arms arms, UnsymmetricBlocks& sum) const;
+  /// The same as add_spring for a matrix that is not symmetric.
+  void add_other_spring(int point, const Increment& d, const Mat3& spring, UnsymmetricBlocks& sum) const;
+  const RigidPair& pair_of(const Point& point) const { return pairs_[point.pair]; }
 
   const BodySet& set_;
   std::vector<Point> points_;
   std::vector<Term> terms_;
   std::vector<Turn> turns_;
+  std::vector<RigidPair> pairs_;  // those that follow one upon the other differ
   std::vector<Meeting> meetings_;
   // Pairs of all points, each with those before it and itself, in the pattern that was asked for last:
   mutable std::uint64_t pattern_ = 0;    // 0: none since the last point was added
   mutable std::vector<int> slot_begin_;  // a point
   mutable std::vector<int> slots_;
+};
+
+/// Adds springs at points, Σ Jᵀ spring J: of those that follow one upon the other between the same two bodies that
+/// meet, together. All are in the sum when it is destroyed.
+class Attachments::Springs {
+ public:
+  /// At D; all outlive it.
+  Springs(const Attachments& moves, const Increment& d, SymmetricBlocks& sum) : moves_(moves), d_(d), sum_(sum) {}
+  ~Springs() { finish(); }
+  Springs(const Springs&) = delete;
+  Springs& operator=(const Springs&) = delete;
+  void add(int point, const Mat3& spring);
+
+ private:
+  void finish();
+
+  const Attachments& moves_;
+  const Increment& d_;
+  SymmetricBlocks& sum_;
+  int first_ = -1;  // point of the pair whose springs are added up; −1: none
+  PairSprings springs_;
+};
+
+/// Adds what the derivative of forces at points has beside their springs (UnsymmetricPairSprings), in the same way.
+class Attachments::Tangent {
+ public:
+  Tangent(const Attachments& moves, const Increment& d, Arms arms, UnsymmetricBlocks& sum)
+      : moves_(moves), d_(d), arms_(arms), sum_(sum) {}
+  ~Tangent() { finish(); }
+  Tangent(const Tangent&) = delete;
+  Tangent& operator=(const Tangent&) = delete;
+  /// `force`: what add_force is given [N]; `spring`: what Springs is; `other`: by how much forces fall beside it.
+  void add(int point, const Vec3& force, const Mat3& spring, const Mat3& other);
+
+ private:
+  void finish();
+
+  const Attachments& moves_;
+  const Increment& d_;
+  const Arms arms_;
+  UnsymmetricBlocks& sum_;
+  int first_ = -1;
+  UnsymmetricPairSprings springs_;
 };
 
 }  // namespace talus

@@ -48,11 +48,13 @@ Mat3 cross_matrix(const Vec3& v) {
   return m;
 }
 
-Mat3 rotation_by(const Vec3& theta) {
+Mat3 turn_by(const Vec3& theta) {
   const double square = theta.squaredNorm();
   const Mat3 hat = cross_matrix(theta);
-  return Mat3::Identity() + sine_over_angle(square) * hat + cosine_over_square(square) * hat * hat;
+  return sine_over_angle(square) * hat + cosine_over_square(square) * hat * hat;
 }
+
+Mat3 rotation_by(const Vec3& theta) { return Mat3::Identity() + turn_by(theta); }
 
 Vec3 turn_of(const Vec3& theta, const Vec3& p) {
   const double square = theta.squaredNorm();

@@ -19,12 +19,17 @@ inline Mat3 cross_times(const Vec3& v, const Mat3& m) {
 }
 inline Mat3 times_cross(const Mat3& m, const Vec3& v) {
   Mat3 product;
-  for (int k = 0; k < 3; ++k) product.row(k) = m.row(k).transpose().cross(v).transpose();
+  product.col(0) = v[2] * m.col(1) - v[1] * m.col(2);
+  product.col(1) = v[0] * m.col(2) - v[2] * m.col(0);
+  product.col(2) = v[1] * m.col(0) - v[0] * m.col(1);
   return product;
 }
 
 /// exp(θ̂), the rotation about θ by |θ|.
 Mat3 rotation_by(const Vec3& theta);
+
+/// exp(θ̂) − 1.
+Mat3 turn_by(const Vec3& theta);
 
 /// exp(θ̂) p − p [as p].
 Vec3 turn_of(const Vec3& theta, const Vec3& p);

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
 #include <span>
 
-#include "bodies/body_set.hpp"
-#include "bodies/step_context.hpp"
+#include "bodies/rigid_pair.hpp"
 
 namespace talus {
 
@@ -16,55 +14,32 @@ namespace talus {
 /// place, the step keeps angular momentum (docs/theory.md, "One place"). Both bodies touch (RigidBody::touches).
 class Meeting {
  public:
-  /// How a body takes part: its own weight, +1 or −1, and its point's arm in space [m] at the start of the step.
-  struct Side {
-    int body;  // into BodySet::bodies
-    double weight;
-    Vec3 arm;
-  };
-  /// Degree-of-freedom blocks: centroids of the first and the second body, rotations of both.
-  enum Part { first_centre, second_centre, first_turn, second_turn, part_count };
-  /// How u, ℓ₁ and ℓ₂ change as the parts move and turn on.
-  struct Slope {
-    std::array<Mat3, part_count> place;   ///< ∂u/∂D, in unknowns of the step
-    std::array<Mat3, part_count> levers;  ///< its counterpart of forces: they add levers · force
-  };
-
-  Meeting(const BodySet& set, const Side& first, const Side& second);
+  /// `weight`: of the first body, +1 or −1; `arm`: of its point, in space at the start of the step [m].
+  Meeting(double weight, const Vec3& arm) : weight_(weight), arm_(arm) {}
 
   /// Which of two bodies with these weights of their nodes, above 0 those of body 0, carries the place: the one whose
   /// vertex it is, else body 0.
   static int carrier(std::span<const double> weights);
 
-  const std::array<int, part_count>& dof_blocks() const { return dof_blocks_; }
-  Vec3 increment(const Increment& d) const;  ///< u [m]
-  void add_force(const Increment& d, const Vec3& force, Arms arms, Eigen::VectorXd& sum) const;
-  Slope slope(const Increment& d) const;
-  /// A block of ∂/∂D of levers · force at a constant force.
-  struct Turning {
-    Part row, column;
-    Mat3 block;
+  /// What hangs on D.
+  struct Levers {
+    Vec3 end;     ///< m, of the first body's point at the end of the step
+    Vec3 first;   ///< m, ℓ₁
+    Vec3 second;  ///< m, ℓ₂
   };
-  std::array<Turning, 4> turning(const Increment& d, const Vec3& force) const;
+  const Levers& levers(const RigidPair::State& pair) const;
+  double weight() const { return weight_; }
+
+  Vec3 increment(const RigidPair::State& pair) const;  ///< u [m]
+  /// sum += levers · force; with the arms at the end of the step (∂u/∂D)ᵀ · force.
+  void add_force(const RigidPair& pair, const RigidPair::State& state, const Vec3& force, Arms arms,
+                 Eigen::VectorXd& sum) const;
 
  private:
-  /// All that hangs on D.
-  struct State {
-    std::array<Vec3, part_count> unknowns;
-    Vec3 turn;          // φ₂, the Cayley vector
-    Vec3 first_arm;     // m, of the first body's point at the end of the step
-    Vec3 first_lever;   // m, ℓ₁
-    Vec3 second_lever;  // m, ℓ₂
-  };
-  const State& at(const Increment& d) const;
-
-  double weight_;                        // of the first body
-  Vec3 arm_;                             // m, of its point at the start of the step
-  double first_radius_, second_radius_;  // m
-  Vec3 apart_;                           // m, of the centroids at the start of the step
-  std::array<int, part_count> dof_blocks_;
-  // Every contact effect asks for the same few D one after the other: the last one's answer is kept.
-  mutable State state_;
+  double weight_;
+  Vec3 arm_;
+  mutable long number_ = 0;  // of the pair's state at which the levers were taken
+  mutable Levers levers_;
 };
 
 }  // namespace talus

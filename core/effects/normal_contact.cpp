@@ -32,23 +32,25 @@ void NormalContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd&
 }
 
 void NormalContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
+  Attachments::Springs springs(links_.moves(), d, sum);
   for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const double g = links_.gap(i, d);
     if (has_spring(i, g) || (!held_ && touches(point, g, touching_)))
-      links_.moves().add_spring(i, d, point.normal_stiffness * point.normal * point.normal.transpose(), sum);
+      springs.add(i, point.normal_stiffness * point.normal * point.normal.transpose());
   }
 }
 
 void NormalContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
   if (!links_.moves().any_turns()) return;
+  Attachments::Tangent tangent(links_.moves(), d, arms, sum);
   for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
-    const double gap = links_.gap(i, d), force = this->force(i, gap);
-    if (force != 0) links_.moves().add_turning(i, d, -force * point.normal, arms, sum);
-    if (has_spring(i, gap))
-      links_.moves().add_lever_difference(i, d, point.normal_stiffness * point.normal * point.normal.transpose(), arms,
-                                          sum);
+    const double gap = links_.gap(i, d), force = this->force(i, gap), stiffness = point.normal_stiffness;
+    const bool has_spring = this->has_spring(i, gap);
+    if (force != 0 || has_spring)
+      tangent.add(i, -force * point.normal, (has_spring ? stiffness : 0) * point.normal * point.normal.transpose(),
+                  Mat3::Zero());
   }
 }
 

@@ -65,12 +65,13 @@ void ShearContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& 
 }
 
 void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
+  Attachments::Springs springs(links_.moves(), d, sum);
   for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     const bool set_down = !held_ && strength_[i] == 0 && touching_ > 0 && touches(point, links_.gap(i, d), touching_);
     if (is_free(i) && !set_down) continue;
     const Mat3 stuck = point.shear_stiffness * (Mat3::Identity() - point.normal * point.normal.transpose());
-    links_.moves().add_spring(i, d, set_down ? stuck : spring_at(i, spring_force(i, d)), sum);
+    springs.add(i, set_down ? stuck : spring_at(i, spring_force(i, d)));
   }
 }
 
@@ -102,18 +103,17 @@ bool ShearContact::let_slide(const Increment& d) {
 }
 
 void ShearContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
+  Attachments::Tangent tangent(links_.moves(), d, arms, sum);
   for (const int i : *points_) {
     const ContactPoint& point = links_.point(i);
     if (is_free(i)) continue;
     const Vec3 trial = spring_force(i, d);
-    if (links_.moves().any_turns()) {
-      links_.moves().add_turning(i, d, -force_of(i, trial), arms, sum);
-      links_.moves().add_lever_difference(i, d, spring_at(i, trial), arms, sum);
-    }
     const double length = trial.norm();
-    if (held_ || !slides(i, length) || !resists_elastically(point, links_.gap(i, d))) continue;
-    const double growth = point.friction * point.normal_stiffness;  // N/m, of the strength as the gap closes
-    links_.moves().add_spring(i, d, growth / length * trial * point.normal.transpose(), sum);
+    const bool follows_normal_force = !held_ && slides(i, length) && resists_elastically(point, links_.gap(i, d));
+    if (!follows_normal_force && !links_.moves().any_turns()) continue;
+    // N/m, of the strength as the gap closes
+    const double growth = follows_normal_force ? point.friction * point.normal_stiffness / length : 0;
+    tangent.add(i, -force_of(i, trial), spring_at(i, trial), growth * trial * point.normal.transpose());
   }
 }
 

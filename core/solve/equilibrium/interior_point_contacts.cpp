@@ -97,14 +97,10 @@ void InteriorPointContacts::add_forces(const Increment& d, Arms arms, Eigen::Vec
 }
 
 void InteriorPointContacts::add_tangent(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
-  const Attachments& moves = links_->moves();
-  for (const Point& point : points_) {
-    const Mat3 spring = point.directions * point.tangent * point.directions.transpose();
-    moves.add_spring(point.index, d, spring, sum);
-    if (!moves.any_turns()) continue;
-    moves.add_turning(point.index, d, -point.directions * point.x, arms, sum);
-    moves.add_lever_difference(point.index, d, spring, arms, sum);
-  }
+  Attachments::Tangent tangent(links_->moves(), d, arms, sum);
+  for (const Point& point : points_)
+    tangent.add(point.index, -point.directions * point.x, Mat3::Zero(),
+                point.directions * point.tangent * point.directions.transpose());
 }
 
 void InteriorPointContacts::find_changes(const Increment& from, const Increment& to) {
