@@ -27,6 +27,11 @@ IndependentSystem::IndependentSystem(std::vector<int> nodes, BlockPattern patter
   if (3 * size() <= DenseSolver::largest) return;
   sparse_ = std::make_unique<Sparse>();
   sparse_->of_size.resize(DenseSolver::largest_part / 3 + 1);
+}
+
+void IndependentSystem::analyse() {
+  if (sparse_->analysed) return;
+  sparse_->analysed = true;
   sparse_->factor.analyse(matrix_.pattern());
   // A solve touches each entry of the factor twice. The cost of a factorisation in units of that, at the rates of one
   // core, is the number of GMRES iterations that an old factor may take before a new one is cheaper.
@@ -43,7 +48,7 @@ double IndependentSystem::take_right_side(const Eigen::VectorXd& b) {
 }
 
 void IndependentSystem::solve(const SymmetricBlocks& whole, const LinearSettings& settings, double negligible,
-                              LinearWork& work, Eigen::VectorXd& x) {
+                              Trials& trials, LinearWork& work, Eigen::VectorXd& x) {
   const bool changed = matrix_.assign_part(whole, nodes_);
   current_ = current_ && !changed;
   solved_before_ = changed ? 0 : solved_before_ + 1;
@@ -51,7 +56,9 @@ void IndependentSystem::solve(const SymmetricBlocks& whole, const LinearSettings
   try {
     if (!sparse_) {
       solve_densely(work);
-    } else {
+    } else if (needs_factor_ || current_ || !solve_without_factor(settings, trials, work)) {
+      needs_factor_ = false;
+      analyse();
       sparse_->solution_of_parts.setZero(right_.size());
       if (!current_ && solved_before_ < few_solves) solve_parts(settings, negligible, work);
       solve_sparsely(settings, work);
@@ -65,10 +72,14 @@ void IndependentSystem::solve(const SymmetricBlocks& whole, const LinearSettings
 
 /// Factors are made again, of the same matrix. That of a dense system with an unsymmetric part is not used again.
 void IndependentSystem::archive(StateArchive& state) {
-  state(matrix_, current_, solved_before_, outdated_, symmetric_);
-  if (sparse_)
-    state(sparse_->factor, sparse_->iterations);
-  else if (state.reads() && current_ && symmetric_)
+  state(matrix_, current_, solved_before_, outdated_, needs_factor_, symmetric_);
+  if (sparse_) {
+    bool analysed = sparse_->analysed;
+    state(analysed);
+    if (analysed) analyse();
+    if (analysed) state(sparse_->factor);
+    state(sparse_->iterations);
+  } else if (state.reads() && current_ && symmetric_)
     dense_.factor(matrix_, {}, own_);
 }
 
@@ -81,6 +92,25 @@ void IndependentSystem::solve_densely(LinearWork& work) {
     ++work.dense_factorisations;
   }
   dense_.solve(right_, solution_);
+}
+
+bool IndependentSystem::solve_without_factor(const LinearSettings& settings, Trials& trials, LinearWork& work) {
+  if (!trials.is_due()) return false;
+  const Stopwatch watch(work.solve_seconds);
+  const auto apply = [this](const Eigen::VectorXd& from, Eigen::VectorXd& to) {
+    matrix_.multiply(from, to);
+    UnsymmetricBlocks::add_product(unsymmetric_, from, to);
+  };
+  Sparse& s = *sparse_;
+  const auto precondition = [&s](const Eigen::VectorXd& from, Eigen::VectorXd& to) { s.incomplete.solve(from, to); };
+  int iterations = settings.incomplete_limit;
+  if (s.incomplete.factor(matrix_)) {
+    iterations = s.gmres.solve(apply, precondition, right_, solution_, settings.tolerance, settings.incomplete_limit);
+    work.gmres_iterations += iterations;
+  }
+  const bool solved = iterations < settings.incomplete_limit;
+  trials.note(solved);
+  return solved;
 }
 
 /// What is left of the right-hand side is that of a part with most of the couplings.

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "base/state_archive.hpp"
 #include "linear/coupled_parts.hpp"
 #include "linear/dense_solver.hpp"
+#include "linear/incomplete_cholesky.hpp"
 #include "linear/linear_work.hpp"
 #include "linear/sparse_part.hpp"
 #include "linear/tangent_factor.hpp"
@@ -14,14 +16,29 @@ namespace talus {
 
 /// Equations that share no unknown with the others, such as those of a block that can touch no other.
 /// - A small system is solved with a dense factor.
-/// - A large one whose matrix has just changed is split where only open contacts join its parts: small parts are solved
+/// - A large one without springs much stiffer than others is solved by GMRES without a factor, preconditioned with
+///   an incomplete factor. Where that fails it is left for some time.
+/// - Else a large one whose matrix has just changed is split where only open contacts join its parts: small parts are
+/// solved
 ///   with dense factors, larger ones with a sparse factor of their own.
 /// - The rest is solved by GMRES, preconditioned with a Cholesky factor of the symmetric part of the whole system. An
 ///   old factor is kept while it converges fast enough. Where the factor belongs to the present matrix and there is no
 ///   unsymmetric part, one solve with it suffices.
 class IndependentSystem {
  public:
-  /// `nodes`: ascending; `pattern`: of these nodes among themselves. Orders and analyses it.
+  /// When to try to do without a factor: after failures one by one less often.
+  struct Trials {
+    int left_out = 0, to_leave_out = 0;
+
+    bool is_due() { return left_out++ >= to_leave_out; }
+    void note(bool succeeded) {
+      left_out = 0;
+      to_leave_out = succeeded ? 0 : std::min(2 * to_leave_out + 1, 31);
+    }
+    void archive(auto& state) { state(left_out, to_leave_out); }
+  };
+
+  /// `nodes`: ascending; `pattern`: of these nodes among themselves.
   IndependentSystem(std::vector<int> nodes, BlockPattern pattern);
 
   int first_node() const { return nodes_.front(); }
@@ -31,6 +48,8 @@ class IndependentSystem {
   }
   /// The matrix is about to change so much that its factor is no good preconditioner any more.
   void outdate() { outdated_ = true; }
+  /// The next solution is with a whole factor of its matrix.
+  void demand_factor() { outdated_ = needs_factor_ = true; }
 
   /// Takes its part of the global right-hand side and forgets the unsymmetric part. Returns the norm of that part.
   double take_right_side(const Eigen::VectorXd& b);
@@ -38,15 +57,18 @@ class IndependentSystem {
   void take_unsymmetric(const UnsymmetricBlocks::Pair& pair) { unsymmetric_.push_back(pair); }
   /// Writes the solution into the global unknowns; zero in small parts whose right-hand sides are, together in norm, no
   /// larger than `negligible`. Throws NotPositiveDefinite with the global node.
-  void solve(const SymmetricBlocks& whole, const LinearSettings& settings, double negligible, LinearWork& work,
-             Eigen::VectorXd& x);
+  void solve(const SymmetricBlocks& whole, const LinearSettings& settings, double negligible, Trials& trials,
+             LinearWork& work, Eigen::VectorXd& x);
 
   /// What it remembers from one solution to the next, with the nodes and the pattern that it has.
   void archive(StateArchive& state);
 
  private:
   struct Sparse {
+    IncompleteCholesky incomplete;
+    Gmres gmres;
     TangentFactor factor;
+    bool analysed = false;
     int patience = 5;    ///< GMRES iterations that cost as much as a factor
     int iterations = 0;  ///< of the last solution
     CoupledParts parts;
@@ -54,7 +76,11 @@ class IndependentSystem {
     SparsePart large_part;
     Eigen::VectorXd right, solution, solution_of_parts;
   };
+  /// Orders the equations, once.
+  void analyse();
   void solve_densely(LinearWork& work);
+  /// False: not within the limit.
+  bool solve_without_factor(const LinearSettings& settings, Trials& trials, LinearWork& work);
   void solve_parts(const LinearSettings& settings, double negligible, LinearWork& work);
   void solve_sparsely(const LinearSettings& settings, LinearWork& work);
   void factor(LinearWork& work);
@@ -67,6 +93,7 @@ class IndependentSystem {
   bool current_ = false;   ///< the factor belongs to the present symmetric matrix
   int solved_before_ = 0;  ///< times that the present symmetric matrix was solved
   bool outdated_ = true;   ///< the factor, if there is any, is no good preconditioner any more
+  bool needs_factor_ = false;
   bool symmetric_ = true;  ///< the dense factor was made without an unsymmetric part
   DenseSolver dense_;
   std::unique_ptr<Sparse> sparse_;  ///< null: it is small

@@ -32,6 +32,10 @@ void LinearSystem::outdate() {
   for (IndependentSystem& system : systems_) system.outdate();
 }
 
+void LinearSystem::demand_factors() {
+  for (IndependentSystem& system : systems_) system.demand_factor();
+}
+
 void LinearSystem::solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks& unsymmetric, const Eigen::VectorXd& b,
                          std::span<const double> negligible, Eigen::VectorXd& x) {
   x.setZero(b.size());
@@ -42,7 +46,7 @@ void LinearSystem::solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks&
         {number_in_system_[pair.row], number_in_system_[pair.column], pair.below, pair.above});
   for (std::size_t s = 0; s < systems_.size(); ++s) {
     const double nothing = negligible.empty() ? 0 : negligible[s];
-    if (sizes_[s] > nothing) systems_[s].solve(matrix, settings_, nothing, work_, x);
+    if (sizes_[s] > nothing) systems_[s].solve(matrix, settings_, nothing, trials_, work_, x);
   }
 }
 

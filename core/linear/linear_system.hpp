@@ -18,6 +18,8 @@ class LinearSystem {
   void set_pattern(const BlockPattern& pattern);
   /// The matrix is about to change so much that old factors are no good preconditioners any more.
   void outdate();
+  /// The next solution is with whole factors of its own matrix.
+  void demand_factors();
 
   /// Solves for x: to the tolerance of the settings, or exactly where there is no unsymmetric part and the factors are
   /// current. A system whose right-hand side is no larger in norm than what is `negligible` in it is not solved: x is
@@ -35,7 +37,7 @@ class LinearSystem {
     state(pattern);
     if (state.reads()) set_pattern(pattern);
     for (IndependentSystem& system : systems_) system.archive(state);
-    state(work_);
+    state(trials_, work_);
   }
 
  private:
@@ -44,6 +46,7 @@ class LinearSystem {
   std::vector<int> system_of_, number_in_system_;  ///< of each node
   std::vector<IndependentSystem> systems_;         ///< by their first nodes
   std::vector<double> sizes_;                      ///< norm of each system's right-hand side
+  IndependentSystem::Trials trials_;
   LinearWork work_;
 };
 

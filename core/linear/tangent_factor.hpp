@@ -10,8 +10,9 @@ namespace talus {
 
 /// Where GMRES stops.
 struct LinearSettings {
-  double tolerance;  ///< residual over right-hand side of a system
-  int limit;         ///< iterations after which the matrix is factored again
+  double tolerance;          ///< residual over right-hand side of a system
+  int limit;                 ///< iterations after which the matrix is factored again
+  int incomplete_limit = 0;  ///< iterations with an incomplete factor after which a system gets one
 };
 
 /// Cholesky factor of the symmetric part of a tangent. It preconditions GMRES on the whole tangent, and on later ones

@@ -142,6 +142,9 @@ struct ConvergenceTolerances {
   double gmres = 1e-4;
   /// Iterations of GMRES after which the matrix is factored anew. Chosen. Time alone hangs on it, and the last digits.
   int gmres_limit = 40;
+  /// Iterations of GMRES with an incomplete factor after which a system gets a whole one. Chosen: slopes of rigid
+  /// blocks take 10 to 20. Time alone hangs on it, and the last digits.
+  int incomplete_limit = 40;
 };
 
 /// Bodies that are balanced by themselves.

@@ -157,7 +157,8 @@ std::vector<Entry> entries() {
             {"overshot", &G::overshot},
             {"flat_slope", &G::flat_slope},
             {"gmres", &G::gmres},
-            {"gmres_limit", &G::gmres_limit}});
+            {"gmres_limit", &G::gmres_limit},
+            {"incomplete_limit", &G::incomplete_limit}});
   }
   {
     using G = FirstGuessTolerances;

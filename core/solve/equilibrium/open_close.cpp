@@ -97,7 +97,7 @@ double OpenClose::residual_at(const Increment& d) {
 
 void OpenClose::solve_at_step_start(Friction friction) {
   residual_.assemble(zero_, tolerances_.first_closing);
-  linear_.outdate();  // solved exactly
+  linear_.demand_factors();  // solved exactly
   unsymmetric_.set_zero();
   if (friction == Friction::coupled) residual_.add_unsymmetric(zero_, unsymmetric_);
   linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), {}, direction_);
@@ -130,7 +130,7 @@ OpenCloseResult OpenClose::converge_by_states(Increment& d) {
   while (result.iterations < iteration_limit_) {
     ++result.iterations;
     assemble(d, 0);
-    linear_.outdate();  // solved exactly
+    linear_.demand_factors();  // solved exactly
     unsymmetric_.set_zero();
     residual_.add_unsymmetric(d, unsymmetric_);
     linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), {}, direction_);

@@ -95,6 +95,53 @@ TEST(LinearSystem, SolvesSmallAndLargeSystemsWithInterleavedNumbersExactly) {
   EXPECT_EQ(system.work().gmres_iterations, 0);
 }
 
+/// An incomplete factor of a chain is a whole one; of a wide net it is not, and of one with springs of very different
+/// stiffness it is no good.
+TEST(LinearSystem, DoesWithoutAWholeFactorWhereThatLeadsOn) {
+  Chains chains({long_chain, 300});
+  LinearSystem system({tolerance, 40, 40});
+  system.set_pattern(chains.matrix.pattern());
+  EXPECT_LT(error_of(system, chains), 1e-10);
+  EXPECT_EQ(system.work().factorisations, 0);
+  EXPECT_EQ(system.work().gmres_iterations, 2);
+  system.demand_factors();
+  EXPECT_LT(error_of(system, chains), 1e-13);
+  EXPECT_EQ(system.work().factorisations, 2);
+}
+
+TEST(LinearSystem, IsLeftAloneWithIncompleteFactorsForSomeTimeWhereTheyFail) {
+  const int wide = 16;
+  SymmetricBlocks net;
+  Couplings couplings;
+  for (int i = 0; i < wide * wide; ++i) {
+    if (i % wide > 0) couplings.emplace_back(i, i - 1);
+    if (i >= wide) couplings.emplace_back(i, i - wide);
+  }
+  net.set_pattern(wide * wide, couplings);
+  UnsymmetricBlocks none;
+  none.set_pattern(net.pattern());
+  LinearSystem system({1e-10, 40, 5});
+  system.set_pattern(net.pattern());
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3 * wide * wide, -1, 3);
+  Eigen::VectorXd x, back;
+  std::vector<long> iterations;
+  for (int time = 0; time < 8; ++time) {
+    net.set_zero();
+    for (int i = 0; i < wide * wide; ++i) net.add(i, i, (1e-4 + 1e-6 * time) * Mat3::Identity());
+    for (const auto& [i, j] : couplings) {
+      for (const int node : {i, j}) net.add(node, node, Mat3::Identity());
+      net.add(i, j, -Mat3::Identity());
+    }
+    system.outdate();
+    const long before = system.work().gmres_iterations;
+    system.solve(net, none, b, {}, x);
+    iterations.push_back(system.work().gmres_iterations - before);
+    net.multiply(x, back);
+    EXPECT_LT((back - b).norm(), 1e-9 * b.norm());
+  }
+  EXPECT_THAT(iterations, testing::ElementsAre(5, 0, 5, 0, 0, 0, 5, 0));
+}
+
 TEST(LinearSystem, MatrixThatStaysTheSameIsFactoredOnce) {
   Chains chains({3, long_chain});
   LinearSystem system({tolerance, 40});
