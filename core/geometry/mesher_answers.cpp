@@ -30,6 +30,13 @@ void MesherAnswers::wait_on() {
   progress_.report(last_fraction_, last_words_ + ", for " + std::to_string(seconds) + " s");
 }
 
+/// What a user's file does to the libraries that read it is no fault of the program.
+bool MesherAnswers::is_reading() const { return last_words_.starts_with(words_of_reading); }
+
+std::string MesherAnswers::remedy() const {
+  return is_reading() ? "export the file again, or in another format" : remedy_;
+}
+
 MesherProcess::Message MesherAnswers::next() {
   constexpr int patience = 50;  // ms, how long a cancelled wait may last
   for (;;) {
@@ -40,15 +47,17 @@ MesherProcess::Message MesherAnswers::next() {
       continue;
     }
     auto message = mesher_.receive();
-    if (!message) throw InputError("geometry", "the mesher crashed while " + last_words_, remedy_);
+    if (!message) throw InputError("geometry", "the mesher crashed while " + last_words_, remedy());
     if (message->kind == MessageKind::progress) {
       const auto told = from_bytes<MesherProgress>(message->bytes);
       hear(told.fraction, told.what);
     } else if (message->kind == MessageKind::error) {
       throw_error(from_bytes<MesherError>(message->bytes));
     } else if (message->kind == MessageKind::fault) {
-      throw std::runtime_error("the mesher failed while " + last_words_ + ": " +
-                               from_bytes<MesherFault>(message->bytes).what);
+      const std::string fault =
+          "the mesher failed while " + last_words_ + ": " + from_bytes<MesherFault>(message->bytes).what;
+      if (is_reading()) throw InputError("geometry", fault, remedy());
+      throw std::runtime_error(fault);
     } else {
       return std::move(*message);
     }

@@ -17,8 +17,8 @@ class MesherAnswers {
 
   /// The next message that is neither progress nor error. While the mesher is silent, as in one long call of
   /// OpenCASCADE, its last words are repeated each second, with for how long they have been true. Throws Cancelled as
-  /// soon as `progress` says so, InputError for the mesher's errors and where it crashed, std::runtime_error for its
-  /// faults.
+  /// soon as `progress` says so, InputError for the mesher's errors, where it crashed, and where it failed while it
+  /// read a file; std::runtime_error for other faults.
   MesherProcess::Message next();
 
  private:
@@ -26,6 +26,8 @@ class MesherAnswers {
 
   void hear(double fraction, const std::string& what);
   void wait_on();
+  bool is_reading() const;
+  std::string remedy() const;
 
   MesherProcess& mesher_;
   Progress& progress_;

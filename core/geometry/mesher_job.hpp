@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -16,6 +17,9 @@
 /// back. Or a job goes out of which the solids are only looked at, and a SolidSurface of each and an end come back.
 /// Progress comes between, and an error or a fault instead. Names are resolved to indices before.
 namespace talus {
+
+/// What progress begins with while a user's file is read.
+inline constexpr std::string_view words_of_reading = "reading";
 
 /// Where a solid lies: a point of its shape, less the origin of the files' coordinates, is turned and then moved.
 struct MesherPlacement {

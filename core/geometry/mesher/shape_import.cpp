@@ -132,7 +132,7 @@ ImportedModel import_solids(const std::vector<MesherSolid>& solids, ImportPurpos
   Eigen::AlignedBox3d bounds;
   for (std::size_t done = 0; done < order.size(); ++done) {
     const std::size_t i = order[done];
-    begin(done, "reading", solids[i]);
+    begin(done, solids[i].file.empty() ? "placing" : words_of_reading, solids[i]);
     model.solids[i] = read(solids[i]);
     bounds.extend(model.solids[i].bounds);
   }

@@ -2,7 +2,11 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
+#include "base/temporary_folder.hpp"
+#include "geometry/mesher_job.hpp"
 #include "rock.hpp"
 
 namespace talus {
@@ -29,6 +33,25 @@ class MesherAt {
 TEST(MesherProcess, ACrashOfTheMesherIsAMessage) {
   const MesherAt dying("/bin/false");
   EXPECT_THAT(error_of(cube()), AllOf(HasSubstr("the mesher crashed while starting"), HasSubstr("mesh_size")));
+}
+
+TEST(MesherProcess, WhatIsWrongWhileAFileIsReadIsSaidOfTheFile) {
+  // A mesher that says that it reads, as talus-mesher does, and then dies or fails.
+  const TemporaryFolder folder;
+  const auto message = [](MessageKind kind, const std::string& bytes) {
+    const MessageHeader header{kind, bytes.size()};
+    return std::string(reinterpret_cast<const char*>(&header), sizeof header) + bytes;
+  };
+  const std::string reads = message(MessageKind::progress, to_bytes(MesherProgress{0.1, "reading rock"}));
+  const std::string fails = message(MessageKind::fault, to_bytes(MesherFault{"Standard_Failure"}));
+  std::ofstream(folder.path() / "mesher") << "#!/bin/sh\ncat \"$0.says\" >&0\n";
+  std::filesystem::permissions(folder.path() / "mesher", std::filesystem::perms::owner_all);
+  const MesherAt mesher((folder.path() / "mesher").string());
+  for (const auto& [says, problem] : {std::pair(reads, "crashed while reading rock"),
+                                      std::pair(reads + fails, "failed while reading rock: Standard_Failure")}) {
+    std::ofstream(folder.path() / "mesher.says", std::ios::binary) << says;
+    EXPECT_THAT(error_of(cube()), AllOf(HasSubstr(problem), HasSubstr("export the file again")));
+  }
 }
 
 TEST(MesherProcess, AMissingMesherIsNotTheUsersFault) {

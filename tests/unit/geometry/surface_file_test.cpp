@@ -139,16 +139,23 @@ TEST_F(SurfaceFiles, OfFacesWithoutAreaAloneAreRefused) {
 }
 
 TEST_F(SurfaceFiles, WithPointsThatNoFaceNeedsAreReadWithoutThem) {
-  // Found by tests/fuzz: CGAL asked for the faces of a point that has none.
-  Surface surface = cube_surface();
-  surface.points.emplace_back(20, 20, 20);
-  surface.points.emplace_back(21, 20, 20);
-  surface.triangles.push_back({8, 9, 9});
-  write_obj("point.obj", surface);
-  const SolidSurface read = surface_in("point.obj");
-  EXPECT_NEAR(read.volume, 1000, 1e-9);
-  EXPECT_EQ(read.vertices.size(), 8u);
-  EXPECT_TRUE(read.closed);
+  // Found by tests/fuzz: CGAL asked for the faces of a point that has none, once there were faces without area, too.
+  Surface lost = cube_surface();
+  lost.points.emplace_back(20, 20, 20);
+  lost.points.emplace_back(21, 20, 20);
+  lost.triangles.push_back({8, 9, 9});
+  Surface split = lost;  // an edge has a point in its middle, and a face without area beside it
+  split.points.emplace_back(5, 0, 0);
+  split.triangles[1] = {0, 3, 10};
+  split.triangles.push_back({10, 3, 1});
+  split.triangles.push_back({0, 10, 1});
+  for (const Surface& surface : {lost, split}) {
+    write_obj("point.obj", surface);
+    const SolidSurface read = surface_in("point.obj");
+    EXPECT_NEAR(read.volume, 1000, 1e-9);
+    EXPECT_LE(read.vertices.size(), 9u);
+    EXPECT_TRUE(read.closed);
+  }
 }
 
 TEST_F(SurfaceFiles, OfAPropertyWithoutAnElementAreRefused) {

@@ -74,6 +74,24 @@ void check_is_height_field(const TriangleSoup& soup, const std::string& place) {
       refuse_overhang(place, soup.points[static_cast<std::size_t>(triangle[0])]);
 }
 
+/// Points of faces without area alone are no part of the surface.
+TriangleSoup without_lost_points(const TriangleSoup& given) {
+  TriangleSoup soup;
+  std::vector<int> number(given.points.size(), -1);
+  for (auto triangle : given.triangles) {
+    for (int& v : triangle) {
+      int& now = number[static_cast<std::size_t>(v)];
+      if (now < 0) {
+        now = static_cast<int>(soup.points.size());
+        soup.points.push_back(given.points[static_cast<std::size_t>(v)]);
+      }
+      v = now;
+    }
+    soup.triangles.push_back(triangle);
+  }
+  return soup;
+}
+
 std::vector<std::array<int, 3>> turned_upwards(const TriangleSoup& soup) {
   std::vector<std::array<int, 3>> triangles = soup.triangles;
   for (auto& triangle : triangles)
@@ -138,7 +156,8 @@ HeightField height_field(const std::vector<Vec3>& given, double tolerance, const
   return field_of(points, plan.triangles(thin));
 }
 
-HeightField height_field(const TriangleSoup& soup, double tolerance, const std::string& place) {
+HeightField height_field(const TriangleSoup& given, double tolerance, const std::string& place) {
+  const TriangleSoup soup = without_lost_points(given);
   if (soup.triangles.empty()) throw InputError(place, "all of its faces are without area", "export the surface again");
   check_is_height_field(soup, place);
   const auto triangles = turned_upwards(soup);

@@ -7,6 +7,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
@@ -72,6 +73,7 @@ class Mender {
     std::vector<Vec3> parted;
     for (std::size_t i = soup_.points.size(); i < points.size(); ++i) parted.push_back(vector_of(points[i]));
     note(Kind::not_manifold, parted, true);
+    pmp::remove_isolated_points_in_polygon_soup(points, polygons);
     pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh_);
   }
 
