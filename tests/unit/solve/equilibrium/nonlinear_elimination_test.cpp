@@ -66,11 +66,12 @@ class ChipLeftBehind : public testing::Test {
     point.normal_stiffness = point.shear_stiffness = 0.1;  // soft: next to nothing to the cubes
     point.friction = 0.5;
     point.stencil_begin = static_cast<int>(contacts_.nodes.size());
-    std::vector<int> blocks;
+    std::vector<int> blocks, of_one;
     for (const auto& [body, weight] : {std::pair{first, 1.0}, std::pair{second, -1.0}}) {
       contacts_.nodes.push_back(bodies_.bodies[body].first_node);
       contacts_.weights.push_back(weight);
-      bodies_.dof_blocks_of(contacts_.nodes.back(), blocks);
+      bodies_.dof_blocks_of(contacts_.nodes.back(), of_one);
+      blocks.insert(blocks.end(), of_one.begin(), of_one.end());
     }
     for (const int a : blocks)
       for (const int b : blocks) couplings_.emplace_back(a, b);
