@@ -11,6 +11,7 @@
 #include "options.hpp"
 #include "project_choice.hpp"
 #include "results/checkpoint.hpp"
+#include "results/folder.hpp"
 #include "results/summary.hpp"
 #include "run/run.hpp"
 #include "run/run_estimate.hpp"
@@ -100,12 +101,15 @@ RunReport solve(const SolveOptions& options) {
   const std::filesystem::path results = results_folder(options);
   const std::string text = text_of(options.project);
   const Project project = read(options.project, text);
+  std::optional<FolderLock> nobody_else;  // begins with what is there while blocks are cut
   if (options.resume) check_resumable(options, text);
+  if (options.resume && std::filesystem::exists(results)) nobody_else.emplace(results);
   catch_interrupts();
   const BlockSystem system = build(project, options.project);
   about(options.project.name(), [&] { require_room(run_estimate(project, system), results); });
   std::cerr << switched_effects_text(project);
   Watch watch(project, deadline);
+  nobody_else.reset();
   return about(options.project.name(), [&] {
     return run(project, system, {results, text, options.threads, options.resume, options.checkpoint_every}, watch);
   });

@@ -2,12 +2,15 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -21,12 +24,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 14> our_files = {
-    "results.h5",       "results.xdmf",  "frames.h5",         "history.csv",   "steps.csv",
-    "checkpoint.h5",    "log.txt",       "project.talus",     "summary.json",  "summary.json.new",
-    "results.xdmf.new", "frames.h5.new", "checkpoint.h5.new", "results.h5.new"};
+constexpr std::array<std::string_view, 15> our_files = {
+    "results.h5",       "results.xdmf",  "frames.h5",         "history.csv",    "steps.csv",
+    "checkpoint.h5",    "log.txt",       "project.talus",     "summary.json",   "summary.json.new",
+    "results.xdmf.new", "frames.h5.new", "checkpoint.h5.new", "results.h5.new", "background.txt"};
 
 bool is_ours(const fs::path& entry) { return std::ranges::count(our_files, entry.filename().string()) > 0; }
+
+/// Whether a process holds the folder open. Numbers of devices in /proc/locks are not those of stat() on all file
+/// systems, so a number that a file of another one has, too, would mislead.
+bool has_open(const fs::path& process, const struct stat& folder) {
+  std::error_code forbidden;
+  for (const fs::directory_entry& descriptor : fs::directory_iterator(process / "fd", forbidden)) {
+    struct stat held {};
+    if (::stat(descriptor.path().c_str(), &held) == 0 && held.st_dev == folder.st_dev && held.st_ino == folder.st_ino)
+      return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -73,6 +88,21 @@ bool is_written_to(const fs::path& folder) {
   const bool taken = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   ::close(descriptor);
   return taken;
+}
+
+std::optional<FolderWriter> writer_of(const fs::path& folder) {
+  struct stat wanted {};
+  if (::stat(folder.c_str(), &wanted) != 0) return std::nullopt;
+  std::ifstream locks("/proc/locks");
+  for (std::string line; std::getline(locks, line);) {  // "1: FLOCK  ADVISORY  WRITE 812 08:01:5678 0 EOF"
+    std::string number, kind, mode, access, process, place;
+    std::istringstream(line) >> number >> kind >> mode >> access >> process >> place;
+    if (kind != "FLOCK" || access != "WRITE" || !place.ends_with(":" + std::to_string(wanted.st_ino))) continue;
+    const fs::path described = fs::path("/proc") / process;
+    FolderWriter writer{std::atoi(process.c_str()), {}};
+    if (has_open(described, wanted) && std::getline(std::ifstream(described / "comm"), writer.program)) return writer;
+  }
+  return std::nullopt;
 }
 
 void cut_off(const fs::path& file, std::uint64_t size) {

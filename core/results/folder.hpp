@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,6 +38,14 @@ class FolderLock {
 
 /// Whether a run holds the folder's lock.
 bool is_written_to(const std::filesystem::path& folder);
+
+/// A process that holds a folder's lock.
+struct FolderWriter {
+  int process = 0;
+  std::string program;  ///< "talus-cli", "talus"
+};
+/// Which of this user's processes on this machine writes into the folder; none also where the system does not tell.
+std::optional<FolderWriter> writer_of(const std::filesystem::path& folder);
 
 /// Cuts a file off behind its first `size` bytes. Throws std::runtime_error, with the path, where it has fewer.
 void cut_off(const std::filesystem::path& file, std::uint64_t size);

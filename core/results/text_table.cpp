@@ -1,7 +1,7 @@
 #include "results/text_table.hpp"
 
+#include <algorithm>
 #include <charconv>
-#include <optional>
 
 #include "base/error.hpp"
 #include "results/folder.hpp"
@@ -68,6 +68,21 @@ std::vector<std::vector<double>> read_text_table(const std::filesystem::path& fi
     }
   }
   return rows;
+}
+
+std::optional<std::vector<double>> last_row(const std::filesystem::path& file, std::size_t columns) {
+  const std::streamoff longest = 64 + 32 * static_cast<std::streamoff>(columns);  // of two lines, one torn
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) return std::nullopt;
+  const std::streamoff size = stream.tellg(), begin = std::max<std::streamoff>(0, size - 2 * longest);
+  std::string end(static_cast<std::size_t>(size - begin), '\0');
+  stream.seekg(begin);
+  if (!stream.read(end.data(), size - begin)) return std::nullopt;
+  end.resize(end.rfind('\n') + 1);  // what follows is torn; without a line break nothing is left
+  if (end.empty()) return std::nullopt;
+  const std::size_t before = end.rfind('\n', end.size() - 2);
+  const std::size_t first = before == std::string::npos ? 0 : before + 1;
+  return parse(std::string_view(end).substr(first, end.size() - 1 - first), columns);
 }
 
 std::string csv_field(const std::string& text) {

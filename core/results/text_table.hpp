@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,9 @@ class TextTableWriter {
 /// The rows of numbers below the header, those of `columns` numbers; a last line that is torn is left out.
 /// A file that is missing has no rows. Throws InputError for another line that is not `columns` numbers.
 std::vector<std::vector<double>> read_text_table(const std::filesystem::path& file, std::size_t columns);
+
+/// The last row that is whole, found without reading those before; none where there is none or it is damaged.
+std::optional<std::vector<double>> last_row(const std::filesystem::path& file, std::size_t columns);
 
 /// A CSV field, in quotes when it holds a comma, a quote or a line break (RFC 4180).
 std::string csv_field(const std::string& text);

@@ -3991,6 +3991,30 @@
         <source>The results are being exported</source>
         <translation>Die Ergebnisse werden gerade ausgegeben</translation>
     </message>
+    <message>
+        <source>A run goes on in the background</source>
+        <translation>Ein Lauf geht im Hintergrund weiter</translation>
+    </message>
+    <message>
+        <source>asked the run in the background to stop</source>
+        <translation>der Lauf im Hintergrund soll anhalten</translation>
+    </message>
+    <message>
+        <source>Another window makes this run</source>
+        <translation>Ein anderes Fenster rechnet ihn</translation>
+    </message>
+    <message>
+        <source>Nothing runs</source>
+        <translation>Es läuft nichts</translation>
+    </message>
+    <message>
+        <source>the run in the background has ended</source>
+        <translation>der Lauf im Hintergrund ist zu Ende</translation>
+    </message>
+    <message>
+        <source>the run goes on in the background</source>
+        <translation>der Lauf geht im Hintergrund weiter</translation>
+    </message>
 </context>
 <context>
     <name>talus::CurveEditor</name>
@@ -4357,6 +4381,14 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
     <message>
         <source>Stay</source>
         <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>In the background it goes on without the window, to the same numbers; open the project again to see how far it is, or to stop it.</source>
+        <translation>Im Hintergrund geht er ohne das Fenster weiter, zu denselben Zahlen; das wieder geöffnete Projekt zeigt, wie weit er ist, und hält ihn an.</translation>
+    </message>
+    <message>
+        <source>Go on in the background</source>
+        <translation>Im Hintergrund weiter</translation>
     </message>
 </context>
 <context>
@@ -5141,6 +5173,10 @@ Z %3</translation>
     <message>
         <source>Compare with a results folder</source>
         <translation>Mit einem Ergebnisordner vergleichen</translation>
+    </message>
+    <message>
+        <source>the window closes as soon as the run goes on in the background</source>
+        <translation>das Fenster schließt sich, sobald der Lauf im Hintergrund weitergeht</translation>
     </message>
 </context>
 <context>
@@ -6458,6 +6494,18 @@ Diese Datei gibt es nicht mehr</translation>
     <message>
         <source>Go on with the run</source>
         <translation>Lauf fortsetzen</translation>
+    </message>
+    <message>
+        <source>goes on in the background</source>
+        <translation>geht im Hintergrund weiter</translation>
+    </message>
+    <message>
+        <source>at %1 s</source>
+        <translation>bei %1 s</translation>
+    </message>
+    <message>
+        <source>Stop ends it after its step</source>
+        <translation>Anhalten beendet ihn nach seinem Schritt</translation>
     </message>
 </context>
 <context>
@@ -8620,6 +8668,10 @@ Nr. %3</translation>
     <message>
         <source>%1, %2 m³</source>
         <translation>%1, %2 m³</translation>
+    </message>
+    <message>
+        <source>In the background: %1 s</source>
+        <translation>Im Hintergrund: %1 s</translation>
     </message>
 </context>
 </TS>

@@ -1,12 +1,14 @@
 #include "session/current_run.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "document/schema.hpp"
 #include "io/project_change.hpp"
 #include "jobs/results_loader.hpp"
 #include "jobs/solver_job.hpp"
 #include "mesh/volume_sum.hpp"
+#include "model/stage_length.hpp"
 #include "render/paint/numbers.hpp"
 #include "results/summary.hpp"
 #include "session/current_project.hpp"
@@ -87,7 +89,16 @@ QString countOf(const BlockSystem& system) {
 }  // namespace
 
 CurrentRun::CurrentRun(CurrentProject& project, Playback& playback, Messages& messages, SolverParts parts)
-    : project_(project), playback_(playback), messages_(messages), job_(std::make_unique<SolverJob>(std::move(parts))) {
+    : project_(project),
+      playback_(playback),
+      messages_(messages),
+      job_(std::make_unique<SolverJob>(std::move(parts))),
+      outside_(std::make_unique<OutsideRun>()) {
+  connect(job_.get(), &SolverJob::stateChanged, this, [this] {
+    if (leaving_ && job_->state() == JobState::running) job_->stop();
+  });
+  connect(outside_.get(), &OutsideRun::changed, this, &CurrentRun::takeOutside);
+  connect(outside_.get(), &OutsideRun::ended, this, &CurrentRun::takeOutside);
   connect(job_.get(), &SolverJob::newsArrived, this, &CurrentRun::takeNews);
   connect(job_.get(), &SolverJob::ended, this, &CurrentRun::takeEnd);
   connect(&playback_, &Playback::resultsOpened, this, &CurrentRun::takeResults);
@@ -105,6 +116,8 @@ CurrentRun::~CurrentRun() = default;
 
 bool CurrentRun::isBusy() const { return job_->isBusy(); }
 
+bool CurrentRun::canLeave() const { return job_->isBusy() && !task_.results.empty(); }
+
 QString CurrentRun::whyNotMesh() const {
   const Document& document = project_.document();
   if (!document.isOpen()) return tr("Open a project first");
@@ -118,6 +131,7 @@ QString CurrentRun::whyNotMesh() const {
 QString CurrentRun::whyNotSolve() const {
   const QString mesh = whyNotMesh();
   if (!mesh.isEmpty()) return mesh;
+  if (outside_->isOn()) return tr("A run goes on in the background");
   return project_.problems().whyNotSolve();
 }
 
@@ -131,6 +145,53 @@ void CurrentRun::solve() {
 
 void CurrentRun::goOn() {
   if (checkpoint_ && whyNotSolve().isEmpty()) start(Start::runFromCheckpoint);
+}
+
+void CurrentRun::stop() {
+  leaving_ = false;
+  if (job_->isBusy()) return job_->stop();
+  outside_->stop();
+  if (outside_->isOn()) messages_.log(tr("asked the run in the background to stop"));
+}
+
+QString CurrentRun::whyNotStop() const {
+  if (job_->isBusy() || outside_->canStop()) return {};
+  return outside_->isOn() ? tr("Another window makes this run") : tr("Nothing runs");
+}
+
+void CurrentRun::leave() {
+  leaving_ = true;
+  if (job_->state() != JobState::meshing) job_->stop();
+}
+
+double CurrentRun::fraction() const {
+  if (!outside_->isOn()) return fraction_;
+  double whole = 0;
+  for (const Stage& stage : project_.document().project().stages) whole += length_of(stage);
+  return whole > 0 ? std::min(1.0, outside_->time() / whole) : 0;
+}
+
+/// Where its results are open they are read anew now and then, and at its end.
+void CurrentRun::takeOutside() {
+  constexpr int looks_between = 10;  // a second each
+  const bool isOver = !outside_->isOn();
+  if (isOver) {
+    messages_.log(tr("the run in the background has ended"));
+    readCheckpoint();
+  }
+  const bool isDue = isOver || (++looks_ % looks_between == 0 && !playback_.isLoading());
+  if (isDue && playback_.folder() == outside_->folder()) {
+    report_.reset();
+    playback_.readAgain();
+  }
+  emit outsideChanged();
+  emit progressed();
+}
+
+/// A run beside the project, or into the results that are open.
+void CurrentRun::watchOutside() {
+  const Document& document = project_.document();
+  outside_->watch(document.file().empty() ? playback_.folder() : document.resultsFolder());
 }
 
 void CurrentRun::clear() {
@@ -168,6 +229,7 @@ void CurrentRun::start(Start what) {
   task.options.resume = what == Start::runFromCheckpoint;
   task.system = project_.system();
   task.solve = solve;
+  task_ = solve ? OutsideTask{task.options.project_text, task.folder, task.options.out} : OutsideTask{};
   if (task.options.resume) {
     const ResultsIndex before = read_results_index(task.options.out);
     steps_ = before.steps;
@@ -235,6 +297,7 @@ void CurrentRun::readCheckpoint() {
     }
   }
   findCheckpoint();
+  watchOutside();
 }
 
 void CurrentRun::findCheckpoint() {
@@ -245,7 +308,24 @@ void CurrentRun::findCheckpoint() {
   emit checkpointChanged();
 }
 
+/// Whether another process goes on with the run that has been stopped for it.
+bool CurrentRun::handOver(const JobEnd& end) {
+  if (end.kind != JobEnd::Kind::stopped || end.report->reason != stopped_by_user) return false;
+  try {
+    goOnOutside(task_);
+  } catch (const InputError& error) {
+    messages_.add(problemOf(error, Problem::Of::run));
+    return false;
+  }
+  messages_.log(tr("the run goes on in the background"));
+  return true;
+}
+
 void CurrentRun::takeEnd(const JobEnd& end) {
+  const bool leaving = std::exchange(leaving_, false);
+  const bool handed = leaving && handOver(end);
+  if (leaving && (handed || end.kind != JobEnd::Kind::stopped)) emit left();
+  if (handed) return playback_.endRun(end.results);
   switch (end.kind) {
     case JobEnd::Kind::meshed:
       break;
@@ -309,7 +389,8 @@ void CurrentRun::takeResults(const ResultsIndex& index, bool afterRun) {
   steps_ = index.steps;
   history_ = index.history;
   emit historyChanged();
-  if (!afterRun && index.report) takeReport(*index.report);
+  if (index.report && !report_ && !outside_->isOn()) takeReport(*index.report);
+  watchOutside();
 }
 
 std::vector<EffectCost> CurrentRun::effectCosts() const {

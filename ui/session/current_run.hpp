@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "jobs/outside_run.hpp"
 #include "jobs/solver_parts.hpp"
 #include "results/checkpoint.hpp"
 #include "results/run_report.hpp"
@@ -42,11 +43,22 @@ class CurrentRun : public QObject {
   const std::optional<double>& checkpoint() const { return checkpoint_; }
   /// From there, where solve() may.
   void goOn();
+  /// Stops meshing or the run, also one of another process, after its step.
+  void stop();
+  /// Empty when there is something that can be stopped; otherwise why not.
+  QString whyNotStop() const;
+  /// More is to come than blocks that are cut.
+  bool canLeave() const;
+  /// Of a run that goes on: as soon as its blocks are cut and its step is made, it goes on in a process that outlives
+  /// this one; then comes left().
+  void leave();
+  /// A run that another process makes of this project, or into the results that are open.
+  const OutsideRun& outside() const { return *outside_; }
   /// Nothing is known of a run; one of the project as it is now may begin.
   void clear();
 
-  /// Last news of the job: fraction and words.
-  double fraction() const { return fraction_; }
+  /// Last news of the job, or of the other process: fraction and words.
+  double fraction() const;
   const QString& activity() const { return activity_; }
 
   const std::vector<StepReport>& steps() const { return steps_; }
@@ -74,6 +86,8 @@ class CurrentRun : public QObject {
   void effectsChanged();  ///< what they will cost, or cost
   void troublesChanged();
   void checkpointChanged();
+  void outsideChanged();  ///< a run of another process has begun, come further, or ended
+  void left();            ///< the run goes on without this process, or has ended by itself
 
  private:
   enum class Start { meshing, run, runFromCheckpoint };
@@ -84,6 +98,9 @@ class CurrentRun : public QObject {
     RunStatus status;
   };
   static bool mayGoOn(const KeptRun& run, const std::string& text);
+  void watchOutside();
+  void takeOutside();
+  bool handOver(const JobEnd& end);
   void readCheckpoint();
   void findCheckpoint();
   void keepStepsBefore(const JobNews& news);
@@ -97,6 +114,10 @@ class CurrentRun : public QObject {
   Playback& playback_;
   Messages& messages_;
   std::unique_ptr<SolverJob> job_;
+  std::unique_ptr<OutsideRun> outside_;
+  OutsideTask task_;      ///< what another process could go on with; empty: blocks are cut alone
+  bool leaving_ = false;  ///< it is to do so
+  int looks_ = 0;         ///< at the run of another process
   double fraction_ = 0;
   QString activity_;
   std::optional<SceneSize> size_;     ///< of the project's blocks

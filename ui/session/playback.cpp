@@ -1,6 +1,7 @@
 #include "session/playback.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "document/document.hpp"
 #include "jobs/results_loader.hpp"
@@ -67,6 +68,11 @@ void Playback::add(const std::vector<std::shared_ptr<const Frame>>& frames) {
 void Playback::endRun(const std::filesystem::path& folder) {
   wantedTime_ = frame_ ? std::optional<double>(frame_->time) : std::nullopt;
   load(folder);
+}
+
+void Playback::readAgain() {
+  wantedTime_ = following_ || !frame_ ? std::numeric_limits<double>::infinity() : frame_->time;
+  load(folder_);
 }
 
 void Playback::load(const std::filesystem::path& folder) {

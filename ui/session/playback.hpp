@@ -70,6 +70,8 @@ class Playback : public QObject {
   void abandonRun() { live_ = false; }
   /// The results of the run take the place of its frames, at the moment that is in view.
   void endRun(const std::filesystem::path& folder);
+  /// Another process has written more frames into the folder; who looks at the last one comes to the newest.
+  void readAgain();
 
  signals:
   /// What the folder holds apart from its frames. `afterRun`: they are of the run that has just ended.

@@ -40,7 +40,8 @@ Session::Session(SolverParts parts)
       joints(project, surfaces),
       splinters(project, run) {
   QObject::connect(&playback, &Playback::resultsOpened, &display, [this](const ResultsIndex&, bool afterRun) {
-    if (!afterRun || display.page() == WorkflowPage::solve) display.goTo(WorkflowPage::results);
+    if (!afterRun || (display.page() == WorkflowPage::solve && !run.outside().isOn()))
+      display.goTo(WorkflowPage::results);
   });
 }
 

@@ -109,6 +109,7 @@ RunPanel::RunPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study
   connect(&run_.job(), &SolverJob::stateChanged, this, &RunPanel::refresh);
   connect(&run_, &CurrentRun::reportChanged, this, &RunPanel::refresh);
   connect(&run_, &CurrentRun::checkpointChanged, this, &RunPanel::refresh);
+  connect(&run_, &CurrentRun::outsideChanged, this, &RunPanel::refresh);
   connect(goOn_, &QPushButton::clicked, &run_, &CurrentRun::goOn);
   refresh();
 }
@@ -116,8 +117,8 @@ RunPanel::RunPanel(CurrentProject& project, CurrentRun& run, ProjectStudy& study
 void RunPanel::refresh() {
   const SolverJob& job = run_.job();
   const auto& report = run_.report();
-  header_->setTitle(tr("Run"), stateWords(job.state(), run_));
-  const bool busy = job.isBusy();
+  const bool outside = run_.outside().isOn(), busy = job.isBusy() || outside;
+  header_->setTitle(tr("Run"), outside ? tr("goes on in the background") : stateWords(job.state(), run_));
   const double fraction = busy     ? run_.fraction()
                           : report ? shareOf(*report, run_.steps(), project_.document().project())
                                    : 0;
@@ -127,7 +128,10 @@ void RunPanel::refresh() {
   goOn_->setVisible(!busy && run_.checkpoint() && run_.whyNotSolve().isEmpty());
   if (run_.checkpoint()) goOn_->setText(tr("Go on from %1 s").arg(QString::number(*run_.checkpoint(), 'g', 4)));
   const auto left = job.timeLeft().seconds();
-  if (busy) {
+  if (outside) {
+    left_->setText(tr("at %1 s").arg(numbers::fixed(run_.outside().time(), 2)));
+    spent_->setText(run_.outside().canStop() ? tr("Stop ends it after its step") : run_.whyNotStop());
+  } else if (busy) {
     left_->setText(left && job.state() != JobState::paused ? tr("%1 left").arg(numbers::duration(*left)) : QString());
     spent_->setText(tr("%1 spent").arg(numbers::duration(job.timeLeft().spent())));
   } else {

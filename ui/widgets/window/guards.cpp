@@ -78,12 +78,19 @@ bool Guards::keepResultsAs(const QString& name) {
   return true;
 }
 
-bool Guards::mayStopRun() {
+Guards::OfRun Guards::askOfRun() {
   QMessageBox box(QMessageBox::Question, tr("A run goes on"),
                   tr("The run of %1 has come to %2 %.")
                       .arg(session_.project.document().name(), numbers::fixed(100 * session_.run.fraction(), 0)),
                   QMessageBox::NoButton, &window_);
-  box.setInformativeText(tr("Stopped, it ends after its step, and its results until then stay."));
+  const QPushButton* leave = nullptr;
+  QString consequences = tr("Stopped, it ends after its step, and its results until then stay.");
+  if (session_.run.canLeave()) {
+    consequences += u'\n' + tr("In the background it goes on without the window, to the same numbers; open the project "
+                               "again to see how far it is, or to stop it.");
+    leave = box.addButton(tr("Go on in the background"), QMessageBox::AcceptRole);
+  }
+  box.setInformativeText(consequences);
   const auto* stop = box.addButton(tr("Stop and close"), QMessageBox::DestructiveRole);
   box.setDefaultButton(box.addButton(tr("Stay"), QMessageBox::RejectRole));
   // A run that ends meanwhile needs no answer.
@@ -91,7 +98,8 @@ bool Guards::mayStopRun() {
     if (!session_.run.isBusy()) box.accept();
   });
   box.exec();
-  return box.clickedButton() == stop || !session_.run.isBusy();
+  if (box.clickedButton() == stop || !session_.run.isBusy()) return OfRun::stop;
+  return leave && box.clickedButton() == leave ? OfRun::leave : OfRun::stay;
 }
 
 }  // namespace talus

@@ -20,8 +20,9 @@ class Guards : public QObject {
   bool mayLeaveProject();
   /// Before a run: its results take the place of those that lie beside the project. May give the old ones another name.
   bool mayReplaceResults();
-  /// Before the window closes while a run goes on.
-  bool mayStopRun();
+  enum class OfRun { stay, stop, leave };
+  /// Before the window closes while a run goes on: what is to become of it. `stop` also where it has ended meanwhile.
+  OfRun askOfRun();
 
  private:
   bool keepResultsAs(const QString& name);

@@ -344,18 +344,28 @@ void MainWindow::write(const QString& what, const std::filesystem::path& path, W
   exporter_.start(what, path, std::move(writing));
 }
 
+/// False also where it is closed later: the step that is being made ends first, and the window stays alive meanwhile.
+bool MainWindow::mayCloseDuringRun() {
+  constexpr auto later = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+  const Guards::OfRun answer = guards_->askOfRun();
+  if (!session_.run.isBusy()) return true;
+  if (answer == Guards::OfRun::stay) return false;
+  closing_ = true;
+  if (answer == Guards::OfRun::leave) {
+    session_.messages.log(tr("the window closes as soon as the run goes on in the background"));
+    connect(&session_.run, &CurrentRun::left, this, &QWidget::close, later);
+    session_.run.leave();
+  } else {
+    session_.messages.log(tr("stopping the run before the window closes"));
+    connect(&session_.run.job(), &SolverJob::ended, this, &QWidget::close, later);
+    session_.run.stop();
+  }
+  return false;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
-  if (session_.run.job().isBusy()) {
-    // The step that is being made ends first; the window stays alive meanwhile.
-    if (closing_ || !guards_->mayStopRun()) return;
-    closing_ = true;
-    session_.messages.log(tr("stopping the run before the window closes"));
-    connect(&session_.run.job(), &SolverJob::ended, this, &QWidget::close,
-            static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
-    session_.run.job().stop();
-    return;
-  }
+  if (session_.run.isBusy() && (closing_ || !mayCloseDuringRun())) return;
   closing_ = false;
   if (!guards_->mayLeaveProject()) return;
   keepPictureOfProject();

@@ -112,6 +112,7 @@ class MainWindow : public QMainWindow {
   /// What a dialog for saving begins with: beside the project under its name, or under its title where it has no file.
   QString proposedFile(const QString& ending) const;
   void updateTitle();
+  bool mayCloseDuringRun();
 
   Session session_;
   Autosave autosave_;
@@ -136,7 +137,7 @@ class MainWindow : public QMainWindow {
   QList<QToolBar*> bars_;
   QLabel *message_, *place_;
   bool docksSized_ = false;
-  bool closing_ = false;  ///< waits for the run to stop
+  bool closing_ = false;  ///< waits for the run to stop, or to go on without it
 };
 
 }  // namespace talus

@@ -59,6 +59,7 @@ Rail::Rail(Session& session) : session_(session) {
   connect(&session_.run, &CurrentRun::reportChanged, this, &Rail::refresh);
   connect(&session_.project.problems(), &ProjectProblems::changed, this, &Rail::refresh);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, &Rail::refresh);
+  connect(&session_.run, &CurrentRun::outsideChanged, this, &Rail::refresh);
   refresh();
 }
 
@@ -75,7 +76,8 @@ void Rail::refresh() {
   const JobState job = session_.run.job().state();
   const bool meshed = session_.project.systemIsCurrent();
   const QString staleBlocks = meshed || !session_.project.system() ? QString() : tr("Changed since it was cut");
-  const bool meshing = job == JobState::meshing, running = session_.run.job().isBusy() && !meshing;
+  const bool meshing = job == JobState::meshing;
+  const bool running = (session_.run.isBusy() && !meshing) || session_.run.outside().isOn();
   auto doneIf = [](bool done) { return done ? State::done : State::open; };
   auto set = [this](WorkflowPage page, State state, const QString& why = {}) { items_.at(page)->setState(state, why); };
   auto setMade = [&](WorkflowPage page, bool made) {

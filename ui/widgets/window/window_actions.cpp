@@ -46,6 +46,7 @@ WindowActions::WindowActions(Session& session, QWidget& window) : QObject(&windo
   connect(&session_.playback, &Playback::framesChanged, this, &WindowActions::refresh);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, &WindowActions::refresh);
   connect(&session_.run, &CurrentRun::checkpointChanged, this, &WindowActions::refresh);
+  connect(&session_.run, &CurrentRun::outsideChanged, this, &WindowActions::refresh);
   connect(&session_.project.document(), &Document::savedChanged, this, &WindowActions::refresh);
   connect(&session_.project.document(), &Document::projectChanged, this, &WindowActions::refresh);
   connect(&session_.project.selection(), &Selection::changed, this, &WindowActions::refresh);
@@ -173,7 +174,7 @@ void WindowActions::makeRunActions() {
     job.pause();
     job.oneStep();
   });
-  connect(stop, &QAction::triggered, &job, &SolverJob::stop);
+  connect(stop, &QAction::triggered, &session_.run, &CurrentRun::stop);
   play = add(tr("Play or pause"), QStringLiteral("play"), QKeySequence(Qt::Key_Space));
   previousFrame = add(tr("Previous frame"), QStringLiteral("step-back"), QKeySequence(Qt::Key_Left));
   nextFrame = add(tr("Next frame"), QStringLiteral("step"), QKeySequence(Qt::Key_Right));
@@ -304,7 +305,7 @@ void WindowActions::refresh() {
   pause->setIcon(theme::icon(paused ? QStringLiteral("play") : QStringLiteral("pause")));
   allow(*pause, notRunning);
   allow(*oneStep, notRunning);
-  allow(*stop, session_.run.job().isBusy() ? QString() : tr("Nothing runs"));
+  allow(*stop, session_.run.whyNotStop());
   for (auto* action : {play, previousFrame, nextFrame, firstFrame, lastFrame}) allow(*action, noFrames);
   for (const auto& [page, action] : pages) allow(*action, noProject);
   for (auto* action : {dark, viewAlone, clearSelection, quit, accuracy, manual, knownAnswers, hardCases, about})

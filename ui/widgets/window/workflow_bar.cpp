@@ -85,6 +85,7 @@ WorkflowBar::WorkflowBar(Session& session, WindowActions& actions) : session_(se
   connect(&session_.playback, &Playback::framesChanged, this, &WorkflowBar::refresh);
   connect(&session_.run, &CurrentRun::reportChanged, this, &WorkflowBar::refresh);
   connect(&session_.run, &CurrentRun::progressed, this, &WorkflowBar::refreshOutcome);
+  connect(&session_.run, &CurrentRun::outsideChanged, this, &WorkflowBar::refresh);
   connect(&session_.run.job(), &SolverJob::stateChanged, this, &WorkflowBar::refresh);
   for (auto* action : {actions_.mesh, actions_.solve, actions_.pause, actions_.stop, actions_.saveFilm})
     connect(action, &QAction::changed, this, &WorkflowBar::refreshPrimary);
@@ -198,6 +199,8 @@ void WorkflowBar::refresh() {
 
 QString WorkflowBar::runOutcome() const {
   const SolverJob& job = session_.run.job();
+  if (session_.run.outside().isOn())
+    return tr("In the background: %1 s").arg(numbers::fixed(session_.run.outside().time(), 2));
   if (!job.isBusy()) {
     const auto& report = session_.run.report();
     if (!report) return session_.run.whyNotSolve();
@@ -297,7 +300,7 @@ QString WorkflowBar::outcome() const {
 
 void WorkflowBar::refreshOutcome() {
   outcome_->setText(outcome());
-  const bool busy = session_.run.job().isBusy();
+  const bool busy = session_.run.isBusy() || session_.run.outside().isOn();
   bar_->setVisible(busy);
   if (busy) showShare(*bar_, session_.run.fraction());
 }
