@@ -1,9 +1,12 @@
 #include "geometry/mesher/cad_file.hpp"
 
 #include <gmsh.h>
+#include <sys/time.h>
 
 #include <Eigen/Geometry>
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "geometry/mesher/occ_volumes.hpp"
@@ -28,6 +31,28 @@ bool begins_as_iges(const std::string& path) {
   return std::getline(file, line) && line.size() > letter && line[letter] == 'S';
 }
 
+/// OpenCASCADE goes round for ever in some damaged files. This program ends where a file takes it many times as long,
+/// on the processor, as sound ones of its size do; who started it tells what it was reading.
+class ReadingLimit {
+ public:
+  explicit ReadingLimit(const std::string& path) {
+    constexpr double least = 8, of_megabyte = 30;  // s
+    std::error_code unknown;
+    const auto bytes = std::filesystem::file_size(path, unknown);
+    set(least + (unknown ? 0 : of_megabyte * 1e-6 * static_cast<double>(bytes)));
+  }
+  ~ReadingLimit() { set(0); }
+  ReadingLimit(const ReadingLimit&) = delete;
+  ReadingLimit& operator=(const ReadingLimit&) = delete;
+
+ private:
+  static void set(double seconds) {
+    itimerval limit{};
+    limit.it_value.tv_sec = static_cast<time_t>(seconds);
+    setitimer(ITIMER_PROF, &limit, nullptr);  // SIGPROF, which ends a program that does not heed it
+  }
+};
+
 /// gmsh throws for some unreadable files and gives nothing for others: both end here as no shapes.
 gmsh::vectorpair shapes_in(const MesherSolid& solid) {
   if (is_iges(solid) && !begins_as_iges(solid.file)) return {};
@@ -35,6 +60,7 @@ gmsh::vectorpair shapes_in(const MesherSolid& solid) {
   gmsh::option::setString("Geometry.OCCTargetUnit", "M");  // of STEP; millimetres otherwise, as of IGES always
   gmsh::option::setNumber("Geometry.OCCScaling", is_iges(solid) ? millimetre * solid.scale : solid.scale);
   gmsh::vectorpair shapes;
+  const ReadingLimit limit(solid.file);
   try {
     occ::importShapes(solid.file, shapes, true);
   } catch (const std::string&) {
@@ -68,6 +94,23 @@ std::vector<int> sewn(const gmsh::vectorpair& faces) {
   return volumes_among(healed);
 }
 
+/// A damaged edge may go on for ever, and gmsh with it. Those of files that were read before are not looked at again.
+void check_edges(const MesherSolid& solid, const Eigen::AlignedBox3d& bounds) {
+  static int looked_at = 0;                        // the largest number; this program has one model
+  constexpr double farthest = 1e9, longest = 1e4;  // m; of the whole, for coasts have long edges
+  const double whole = bounds.diagonal().norm();
+  gmsh::vectorpair edges;
+  occ::getEntities(edges, 1);
+  for (const auto& [dimension, tag] : edges) {
+    double length = 0;
+    if (tag > looked_at) occ::getMass(dimension, tag, length);
+    if (whole <= farthest && length <= longest * whole) continue;
+    throw InputError(solid.file_as_written, "is damaged: an edge of its solid has no end",
+                     "export the solid again as " + format_of(solid));
+  }
+  looked_at = occ::getMaxTag(1);
+}
+
 }  // namespace
 
 bool is_iges(const MesherSolid& solid) {
@@ -87,6 +130,7 @@ std::vector<int> read_cad(const MesherSolid& solid) {
     throw InputError(solid.file_as_written, "holds surfaces but no closed solid", "export a closed solid");
   if (!(volume_of(volumes) > 0))
     throw InputError(solid.file_as_written, "holds a solid without volume or inside out", "export a closed solid");
+  check_edges(solid, bounds_of(volumes));
   place_volumes(solid.placement, volumes);
   return volumes;
 }

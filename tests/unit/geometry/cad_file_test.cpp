@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "iges_file.hpp"
 #include "solid_files.hpp"
 
@@ -7,6 +10,7 @@ namespace talus {
 namespace {
 
 using namespace rock;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
@@ -56,6 +60,22 @@ TEST_F(CadFiles, ThatAreNoneAreRefused) {
     EXPECT_EQ(error_in(name),
               std::string(name) + ": is not a readable " + format + " file; export the solid again as " + format);
   }
+}
+
+TEST_F(CadFiles, WithoutEndAreRefused) {
+  // Found by tests/fuzz: gmsh meshed an edge of 1e300 m for ever, and OpenCASCADE read for ever where a number is
+  // missing.
+  std::ifstream stream(std::string(TALUS_SOURCE_DIR) + "/tests/gui/box.brep");
+  const std::string sound(std::istreambuf_iterator<char>(stream), {});
+  const auto damaged = [&](const std::string& what, const std::string& by) {
+    const std::size_t at = sound.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    write("box.brep", std::string(sound).replace(at, what.size(), by));
+    return error_in("box.brep");
+  };
+  EXPECT_THAT(damaged("1  2 0 0 8", "1  2 0 -1e+300 8"),
+              StartsWith("box.brep: is damaged: an edge of its solid has no "));
+  EXPECT_THAT(damaged("Ve\n1e-07\n0 0 0\n", "Ve\n1e-07\n0  0\n"), HasSubstr("crashed while reading"));
 }
 
 /// A slope with a pit whose wall is curved.
