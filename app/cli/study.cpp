@@ -55,7 +55,7 @@ void compute(const StudyFolder& study, const AccuracyOptions& options) {
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
   TerminalProgress progress;
   if (options.engine == "slurm")
-    run_by_slurm(study, {this_program(), options.sbatch}, progress);
+    run_by_slurm(study, {.program = this_program(), .arguments = options.sbatch}, progress);
   else
     run_locally(study, {this_program(), options.jobs > 0 ? options.jobs : free_cores()}, progress);
 }

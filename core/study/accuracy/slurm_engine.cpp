@@ -82,21 +82,17 @@ std::string job_under_way(const StudyFolder& study) {
   return in_queue(job) ? job : std::string();
 }
 
-}  // namespace
-
-void run_by_slurm(const StudyFolder& study, const SlurmOptions& options, Progress& progress) {
-  const std::vector<int> missing = study.missing_runs();
-  if (missing.empty()) return;
-  std::string job = job_under_way(study);
-  if (job.empty()) job = submit(study, options, missing);
-  // A file may reach this machine a while after its job has left the queue.
-  constexpr std::chrono::milliseconds between_looks = 500ms, between_questions = 3s, grace = 15s;
+/// Until the files of all runs are there, or the job has left the queue for as long as `grace`: a file may reach this
+/// machine a while after that. `all`: runs that were missing at first.
+void wait_for(const StudyFolder& study, const std::string& job, std::size_t all, std::chrono::milliseconds grace,
+              Progress& progress) {
+  constexpr std::chrono::milliseconds between_looks = 500ms, between_questions = 3s;
   auto asked = std::chrono::steady_clock::now(), last_seen = asked;
   for (;;) {
     const std::size_t left = study.missing_runs().size();
-    progress.report(1 - static_cast<double>(left) / static_cast<double>(missing.size()),
-                    "Slurm job " + job + ": " + std::to_string(missing.size() - left) + " of " +
-                        std::to_string(missing.size()) + " runs have ended");
+    progress.report(
+        1 - static_cast<double>(left) / static_cast<double>(all),
+        "Slurm job " + job + ": " + std::to_string(all - left) + " of " + std::to_string(all) + " runs have ended");
     if (left == 0) return;
     if (progress.cancelled()) throw Cancelled{};
     const auto now = std::chrono::steady_clock::now();
@@ -106,6 +102,20 @@ void run_by_slurm(const StudyFolder& study, const SlurmOptions& options, Progres
     }
     if (now - last_seen > grace) return;
     std::this_thread::sleep_for(between_looks);
+  }
+}
+
+}  // namespace
+
+void run_by_slurm(const StudyFolder& study, const SlurmOptions& options, Progress& progress) {
+  const std::size_t all = study.missing_runs().size();
+  std::string job = job_under_way(study);
+  for (int submitted = 0; submitted < options.submissions; ++submitted) {
+    const std::vector<int> missing = study.missing_runs();
+    if (missing.empty()) return;
+    if (job.empty()) job = submit(study, options, missing);
+    wait_for(study, job, all, options.grace, progress);
+    job.clear();
   }
 }
 
