@@ -3,14 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <random>
 
+#include "images/baseline.hpp"
 #include "images/test_scenes.hpp"
 #include "render/paint/colour_map.hpp"
 #include "render/scene/offscreen.hpp"
 #include "render/scene/scene.hpp"
 
-// The comparison of pictures, by faults that are put into one on purpose and by what is no fault.
+// The test of the tests of pictures: faults that are put into one on purpose are found, and what is no fault is not.
 namespace talus {
 namespace {
 
@@ -66,11 +68,15 @@ Rgb from_the_other_end(Rgb pixel) {
   return mix(Rgb{}, batlow().table()[static_cast<std::size_t>(255 - found)], light);
 }
 
+Image with_its_colour_map_flipped(const Image& right) {
+  Image flipped = right;
+  for (int y = 0; y < right.height; ++y)
+    for (int x = 0; x < right.width; ++x) flipped.set(x, y, from_the_other_end(right.at(x, y)));
+  return flipped;
+}
+
 TEST_F(PictureFaults, AColourMapTheOtherWayRoundIsCaught) {
-  Image flipped = right_;
-  for (int y = 0; y < right_.height; ++y)
-    for (int x = 0; x < right_.width; ++x) flipped.set(x, y, from_the_other_end(right_.at(x, y)));
-  EXPECT_LT(similarity_of(flipped), alike_enough);
+  EXPECT_LT(similarity_of(with_its_colour_map_flipped(right_)), alike_enough);
 }
 
 TEST_F(PictureFaults, ALegendThatIsGoneIsCaught) {
@@ -80,12 +86,16 @@ TEST_F(PictureFaults, ALegendThatIsGoneIsCaught) {
   EXPECT_LT(similarity_of(draw()), alike_enough);
 }
 
-TEST_F(PictureFaults, ALegendThreePixelsOffIsCaught) {
+Image with_its_legend_three_pixels_off(const Image& picture) {
   constexpr int left = 5, right = 150, top = 35, bottom = 260;  // the legend and some background
-  Image shifted = right_;
+  Image shifted = picture;
   for (int y = top; y < bottom; ++y)
-    for (int x = left + 3; x < right; ++x) shifted.set(x, y, right_.at(x - 3, y));
-  EXPECT_LT(similarity_of(shifted), alike_enough);
+    for (int x = left + 3; x < right; ++x) shifted.set(x, y, picture.at(x - 3, y));
+  return shifted;
+}
+
+TEST_F(PictureFaults, ALegendThreePixelsOffIsCaught) {
+  EXPECT_LT(similarity_of(with_its_legend_three_pixels_off(right_)), alike_enough);
 }
 
 TEST_F(PictureFaults, ACameraHalfADegreeOffIsCaught) {
@@ -118,6 +128,68 @@ TEST_F(PictureFaults, EdgesSmoothedOtherwiseAndNoiseAreForgiven) {
     }
   for (auto& value : smoothed.rgb) value = static_cast<std::uint8_t>(std::clamp(value + noise(chance), 0, 255));
   EXPECT_GT(similarity_of(smoothed), 0.9);
+}
+
+/// The same faults, as the suite meets them: a picture that is held to a baseline.
+class Baseline : public PictureFaults {
+ protected:
+  Baseline() {
+    std::filesystem::remove_all(folders.baselines.parent_path());
+    BaselineFolders making = folders;
+    making.update = true;
+    EXPECT_EQ(held_to_baseline(right_, "slope", making), "");
+  }
+  ~Baseline() override { std::filesystem::remove_all(folders.baselines.parent_path()); }
+
+  std::string held(const Image& drawn) const { return held_to_baseline(drawn, "slope", folders); }
+  bool is_left(const char* what) const {
+    return std::filesystem::exists(folders.differing / (std::string("slope.") + what + ".png"));
+  }
+  void expect_caught(const Image& faulty) const {
+    const std::string said = held(faulty);
+    EXPECT_NE(said.find(folders.differing.string()), std::string::npos) << "it says where to look: " << said;
+    for (const char* what : {"expected", "actual", "difference"}) EXPECT_TRUE(is_left(what)) << what;
+    EXPECT_EQ(read_png(folders.differing / "slope.actual.png").rgb, faulty.rgb);
+  }
+
+  BaselineFolders folders{std::filesystem::absolute("faults/baselines"), std::filesystem::absolute("faults/differing"),
+                          false};
+};
+
+TEST_F(Baseline, CatchesABlockThatIsGone) {
+  scene_.set_hidden({6});
+  expect_caught(draw());
+}
+
+TEST_F(Baseline, CatchesAColourMapTheOtherWayRound) { expect_caught(with_its_colour_map_flipped(right_)); }
+
+TEST_F(Baseline, CatchesALegendThreePixelsOff) { expect_caught(with_its_legend_three_pixels_off(right_)); }
+
+TEST_F(Baseline, CatchesACameraHalfADegreeOff) {
+  scene_.look(azimuth + 0.5, 25);
+  expect_caught(draw());
+}
+
+TEST_F(Baseline, FlagsNothingWithoutAFaultAndTakesAwayWhatAnEarlierOneLeft) {
+  scene_.set_hidden({6});
+  expect_caught(draw());
+  scene_.set_hidden({});
+  EXPECT_EQ(held(draw()), "");
+  for (const char* what : {"expected", "actual", "difference"}) EXPECT_FALSE(is_left(what)) << what;
+}
+
+TEST_F(Baseline, ThatIsMissingOrOfAnotherSizeFails) {
+  EXPECT_NE(held_to_baseline(right_, "none", folders), "");
+  EXPECT_NE(held(draw_image(scene_, 400, 250)), "");
+}
+
+TEST_F(Baseline, OfAFaultBecomesTheNewOneWhereThatIsAskedFor) {
+  scene_.set_hidden({6});
+  BaselineFolders making = folders;
+  making.update = true;
+  EXPECT_EQ(held_to_baseline(draw(), "slope", making), "");
+  EXPECT_EQ(held(draw()), "");
+  EXPECT_NE(held(right_), "");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "images/baseline.hpp"
 #include "images/compare.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
 

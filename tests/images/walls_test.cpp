@@ -1,11 +1,12 @@
 // Fields of joints on the walls of joints: seen through the rock, or on blocks that are drawn apart.
 #include <gtest/gtest.h>
 
-#include "compare.hpp"
+#include "images/baseline.hpp"
+#include "images/compare.hpp"
+#include "images/test_scenes.hpp"
 #include "render/fields/field_classes.hpp"
 #include "render/paint/colour_map.hpp"
 #include "render/scene/offscreen.hpp"
-#include "test_scenes.hpp"
 
 namespace talus {
 namespace {

@@ -27,12 +27,23 @@ struct LegendLayout {
   double width = 0, bar_height = 0, height = 0;  ///< pixels
 };
 
-LegendLayout layout(const Legend& legend, double em, double picture_height) {
+double title_row(const Overlay& overlay) { return overlay.title.empty() ? 0 : 2.2 * overlay.text_height; }
+
+/// Above the picture's lower edge, of text heights: what the axes of the triad take.
+constexpr double triad_top = bottom_row + margin + triad_size - 0.6;
+
+LegendLayout layout(const Overlay& overlay, double em, double picture_height) {
+  const Legend& legend = *overlay.legend;
   LegendLayout out;
   out.title = wrapped(legend.title, widest_title * em, em, FontWeight::semibold);
   if (out.title.empty() || text_width(out.title.back() + "  " + legend.unit, em) > widest_title * em)
     out.title.emplace_back();  // the unit gets a line of its own
+  const double around = static_cast<double>(out.title.size()) * line_height * em + (2 * padding + 1.1) * em;
   out.bar_height = std::min(15 * em, 0.42 * picture_height);
+  if (overlay.triad) {  // which it does not reach into, however small the picture is
+    const double room = picture_height - margin * em - title_row(overlay) - around - triad_top * em;
+    out.bar_height = std::min(out.bar_height, std::max(room, 4 * em));
+  }
   const int most = std::clamp(static_cast<int>(out.bar_height / (2.2 * em)) + 1, 2, 7);
   out.ticks = nice_ticks(legend.low, legend.high, most);
   out.labels = tick_labels(out.ticks);
@@ -43,8 +54,7 @@ LegendLayout layout(const Legend& legend, double em, double picture_height) {
   title_width = std::max(title_width, text_width(out.title.back() + "  " + legend.unit, em, FontWeight::semibold));
   const double bar_part = (bar_width + 2 * tick_length) * em + label_width;
   out.width = std::max(bar_part, title_width) + 2 * padding * em;
-  const double title_height = static_cast<double>(out.title.size()) * line_height * em;
-  out.height = title_height + out.bar_height + (2 * padding + 1.1) * em;
+  out.height = out.bar_height + around;
   return out;
 }
 
@@ -53,8 +63,6 @@ double width_of(const ColourKey& key, double em) {
   for (const KeyEntry& entry : key.entries) widest = std::max(widest, 1.2 * em + text_width(entry.meaning, em));
   return widest + 2 * padding * em;
 }
-
-double title_row(const Overlay& overlay) { return overlay.title.empty() ? 0 : 2.2 * overlay.text_height; }
 
 void paint_bar(Painter& painter, const ColourMap& map, const PixelRect& bar) {
   constexpr int bands = 256;
@@ -70,7 +78,7 @@ void paint_legend(Painter& painter, const Overlay& overlay, const OverlayView& v
   const Legend& legend = *overlay.legend;
   const double em = overlay.text_height;
   const ThemeColours& colour = colours(overlay.theme);
-  const LegendLayout parts = layout(legend, em, view.height);
+  const LegendLayout parts = layout(overlay, em, view.height);
   const double top = view.height - margin * em - title_row(overlay), left = margin * em;
   painter.card({left, top - parts.height, left + parts.width, top}, 0.4 * em, colour.surface, 0.92, colour.frame,
                hair * em);
@@ -179,12 +187,22 @@ double width_of_time(const Overlay& overlay) {
   return width;
 }
 
-/// Right of the scale bar's place: "contacts ● open ● stick ● slip"; in several lines where there is no room in one.
+/// Right of the scale bar's place: "contacts ● open ● stick ● slip"; in several lines where there is no room in one,
+/// and above the time where not even one entry fits beside it.
 void paint_key(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   const double em = overlay.text_height;
   const TextStyle words{.height = 0.9 * em, .colour = colours(overlay.theme).muted};
   const double left = (2 * margin + 1.5) * em + std::min(0.2 * view.width, 11 * em);
-  const double right = view.width - margin * em - width_of_time(overlay);
+  double right = view.width - margin * em - width_of_time(overlay);
+  const auto width_of = [&](const KeyEntry* entry, const std::string& meaning) {
+    return (entry ? 0.85 * em : 0) + text_width(meaning, 0.9 * em);
+  };
+  int line = 0, lowest = 0;
+  const auto fits = [&](const KeyEntry& entry) { return left + width_of(&entry, entry.meaning) <= right; };
+  if (!std::ranges::all_of(overlay.key, fits)) {
+    right = view.width - margin * em;
+    lowest = 1;
+  }
   struct Part {
     const KeyEntry* entry;  ///< null: the title
     double x;
@@ -192,9 +210,8 @@ void paint_key(Painter& painter, const Overlay& overlay, const OverlayView& view
   };
   std::vector<Part> parts;
   double x = left;
-  int line = 0;
   const auto place = [&](const KeyEntry* entry, const std::string& meaning) {
-    const double width = (entry ? 0.85 * em : 0) + text_width(meaning, 0.9 * em);
+    const double width = width_of(entry, meaning);
     if (x > left && x + width > right) {
       x = left;
       ++line;
@@ -205,7 +222,7 @@ void paint_key(Painter& painter, const Overlay& overlay, const OverlayView& view
   if (!overlay.key_title.empty()) place(nullptr, overlay.key_title);
   for (const KeyEntry& entry : overlay.key) place(&entry, entry.meaning);
   for (const Part& part : parts) {
-    const double y = margin * em - 0.2 * em + (line - part.line) * line_height * em;
+    const double y = margin * em - 0.2 * em + (lowest + line - part.line) * line_height * em;
     if (part.entry) painter.disc({part.x + 0.3 * em, y + 0.52 * em}, 0.28 * em, part.entry->colour);
     painter.text({part.x + (part.entry ? 0.85 * em : 0), y}, part.entry ? part.entry->meaning : overlay.key_title,
                  words);
@@ -234,7 +251,7 @@ PixelRect free_area(const Overlay& overlay, double width, double height) {
   const double em = overlay.text_height;
   double left = margin * em;
   if (overlay.triad) left = std::max(left, (margin + triad_size) * em);
-  if (overlay.legend) left = std::max(left, 2 * margin * em + layout(*overlay.legend, em, height).width);
+  if (overlay.legend) left = std::max(left, 2 * margin * em + layout(overlay, em, height).width);
   if (overlay.colour_key) left = std::max(left, 2 * margin * em + width_of(*overlay.colour_key, em));
   const bool has_bottom =
       overlay.scale_bar || !overlay.key.empty() || !overlay.time.empty() || !overlay.remarks.empty();
