@@ -13,7 +13,8 @@
 namespace talus {
 
 /// results.h5: VTKHDF 2.0's UnstructuredGrid with moving points under /VTKHDF, and under /Talus what rebuilds the
-/// blocks and the contacts of each frame. Written in HDF5's single-writer–multiple-readers mode: whatever moment the
+/// blocks and the contacts of each frame; results.vtkhdf beside it is a link to the former, by the name that ParaView
+/// knows. Written in HDF5's single-writer–multiple-readers mode: whatever moment the
 /// program is killed at, the frames announced before are whole, and others may read while it grows. Coordinates,
 /// displacements, velocities and contacts are doubles; stresses are floats (a relative 6e-8).
 class ResultFileWriter {

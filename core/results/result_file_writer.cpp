@@ -205,6 +205,18 @@ Handle create_file(const std::filesystem::path& path) {
   return Handle(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), "cannot be made"));
 }
 
+/// results.vtkhdf beside results.h5: nothing but a link to its /VTKHDF. ParaView goes by the ending.
+void link_as_vtkhdf(const std::filesystem::path& results) {
+  const std::filesystem::path link = std::filesystem::path(results).replace_extension(".vtkhdf");
+  const std::filesystem::path fresh = link.string() + ".new";
+  {
+    const Handle file(check(H5Fcreate(fresh.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), "cannot be made"));
+    check(H5Lcreate_external(results.filename().c_str(), "/VTKHDF", file, "/VTKHDF", H5P_DEFAULT, H5P_DEFAULT),
+          "cannot be linked");
+  }
+  rename_file(fresh, link);
+}
+
 }  // namespace
 
 struct ResultFileWriter::State : FrameTables {
@@ -316,6 +328,7 @@ ResultFileWriter::ResultFileWriter(const std::filesystem::path& file, const Proj
     check(H5Fstart_swmr_write(created), "cannot be written");
     check(H5Fflush(created, H5F_SCOPE_LOCAL), "cannot be written");
     rename_file(fresh, file);
+    link_as_vtkhdf(file);
     return created;
   });
 }

@@ -70,7 +70,7 @@ TEST_F(Commands, SolvePrintsTheSummaryAsOneJsonObject) {
   EXPECT_GE(summary["work"]["linear_solves"], summary["iterations"]);
   EXPECT_EQ(summary["work"]["contact_points"], 0);
   for (const char* file :
-       {"results.h5", "results.xdmf", "frames.h5", "history.csv", "steps.csv", "summary.json", "project.talus"})
+       {"results.h5", "results.vtkhdf", "results.xdmf", "frames.h5", "history.csv", "steps.csv", "summary.json", "project.talus"})
     EXPECT_TRUE(std::filesystem::exists(*folder / "fall.results" / file)) << file;
 }
 
