@@ -69,8 +69,8 @@ TEST_F(Commands, SolvePrintsTheSummaryAsOneJsonObject) {
   EXPECT_GT(summary["iterations"], 0);
   EXPECT_GE(summary["work"]["linear_solves"], summary["iterations"]);
   EXPECT_EQ(summary["work"]["contact_points"], 0);
-  for (const char* file :
-       {"results.h5", "results.vtkhdf", "results.xdmf", "frames.h5", "history.csv", "steps.csv", "summary.json", "project.talus"})
+  for (const char* file : {"results.h5", "results.vtkhdf", "results.xdmf", "frames.h5", "history.csv", "steps.csv",
+                           "summary.json", "project.talus"})
     EXPECT_TRUE(std::filesystem::exists(*folder / "fall.results" / file)) << file;
 }
 
