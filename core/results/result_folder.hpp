@@ -22,8 +22,9 @@ struct WrittenResults {
   void archive(auto& state) { state(frames, history, steps, log); }
 };
 
-/// Writes a results folder as the run goes: results.h5, results.vtkhdf, results.xdmf, history.csv, steps.csv, log.txt, project.talus
-/// and at the end frames.h5 and summary.json. After every call what was written so far is readable, also after a kill.
+/// Writes a results folder as the run goes: results.h5, results.vtkhdf, results.xdmf, history.csv, steps.csv, log.txt,
+/// project.talus and at the end frames.h5 and summary.json. After every call what was written so far is readable, also
+/// after a kill.
 class ResultWriter {
  public:
   /// Makes the folder, or takes earlier results out of it; refuses (InputError) one that holds files but no results.
