@@ -46,7 +46,7 @@ void write_small(const Image& image, const fs::path& file, int colours) {
 
 /// Of as few colours as hardly show.
 void write_baseline(const Image& image, const fs::path& file) {
-  constexpr double hardly_shows = 0.87;
+  constexpr double hardly_shows = 0.82;
   fs::create_directories(file.parent_path());
   for (const int colours : {64, 256}) {
     write_small(image, file, colours);
