@@ -58,6 +58,12 @@ void choose(QWidget& among, const char* box, int entry) {
   ADD_FAILURE() << "no choice is called " << box;
 }
 
+/// The same of an entry by its words.
+void choose(QWidget& among, const char* box, const QString& entry) {
+  const auto* one = among.findChild<QComboBox*>(QLatin1String(box));
+  choose(among, box, one ? one->findText(entry) : -1);
+}
+
 }  // namespace
 
 void EveryPlace::visitAll(const QSize& size, Look look) {
@@ -243,6 +249,7 @@ void EveryPlace::openMenus() {
 /// Each form of a project that has everything.
 void EveryPlace::everyForm() {
   open(write("full.talus", test::full_project));
+  wait([&] { return !session->project.problems().isReading() && !session->surfaces.isBusy(); });
   for (int kind = 1; kind <= static_cast<int>(Item::Kind::output); ++kind)
     for (int index = 0; index < 7; ++index) {
       const Item item{static_cast<Item::Kind>(kind), index};
@@ -284,8 +291,14 @@ void EveryPlace::solve() {
   session->playback.showTime(0.8);
   wait([&] { return !session->playback.isWaiting(); });
   look("results", WorkflowPage::results);
-  choose(*window, "field", 3);
+  // Typed: that of all frames comes when they have been read.
+  session->display.setTypedRange(ValueRange{0, 0.5e6});
+  choose(*window, "field", QStringLiteral("Stress"));
   look("results-stress");
+  choose(*window, "field", QStringLiteral("Joints"));
+  look("results-joints");
+  session->display.setTypedRange(std::nullopt);
+  choose(*window, "field", QStringLiteral("Displacement"));
   auto* bottom = window->findChild<BottomPanel*>();
   bottom->setCurrentIndex(0);
   look("results-table");

@@ -19,6 +19,8 @@ class EveryPlace : public DrivenWindow {
 
   /// The window with all that lies over it.
   QPixmap picture() const;
+  /// Holds a small picture of the place, without what hangs on the machine, to its baseline.
+  void expectAsItWas(const std::string& place);
 
  private:
   void begin();
