@@ -291,13 +291,10 @@ void EveryPlace::solve() {
   session->playback.showTime(0.8);
   wait([&] { return !session->playback.isWaiting(); });
   look("results", WorkflowPage::results);
-  // Typed: that of all frames comes when they have been read.
-  session->display.setTypedRange(ValueRange{0, 0.5e6});
   choose(*window, "field", QStringLiteral("Stress"));
   look("results-stress");
   choose(*window, "field", QStringLiteral("Joints"));
   look("results-joints");
-  session->display.setTypedRange(std::nullopt);
   choose(*window, "field", QStringLiteral("Displacement"));
   auto* bottom = window->findChild<BottomPanel*>();
   bottom->setCurrentIndex(0);

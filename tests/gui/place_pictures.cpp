@@ -22,8 +22,10 @@ bool tellsTheTime(const QWidget& widget) {
   return recentFile;
 }
 
-/// Where a run was caught, what a study of seconds came to, and when results were made, is never the same.
-const std::set<std::string> hangOnTheMachine{"accuracy", "solve-paused", "close-while-running", "replace-results"};
+/// Where a run was caught, what a study of seconds came to, when results were made, and how many frames have been read
+/// for the range of a field, is never the same.
+const std::set<std::string> hangOnTheMachine{"accuracy",        "solve-paused",   "close-while-running",
+                                             "replace-results", "results-stress", "results-joints"};
 
 /// Small: there are hundreds.
 Image small(const QPixmap& picture) {
