@@ -35,7 +35,7 @@ ValueRange range_of_all(const ResultReader& results, int count, const Field& fie
 
 std::unique_ptr<Scene> scene_by_options(const AnimateOptions& options, const ResultReader& results, int count) {
   SceneSettings settings = scene_settings(options.look, results);
-  about(options.results, [&] { need_field(results.frame(count - 1), settings); });
+  about(options.results, [&] { need_field(results.system(), results.frame(count - 1), settings); });
   if (settings.field && !settings.range) settings.range = range_of_all(results, count, *settings.field);
   auto scene = std::make_unique<Scene>(results.system(), settings);
   scene->set_stage_names(results.stage_names());
@@ -47,7 +47,7 @@ std::unique_ptr<Scene> scene_by_options(const AnimateOptions& options, const Res
 
 std::unique_ptr<Scene> scene_as_saved(const AnimateOptions& options, const ResultReader& results, int count) {
   SavedView view = read_view(options.look.view_file);
-  about(options.results, [&] { need_field(results.frame(count - 1), view.settings); });
+  about(options.results, [&] { need_field(results.system(), results.frame(count - 1), view.settings); });
   if (view.settings.field && !view.settings.range)
     view.settings.range = range_of_all(results, count, *view.settings.field);
   return about(options.look.view_file,

@@ -192,9 +192,9 @@ std::vector<ActionGlyph> monitors_of(const std::filesystem::path& folder, const 
   return monitors;
 }
 
-void need_field(const Frame& frame, const SceneSettings& settings) {
+void need_field(const BlockSystem& system, const Frame& frame, const SceneSettings& settings) {
   if (!settings.field) return;
-  if (const std::string absent = why_absent(frame, *settings.field); !absent.empty())
+  if (const std::string absent = why_absent(system, frame, *settings.field); !absent.empty())
     throw InputError("field " + std::string(settings.field->name), absent, "solve the project again");
 }
 

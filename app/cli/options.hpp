@@ -51,7 +51,7 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results);
 /// Those of the project that the results keep; none where that is gone.
 std::vector<ActionGlyph> monitors_of(const std::filesystem::path& folder, const ResultReader& results);
 /// Throws InputError where the frame does not tell of the field that is to be shown.
-void need_field(const Frame& frame, const SceneSettings& settings);
+void need_field(const BlockSystem& system, const Frame& frame, const SceneSettings& settings);
 /// Marks where the run was hard, if that was asked for; of a run that was killed nothing is known.
 void mark_troubles(const Look& look, const ResultReader& results, Scene& scene);
 /// Points the camera of a scene that shows `results`. Throws InputError for a view there is not.

@@ -116,7 +116,7 @@ SideBySide drawn_as_saved(const RenderOptions& options) {
   const int index =
       about(folder, [&] { return other_frame ? frame_index(results, options.choice) : frame_of_view(view, results); });
   const auto frame = std::make_shared<const Frame>(results.frame(index));
-  about(folder, [&] { need_field(*frame, view.settings); });
+  about(folder, [&] { need_field(results.system(), *frame, view.settings); });
   const bool as_it_was = !options.has_size;
   const auto scene = about(options.look.view_file,
                            [&] { return scene_of_view(view, results, monitors_of(folder, results), as_it_was); });

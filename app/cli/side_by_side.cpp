@@ -40,7 +40,7 @@ void make_scenes(const Panels& panels, const std::vector<std::filesystem::path>&
     Panel& panel = *panels[i];
     SceneSettings settings = scene_settings(look, panel.results);
     if (!alone) settings.title = (look.title ? *look.title + ": " : "") + name_of(folders[i]);
-    about(folders[i], [&] { need_field(*panel.frame, settings); });
+    about(folders[i], [&] { need_field(panel.results.system(), *panel.frame, settings); });
     if (!alone && settings.field && !look.range)
       range.include(field_range(FieldValues(panel.results.system()), *panel.frame, *settings.field));
     panel.scene = std::make_unique<Scene>(panel.results.system(), settings);

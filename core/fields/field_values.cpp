@@ -11,6 +11,7 @@
 #include "base/units.hpp"
 #include "bodies/block_pose.hpp"
 #include "fields/contact_areas.hpp"
+#include "fields/rock_safety.hpp"
 
 namespace talus {
 
@@ -79,6 +80,11 @@ double strain_measure(const Mat3& gradient, Measure measure) {
   return measure == Measure::min_principal ? principal[0] : principal[2] - principal[0];
 }
 
+SleepState sleep_state(const Block& block, bool sleeps) {
+  if (block.body == BodyKind::fixed) return SleepState::fixed;
+  return sleeps ? SleepState::asleep : SleepState::awake;
+}
+
 bool compares_walls(const Field& field) { return field.measure == Measure::slip || field.measure == Measure::opening; }
 
 bool needs_strength(const Field& field) {
@@ -87,7 +93,12 @@ bool needs_strength(const Field& field) {
 
 }  // namespace
 
-std::string why_absent(const Frame& frame, const Field& field) {
+std::string why_absent(const BlockSystem& system, const Frame& frame, const Field& field) {
+  if (field.measure == Measure::sleep && frame.asleep.empty())
+    return "which blocks sleep is not recorded in these results: an earlier version of Talus has written them";
+  const auto has = [](const std::optional<RockStrength>& strength) { return strength.has_value(); };
+  if (field.measure == Measure::safety && !std::ranges::any_of(system.strengths, has))
+    return "no material has a strength: give one to the rock on the page Materials";
   if (field.measure == Measure::motion && frame.motions.empty()) return "how blocks move was not noted in this frame";
   if (field.source != Field::Source::joint || !needs_strength(field)) return {};
   const auto lacks = [](const ContactSample& contact) { return std::isnan(contact.friction); };
@@ -111,6 +122,7 @@ const JointWalls& FieldValues::walls() const {
 
 std::vector<double> FieldValues::of(const Frame& frame, const Field& field) const {
   if (field.source == Field::Source::strain) return strains(frame, field);
+  if (field.measure == Measure::safety) return safeties(frame);
   if (field.place() == FieldPlace::block) return of_blocks(frame, field);
   return field.place() == FieldPlace::wall ? of_walls(frame, field) : values(frame, field);
 }
@@ -122,6 +134,8 @@ std::vector<double> FieldValues::of_blocks(const Frame& frame, const Field& fiel
     const Block& block = system_.blocks[b];
     if (field.measure == Measure::body) {
       result.push_back(static_cast<double>(block.body));
+    } else if (field.measure == Measure::sleep) {
+      result.push_back(frame.asleep.empty() ? none : static_cast<double>(sleep_state(block, frame.asleep[b] != 0)));
     } else if (field.measure == Measure::motion) {
       result.push_back(frame.motions.empty() ? none : static_cast<double>(frame.motions[b].mode));
     } else {
@@ -132,6 +146,18 @@ std::vector<double> FieldValues::of_blocks(const Frame& frame, const Field& fiel
       result.push_back(degrees(Eigen::AngleAxisd(turned).angle()));
     }
     first += block.mesh.nodes.size();
+  }
+  return result;
+}
+
+std::vector<double> FieldValues::safeties(const Frame& frame) const {
+  std::vector<double> result;
+  for (const Block& block : system_.blocks) {
+    const auto material = static_cast<std::size_t>(block.material);
+    const bool has_stress = block.body == BodyKind::affine || block.body == BodyKind::tetrahedra;
+    const bool is_known = has_stress && material < system_.strengths.size() && system_.strengths[material];
+    for (std::size_t t = 0; t < block.mesh.tetrahedra.size(); ++t)
+      result.push_back(is_known ? rock_safety(frame.stress[result.size()], *system_.strengths[material]) : none);
   }
   return result;
 }
@@ -159,7 +185,7 @@ std::vector<double> FieldValues::strains(const Frame& frame, const Field& field)
 std::vector<double> FieldValues::of_walls(const Frame& frame, const Field& field) const {
   const JointWalls& all = walls();
   std::vector<double> result(all.points.size(), none);
-  if (!why_absent(frame, field).empty()) return result;
+  if (!why_absent(system_, frame, field).empty()) return result;
   const auto each = [&](const auto& value) {
     in_parallel(static_cast<int>(result.size()), points_worth_a_thread, [&](int begin, int end) {
       for (int i = begin; i < end; ++i)

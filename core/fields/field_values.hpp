@@ -15,6 +15,9 @@ class PoseFit;
 /// The classes of the field "joint.state": what contacts do, and that bonds hold them.
 enum class WallState : std::uint8_t { open, sticks, slides, bonded };
 
+/// The classes of the field "asleep".
+enum class SleepState : std::uint8_t { fixed, awake, asleep };
+
 /// Values of fields on these blocks. What a field needs of the blocks at rest is made when it is asked for first.
 /// Keeps a reference to `system`, which must outlive it. One thread at a time.
 class FieldValues {
@@ -30,13 +33,14 @@ class FieldValues {
   /// are those of Green and Lagrange, ½(FᵀF − 1), which turning leaves out; less than 1e-12 is rounding, and nothing.
   /// Values of joints that come from contacts are those of ContactArea at the place of the wall in this frame.
   /// Slip and opening compare the place with the one that lay against it at the start: what has come between them
-  /// along the wall and across it, as the wall lay at the start. Where `why_absent` has something to say all are
-  /// absent.
+  /// along the wall and across it, as the wall lay at the start. The safety of rock is `rock_safety` of blocks that
+  /// have stress and whose material has a strength. Where `why_absent` has something to say all are absent.
   std::vector<double> of(const Frame& frame, const Field& field) const;
 
  private:
   std::vector<double> of_walls(const Frame& frame, const Field& field) const;
   std::vector<double> of_blocks(const Frame& frame, const Field& field) const;
+  std::vector<double> safeties(const Frame& frame) const;
   std::vector<double> strains(const Frame& frame, const Field& field) const;
 
   const BlockSystem& system_;
@@ -46,6 +50,6 @@ class FieldValues {
 };
 
 /// Why the frame does not tell of a field, as a sentence: results of earlier versions lack some. Empty where it does.
-std::string why_absent(const Frame& frame, const Field& field);
+std::string why_absent(const BlockSystem& system, const Frame& frame, const Field& field);
 
 }  // namespace talus

@@ -57,12 +57,22 @@ void read_by_name(const OrderedJson& object, const char* key, std::vector<T>& li
   for (const auto& [name, item] : found->items()) list.push_back(item_from(name, item));
 }
 
+void read(const OrderedJson& object, const char* key, std::optional<RockStrength>& target) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  RockStrength& strength = target.emplace();
+  read(*found, "cohesion", strength.cohesion);
+  read(*found, "friction_angle", strength.friction_angle);
+  read(*found, "tensile_strength", strength.tensile_strength);
+}
+
 Material material_from(const std::string& name, const OrderedJson& value) {
   Material material{.name = name};
   read(value, "density", material.density);
   read(value, "young", material.young);
   read(value, "poisson", material.poisson);
   read(value, "damping", material.damping);
+  read(value, "strength", material.strength);
   read_word(value, "law", material.law, {MaterialLaw::linear, MaterialLaw::neo_hookean});
   return material;
 }

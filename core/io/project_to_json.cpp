@@ -23,10 +23,17 @@ void write_word_unless_usual(OrderedJson& object, const char* key, Word value, W
   if (value != usual) object[key] = to_string(value);
 }
 
+OrderedJson json_from(const RockStrength& strength) {
+  OrderedJson json{{"cohesion", strength.cohesion}, {"friction_angle", strength.friction_angle}};
+  write(json, "tensile_strength", strength.tensile_strength);
+  return json;
+}
+
 OrderedJson json_from(const Material& material) {
   OrderedJson json{{"density", material.density}, {"young", material.young}, {"poisson", material.poisson}};
   write_unless_usual(json, "damping", material.damping, 0.0);
   write_word_unless_usual(json, "law", material.law, MaterialLaw::linear);
+  if (material.strength) json["strength"] = json_from(*material.strength);
   return json;
 }
 

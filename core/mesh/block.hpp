@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,12 @@ struct Block {
 /// All blocks of a project. Node numbers of a frame run through the blocks in this order.
 struct BlockSystem {
   std::vector<Block> blocks;
-  std::vector<std::string> joint_names;  ///< as Project::joints, for SurfaceTriangle::joint
-  double solids_volume = 0;              ///< m³, of the solids before cutting
-  double excavated_volume = 0;           ///< m³, of blocks that are cut and then left out, as the project wants
-  std::vector<Splinter> splinters{};     ///< what was too thin to be a block, and is left out or part of another
-  std::vector<EndingJoints> endings{};   ///< of each cut whose joints end, what they divide
+  std::vector<std::string> joint_names;                  ///< as Project::joints, for SurfaceTriangle::joint
+  std::vector<std::optional<RockStrength>> strengths{};  ///< as Project::materials; none: not known of any
+  double solids_volume = 0;                              ///< m³, of the solids before cutting
+  double excavated_volume = 0;          ///< m³, of blocks that are cut and then left out, as the project wants
+  std::vector<Splinter> splinters{};    ///< what was too thin to be a block, and is left out or part of another
+  std::vector<EndingJoints> endings{};  ///< of each cut whose joints end, what they divide
 };
 
 }  // namespace talus

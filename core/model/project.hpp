@@ -24,6 +24,14 @@ enum class MaterialLaw { linear, neo_hookean };
 /// The word the project file uses.
 constexpr std::string_view to_string(MaterialLaw law) { return law == MaterialLaw::linear ? "linear" : "neo-hookean"; }
 
+/// Of whole rock by Mohr and Coulomb. Results are measured against it; no run uses it.
+struct RockStrength {
+  double cohesion = 0;                       ///< Pa
+  double friction_angle = 0;                 ///< degrees
+  std::optional<double> tensile_strength{};  ///< Pa, where tension is cut off; that of the envelope's apex when absent
+  bool operator==(const RockStrength&) const = default;
+};
+
 struct Material {
   std::string name;
   double density = 0;  ///< kg/m³
@@ -31,6 +39,7 @@ struct Material {
   double poisson = 0;
   double damping = 0;  ///< 1/s, of the mass: a force density −damping·ρ·v
   MaterialLaw law = MaterialLaw::linear;
+  std::optional<RockStrength> strength{};
   bool operator==(const Material&) const = default;
 };
 

@@ -37,12 +37,14 @@ constexpr std::array fields = {
     Field{"stress.xy", "Stress xy", "Pa", Source::stress, Measure::component, 3},
     Field{"stress.yz", "Stress yz", "Pa", Source::stress, Measure::component, 4},
     Field{"stress.zx", "Stress zx", "Pa", Source::stress, Measure::component, 5},
+    Field{"stress.safety", "Safety factor of rock", "", Source::stress, Measure::safety},
     Field{"strain.volumetric", "Volumetric strain", "", Source::strain, Measure::volumetric},
     Field{"strain.max_principal", "Largest principal strain", "", Source::strain, Measure::max_principal},
     Field{"strain.min_principal", "Smallest principal strain", "", Source::strain, Measure::min_principal},
     Field{"strain.max_shear", "Largest shear strain", "", Source::strain, Measure::max_shear},
     Field{"body", "Kind of body", "", Source::block, Measure::body},
     Field{"motion", "Motion of blocks", "", Source::block, Measure::motion},
+    Field{"asleep", "Blocks that sleep", "", Source::block, Measure::sleep},
     Field{"joint.normal_stress", "Normal stress on joints", "Pa", Source::joint, Measure::normal},
     Field{"joint.shear_stress", "Shear stress on joints", "Pa", Source::joint, Measure::shear},
     Field{"joint.mobilised", "Mobilised shear strength", "", Source::joint, Measure::mobilised},
@@ -98,7 +100,7 @@ const Field& field_named(std::string_view name) {
 }
 
 std::vector<double> values(const Frame& frame, const Field& field) {
-  switch (field.source) {
+  switch (field.measure == Measure::safety ? Source::block : field.source) {
     case Source::displacement:
       return values_of(frame.displacement, field);
     case Source::velocity:

@@ -21,9 +21,11 @@ struct Field {
     max_principal,  ///< largest tension
     min_principal,  ///< largest compression
     max_shear,
+    safety,      ///< of stress: over Mohr and Coulomb's strength of the rock (fields/rock_safety)
     volumetric,  ///< of strain
     body,        ///< of blocks, a class: BodyKind
     motion,      ///< likewise: MotionMode
+    sleep,       ///< likewise: SleepState of fields/field_values
     normal,      ///< of joints from here on: stress, compression positive
     shear,       ///< stress
     mobilised,   ///< shear stress over shear strength
@@ -60,7 +62,7 @@ struct Field {
   /// Its values number classes, which have words and no order.
   bool is_class() const {
     return measure == Measure::state || measure == Measure::bond || measure == Measure::body ||
-           measure == Measure::motion;
+           measure == Measure::motion || measure == Measure::sleep;
   }
   bool operator==(const Field& other) const { return name == other.name; }
 };
@@ -73,8 +75,8 @@ std::span<const Field> all_fields();
 const Field& field_named(std::string_view name);
 
 /// The field in its SI unit, one value a node or a tetrahedron as `field.place()` says: displacement, velocity and
-/// stress. Those that need to know the blocks as well are told by FieldValues (fields/field_values); here they are
-/// std::invalid_argument.
+/// stress but for its safety. Those that need to know the blocks as well are told by FieldValues (fields/field_values);
+/// here they are std::invalid_argument.
 std::vector<double> values(const Frame& frame, const Field& field);
 
 /// √(3 J₂) of a stress [Pa].

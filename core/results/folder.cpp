@@ -107,6 +107,29 @@ std::optional<FolderWriter> writer_of(const fs::path& folder) {
   return std::nullopt;
 }
 
+std::vector<std::string> names_of_results(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::filesystem::path> rest;  // of each, what lies before its name
+  std::vector<std::string> names;
+  for (const std::filesystem::path& folder : folders) {
+    rest.push_back(std::filesystem::weakly_canonical(folder));
+    names.push_back(rest.back().stem().string());
+  }
+  const auto is_alone = [&](std::size_t i) { return std::ranges::count(names, names[i]) == 1; };
+  for (bool grew = true; grew;) {
+    grew = false;
+    std::vector<std::size_t> alike;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (!is_alone(i)) alike.push_back(i);
+    for (const std::size_t i : alike) {
+      rest[i] = rest[i].parent_path();
+      if (!rest[i].has_filename()) continue;
+      names[i] = (rest[i].filename() / names[i]).string();
+      grew = true;
+    }
+  }
+  return names;
+}
+
 void cut_off(const fs::path& file, std::uint64_t size) {
   std::error_code problem;
   const std::uint64_t present = fs::file_size(file, problem);

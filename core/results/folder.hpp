@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
 
@@ -46,6 +47,10 @@ struct FolderWriter {
 };
 /// Which of this user's processes on this machine writes into the folder; none also where the system does not tell.
 std::optional<FolderWriter> writer_of(const std::filesystem::path& folder);
+
+/// What to call results that are shown beside each other: "phi20" of out/phi20.results, and where two are called so as
+/// much of the way there as tells them apart: "dry/phi20" and "wet/phi20".
+std::vector<std::string> names_of_results(const std::vector<std::filesystem::path>& folders);
 
 /// Cuts a file off behind its first `size` bytes. Throws std::runtime_error, with the path, where it has fewer.
 void cut_off(const std::filesystem::path& file, std::uint64_t size);

@@ -40,6 +40,7 @@ struct Frame {
   std::vector<Voigt> stress;       ///< Pa, a tetrahedron, tension positive
   std::vector<ContactSample> contacts;
   std::vector<MotionClass> motions;  ///< a block; none where nobody watched
+  std::vector<char> asleep;          ///< a block: 1 where it sleeps; none where results do not tell
 };
 
 }  // namespace talus

@@ -16,6 +16,8 @@ void FrameTables::open_in(const hdf5::Handle& file) {
     motions = Table(file, "/Talus/motions", motion_type);
     motion_ends = Table(file, "/Talus/motion_end", H5T_NATIVE_INT64);
   }
+  has_sleep = hdf5::check(H5Lexists(file, "/Talus/asleep", H5P_DEFAULT), "cannot be read") > 0;
+  if (has_sleep) asleep = Table(file, "/Talus/asleep", H5T_NATIVE_INT8);
   index = Table(file, "/Talus/frame_index", H5T_NATIVE_INT32);
   stage = Table(file, "/Talus/frame_stage", H5T_NATIVE_INT32);
 }
@@ -23,6 +25,7 @@ void FrameTables::open_in(const hdf5::Handle& file) {
 void FrameTables::refresh() {
   for (hdf5::Table* table : {&displacement, &velocity, &stress, &contacts, &contact_ends, &index, &stage})
     table->refresh();
+  if (has_sleep) asleep.refresh();
   if (has_motions)
     for (hdf5::Table* table : {&motions, &motion_ends}) table->refresh();
 }

@@ -7,8 +7,8 @@ namespace talus {
 /// The tables of results.h5 that a frame's values lie in, the same for who writes and who reads them.
 struct FrameTables {
   hdf5::Handle contact_type, motion_type;
-  hdf5::Table displacement, velocity, stress, contacts, contact_ends, motions, motion_ends, index, stage;
-  bool has_motions = false;  ///< results of Talus 1.0 have none
+  hdf5::Table displacement, velocity, stress, contacts, contact_ends, motions, motion_ends, asleep, index, stage;
+  bool has_motions = false, has_sleep = false;  ///< results of earlier versions have none
 
   /// Opens them in a file that has them.
   void open_in(const hdf5::Handle& file);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -87,10 +88,25 @@ std::array<int, count> local_nodes(const std::int64_t* global, std::int64_t firs
 /// Results of earlier versions lack some datasets.
 bool holds(hid_t parent, const char* path) { return H5Lexists(parent, path, H5P_DEFAULT) > 0; }
 
+/// As Project::materials, where the file tells them.
+std::vector<std::optional<RockStrength>> read_strengths(hid_t talus) {
+  std::vector<std::optional<RockStrength>> strengths;
+  if (!holds(talus, "material_strengths")) return strengths;
+  const auto rows = hdf5::read_all<double>(talus, "material_strengths");
+  for (std::size_t i = 0; i + 2 < rows.size(); i += 3) {
+    auto& strength = strengths.emplace_back();
+    if (std::isnan(rows[i])) continue;
+    strength = RockStrength{.cohesion = rows[i], .friction_angle = rows[i + 1]};
+    if (!std::isnan(rows[i + 2])) strength->tensile_strength = rows[i + 2];
+  }
+  return strengths;
+}
+
 BlockSystem read_system(hid_t file) {
   BlockSystem system;
   const Handle talus(check(H5Gopen2(file, "/Talus", H5P_DEFAULT), "holds no blocks"));
   system.joint_names = hdf5::read_strings(talus, "joints");
+  system.strengths = read_strengths(talus);
   system.solids_volume = hdf5::read_number_attribute<double>(talus, "solids_volume");
   const auto names = hdf5::read_strings(talus, "blocks/name"), bodies = hdf5::read_strings(talus, "blocks/body");
   const auto reasons =
@@ -219,6 +235,12 @@ Frame ResultFileReader::State::read(int number, double time) const {
     need(is_index_or_none(contact.joint, joint_count), "a contact's joint is not there");
     need(contact.state <= ContactState::slip, "a contact's state is not known");
     need(contact.bond <= Bond::broken, "a contact's bond is not known");
+  }
+  if (t.has_sleep) {
+    std::vector<std::int8_t> sleepers(block_count);
+    t.asleep.read(sleepers.data(), row * block_count, block_count);
+    if (std::ranges::none_of(sleepers, [](std::int8_t flag) { return flag < 0; }))
+      frame.asleep.assign(sleepers.begin(), sleepers.end());
   }
   if (!t.has_motions) return frame;
   frame.motions = read_list<StoredMotion, MotionClass>(t.motions, t.motion_ends, row, StoredMotion{});

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -24,6 +25,8 @@ namespace {
 constexpr hsize_t number_chunk = 512;   // frames a piece of the small tables
 constexpr hsize_t contact_chunk = 256;  // contacts a piece
 constexpr hsize_t motion_chunk = 256;   // classes of motion a piece
+constexpr hsize_t sleep_chunk = 4096;   // flags of sleep a piece
+constexpr std::int8_t not_noted = -1;   // of a frame that does not tell who sleeps
 
 std::vector<std::string> names_of(const auto& things) {
   std::vector<std::string> names;
@@ -93,6 +96,17 @@ std::vector<std::int32_t> stress_flags(const std::vector<Monitor>& monitors) {
   return flags;
 }
 
+/// Cohesion [Pa], friction angle [degrees] and tensile strength [Pa] of a material; no numbers where it has none.
+std::vector<double> strength_rows(const Project& project) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> rows;
+  for (const Material& material : project.materials) {
+    const RockStrength strength = material.strength.value_or(RockStrength{none, none, none});
+    rows.insert(rows.end(), {strength.cohesion, strength.friction_angle, strength.tensile_strength.value_or(none)});
+  }
+  return rows;
+}
+
 /// /Talus: names, blocks and the undeformed mesh; the contacts of the frames.
 void create_talus(hid_t file, const Project& project, const BlockSystem& system, const FlatMesh& flat) {
   const Handle group = hdf5::create_group(file, "/Talus");
@@ -101,6 +115,7 @@ void create_talus(hid_t file, const Project& project, const BlockSystem& system,
   hdf5::write_strings(group, "project", {project.name});
   hdf5::write_strings(group, "joints", system.joint_names);
   hdf5::write_strings(group, "materials", names_of(project.materials));
+  hdf5::write_fixed(group, "material_strengths", strength_rows(project), 3);
   hdf5::write_strings(group, "stages", names_of(project.stages));
   hdf5::write_strings(group, "monitors", names_of(project.monitors));
   hdf5::write_fixed(group, "monitor_stress", stress_flags(project.monitors));
@@ -114,6 +129,7 @@ void create_talus(hid_t file, const Project& project, const BlockSystem& system,
   Table::create(group, "contacts", stored_contact_type(), 0, contact_chunk);
   Table::create(group, "motion_end", H5T_NATIVE_INT64, 0, number_chunk);
   Table::create(group, "motions", stored_motion_type(), 0, motion_chunk);
+  Table::create(group, "asleep", H5T_NATIVE_INT8, 0, sleep_chunk);
 }
 
 /// The tables of /VTKHDF/Steps that say where a frame's rows begin, and how many rows it adds to what they point at.
@@ -222,7 +238,7 @@ void link_as_vtkhdf(const std::filesystem::path& results) {
 struct ResultFileWriter::State : FrameTables {
   std::filesystem::path path;
   std::vector<double> nodes;
-  hsize_t node_count = 0, tetrahedron_count = 0;
+  hsize_t node_count = 0, tetrahedron_count = 0, block_count = 0;
   std::int64_t frames = 0, contact_end = 0, motion_end = 0;
   Handle file, steps, step_count;
   Table points, parts, times;
@@ -262,6 +278,7 @@ void ResultFileWriter::State::go_back_to(std::int64_t frame_count) {
   motions.go_back_to(static_cast<hsize_t>(motion_end));
   for (Table* table : {&points, &displacement, &velocity}) table->go_back_to(rows * node_count);
   stress.go_back_to(rows * tetrahedron_count);
+  asleep.go_back_to(rows * block_count);
 }
 
 void ResultFileWriter::State::append(const Frame& frame) {
@@ -274,6 +291,9 @@ void ResultFileWriter::State::append(const Frame& frame) {
 
   append_list<StoredContact>(frame.contacts, contacts, contact_ends, contact_end);
   append_list<StoredMotion>(frame.motions, motions, motion_ends, motion_end);
+  std::vector<std::int8_t> sleepers(frame.asleep.begin(), frame.asleep.end());
+  sleepers.resize(block_count, not_noted);
+  asleep.append(sleepers.data(), block_count);
   index.append(&frame.index, 1);
   stage.append(&frame.stage, 1);
 
@@ -307,6 +327,7 @@ void ResultFileWriter::State::begin(const std::filesystem::path& results, const 
   try {
     FlatMesh flat = flatten(system);
     path = results;
+    block_count = system.blocks.size();
     node_count = flat.nodes.size() / 3;
     tetrahedron_count = flat.tetrahedra.size() / 4;
     file = open(flat);

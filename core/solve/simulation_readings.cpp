@@ -58,6 +58,7 @@ Frame Simulation::frame(int index) const {
     frame.stress.insert(frame.stress.end(), own.begin(), own.end());
   }
   frame.contacts = contacts();
+  frame.asleep = s.sleep.asleep();
   return frame;
 }
 

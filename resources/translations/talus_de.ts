@@ -1389,6 +1389,14 @@
         <source>Cohesion left</source>
         <translation>Restkohäsion</translation>
     </message>
+    <message>
+        <source>Safety factor of rock</source>
+        <translation>Sicherheitsfaktor des Gesteins</translation>
+    </message>
+    <message>
+        <source>Blocks that sleep</source>
+        <translation>Schlafende Blöcke</translation>
+    </message>
 </context>
 <context>
     <name>counted</name>
@@ -1720,6 +1728,545 @@
     <message>
         <source>Results</source>
         <translation>Ergebnisse</translation>
+    </message>
+</context>
+<context>
+    <name>picture</name>
+    <message>
+        <source>event in the reference</source>
+        <translation>Ereignis der Vergleichsquelle</translation>
+    </message>
+    <message>
+        <source>computed event</source>
+        <translation>berechnetes Ereignis</translation>
+    </message>
+    <message>
+        <source>x east</source>
+        <translation>x Ost</translation>
+    </message>
+    <message>
+        <source>y north</source>
+        <translation>y Nord</translation>
+    </message>
+    <message>
+        <source>z up</source>
+        <translation>z oben</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>stress</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Stress, tension positive</source>
+        <translation>Spannung, Zug positiv</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>best for its cost</source>
+        <translation>beste für ihren Aufwand</translation>
+    </message>
+    <message>
+        <source>Processor time of solving</source>
+        <translation>Rechenzeit des Prozessors</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>Distance along the line</source>
+        <translation>Weg entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Depth of the deposit at</source>
+        <translation>Mächtigkeit der Ablagerung bei</translation>
+    </message>
+    <message>
+        <source>East, x</source>
+        <translation>Ost, x</translation>
+    </message>
+    <message>
+        <source>North, y</source>
+        <translation>Nord, y</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Mächtigkeit</translation>
+    </message>
+    <message>
+        <source>deposit</source>
+        <translation>Ablagerung</translation>
+    </message>
+    <message>
+        <source>the rock at rest</source>
+        <translation>der Fels in Ruhe</translation>
+    </message>
+    <message>
+        <source>crown to toe</source>
+        <translation>Anriss bis Fuß</translation>
+    </message>
+    <message>
+        <source>Velocity of the front</source>
+        <translation>Geschwindigkeit der Front</translation>
+    </message>
+    <message>
+        <source>Velocity, forward</source>
+        <translation>Geschwindigkeit, vorwärts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>Front</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>sticks</source>
+        <translation>haftet</translation>
+    </message>
+    <message>
+        <source>slides</source>
+        <translation>gleitet</translation>
+    </message>
+    <message>
+        <source>bonded</source>
+        <translation>gebunden</translation>
+    </message>
+    <message>
+        <source>never bonded</source>
+        <translation>nie gebunden</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <translation>gebrochen</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>starr</translation>
+    </message>
+    <message>
+        <source>affine</source>
+        <translation>affin</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>awake</source>
+        <translation>wach</translation>
+    </message>
+    <message>
+        <source>asleep</source>
+        <translation>schläft</translation>
+    </message>
+    <message>
+        <source>of real time</source>
+        <translation>der Echtzeit</translation>
+    </message>
+    <message>
+        <source>real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>longest</source>
+        <translation>längster</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>support</source>
+        <translation>Lager</translation>
+    </message>
+    <message>
+        <source>stress in situ</source>
+        <translation>Gebirgsspannung</translation>
+    </message>
+    <message>
+        <source>monitor</source>
+        <translation>Messpunkt</translation>
+    </message>
+    <message>
+        <source>principal stresses</source>
+        <translation>Hauptspannungen</translation>
+    </message>
+    <message>
+        <source>contact force</source>
+        <translation>Kontaktkraft</translation>
+    </message>
+    <message>
+        <source>displacements</source>
+        <translation>Verschiebungen</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>stick</source>
+        <translation>haftend</translation>
+    </message>
+    <message>
+        <source>slip</source>
+        <translation>gleitend</translation>
+    </message>
+    <message>
+        <source>axes of rotation</source>
+        <translation>Drehachsen</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>schnellste</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Böschung</translation>
+    </message>
+    <message>
+        <source>daylight envelope of its poles</source>
+        <translation>Daylight-Hüllkurve ihrer Pole</translation>
+    </message>
+    <message>
+        <source>friction cone φ</source>
+        <translation>Reibungskegel φ</translation>
+    </message>
+    <message>
+        <source>slip limit, face dip − φ</source>
+        <translation>Gleitgrenze, Böschungsfallen − φ</translation>
+    </message>
+    <message>
+        <source>lateral limits</source>
+        <translation>seitliche Grenzen</translation>
+    </message>
+    <message>
+        <source>intersections of mean planes</source>
+        <translation>Schnittgeraden der mittleren Ebenen</translation>
+    </message>
+    <message>
+        <source>intersections of joints</source>
+        <translation>Schnittgeraden der Klüfte</translation>
+    </message>
+    <message>
+        <source>Displacement x</source>
+        <translation>Verschiebung x</translation>
+    </message>
+    <message>
+        <source>Displacement y</source>
+        <translation>Verschiebung y</translation>
+    </message>
+    <message>
+        <source>Displacement z</source>
+        <translation>Verschiebung z</translation>
+    </message>
+    <message>
+        <source>Velocity x</source>
+        <translation>Geschwindigkeit x</translation>
+    </message>
+    <message>
+        <source>Velocity y</source>
+        <translation>Geschwindigkeit y</translation>
+    </message>
+    <message>
+        <source>Velocity z</source>
+        <translation>Geschwindigkeit z</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Von-Mises-Spannung</translation>
+    </message>
+    <message>
+        <source>Largest principal stress</source>
+        <translation>Größte Hauptspannung</translation>
+    </message>
+    <message>
+        <source>Smallest principal stress</source>
+        <translation>Kleinste Hauptspannung</translation>
+    </message>
+    <message>
+        <source>Largest shear stress</source>
+        <translation>Größte Schubspannung</translation>
+    </message>
+    <message>
+        <source>Mean stress</source>
+        <translation>Mittlere Spannung</translation>
+    </message>
+    <message>
+        <source>Stress xx</source>
+        <translation>Spannung xx</translation>
+    </message>
+    <message>
+        <source>Stress yy</source>
+        <translation>Spannung yy</translation>
+    </message>
+    <message>
+        <source>Stress zz</source>
+        <translation>Spannung zz</translation>
+    </message>
+    <message>
+        <source>Stress xy</source>
+        <translation>Spannung xy</translation>
+    </message>
+    <message>
+        <source>Stress yz</source>
+        <translation>Spannung yz</translation>
+    </message>
+    <message>
+        <source>Stress zx</source>
+        <translation>Spannung zx</translation>
+    </message>
+    <message>
+        <source>Safety factor of rock</source>
+        <translation>Sicherheitsfaktor des Gesteins</translation>
+    </message>
+    <message>
+        <source>Volumetric strain</source>
+        <translation>Volumendehnung</translation>
+    </message>
+    <message>
+        <source>Largest principal strain</source>
+        <translation>Größte Hauptdehnung</translation>
+    </message>
+    <message>
+        <source>Smallest principal strain</source>
+        <translation>Kleinste Hauptdehnung</translation>
+    </message>
+    <message>
+        <source>Largest shear strain</source>
+        <translation>Größte Gleitung</translation>
+    </message>
+    <message>
+        <source>Kind of body</source>
+        <translation>Art des Körpers</translation>
+    </message>
+    <message>
+        <source>Motion of blocks</source>
+        <translation>Bewegung der Blöcke</translation>
+    </message>
+    <message>
+        <source>Blocks that sleep</source>
+        <translation>Schlafende Blöcke</translation>
+    </message>
+    <message>
+        <source>Normal stress on joints</source>
+        <translation>Normalspannung auf Klüften</translation>
+    </message>
+    <message>
+        <source>Shear stress on joints</source>
+        <translation>Schubspannung auf Klüften</translation>
+    </message>
+    <message>
+        <source>Mobilised shear strength</source>
+        <translation>Ausgenutzte Scherfestigkeit</translation>
+    </message>
+    <message>
+        <source>Slip of joints</source>
+        <translation>Gleitweg der Klüfte</translation>
+    </message>
+    <message>
+        <source>Opening of joints</source>
+        <translation>Öffnung der Klüfte</translation>
+    </message>
+    <message>
+        <source>State of joints</source>
+        <translation>Zustand der Klüfte</translation>
+    </message>
+    <message>
+        <source>Bonds of joints</source>
+        <translation>Bindungen der Klüfte</translation>
+    </message>
+    <message>
+        <source>Cohesion left</source>
+        <translation>Restkohäsion</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation>Kinetische Energie</translation>
+    </message>
+    <message>
+        <source>Largest von Mises stress</source>
+        <translation>Größte Von-Mises-Spannung</translation>
+    </message>
+    <message>
+        <source>Contact force</source>
+        <translation>Kontaktkraft</translation>
+    </message>
+    <message>
+        <source>Normal forces, summed</source>
+        <translation>Normalkräfte, Summe</translation>
+    </message>
+    <message>
+        <source>Shear forces, summed</source>
+        <translation>Schubkräfte, Summe</translation>
+    </message>
+    <message>
+        <source>which blocks sleep is not recorded in these results: an earlier version of Talus has written them</source>
+        <translation>welche Blöcke schlafen, ist in diesen Ergebnissen nicht festgehalten: eine frühere Version von Talus hat sie geschrieben</translation>
+    </message>
+    <message>
+        <source>no material has a strength: give one to the rock on the page Materials</source>
+        <translation>kein Material hat eine Festigkeit: auf der Seite Werkstoffe kann das Gestein eine bekommen</translation>
+    </message>
+    <message>
+        <source>how blocks move was not noted in this frame</source>
+        <translation>wie sich Blöcke bewegen, ist in diesem Bild nicht festgehalten</translation>
+    </message>
+    <message>
+        <source>these results do not tell of the strength of joints: an earlier version of Talus has written them</source>
+        <translation>diese Ergebnisse sagen nichts über die Festigkeit der Klüfte: eine frühere Version von Talus hat sie geschrieben</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>stabil</translation>
+    </message>
+    <message>
+        <source>carried</source>
+        <translation>getragen</translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>sliding on one plane</source>
+        <translation>gleitet auf einer Fläche</translation>
+    </message>
+    <message>
+        <source>sliding on two planes</source>
+        <translation>gleitet auf zwei Flächen</translation>
+    </message>
+    <message>
+        <source>toppling</source>
+        <translation>kippt</translation>
+    </message>
+    <message>
+        <source>torsional</source>
+        <translation>dreht sich auf der Fläche</translation>
+    </message>
+    <message>
+        <source>sliding and toppling</source>
+        <translation>gleitet und kippt</translation>
+    </message>
+    <message>
+        <source>sliding and torsional</source>
+        <translation>gleitet und dreht sich</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Scharen</translation>
+    </message>
+    <message>
+        <source>mean dip/direction · κ</source>
+        <translation>mittleres Fallen/Richtung · κ</translation>
+    </message>
+    <message>
+        <source>no set</source>
+        <translation>keine Schar</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Böschung</translation>
+    </message>
+    <message>
+        <source>Critical</source>
+        <translation>Kritisch</translation>
+    </message>
+    <message>
+        <source>equal area</source>
+        <translation>flächentreu</translation>
+    </message>
+    <message>
+        <source>equal angle</source>
+        <translation>winkeltreu</translation>
+    </message>
+    <message>
+        <source>lower hemisphere</source>
+        <translation>untere Halbkugel</translation>
+    </message>
+    <message>
+        <source>planar sliding</source>
+        <translation>Gleiten auf einer Fläche</translation>
+    </message>
+    <message>
+        <source>planar, no limits</source>
+        <translation>eine Fläche, ohne Grenzen</translation>
+    </message>
+    <message>
+        <source>wedge sliding</source>
+        <translation>Keilgleiten</translation>
+    </message>
+    <message>
+        <source>flexural toppling</source>
+        <translation>Biegekippen</translation>
+    </message>
+    <message>
+        <source>direct toppling</source>
+        <translation>Blockkippen</translation>
+    </message>
+    <message>
+        <source>base planes</source>
+        <translation>Basisflächen</translation>
+    </message>
+    <message>
+        <source>pole</source>
+        <translation>Pol</translation>
+    </message>
+    <message>
+        <source>poles</source>
+        <translation>Pole</translation>
     </message>
 </context>
 <context>
@@ -3346,6 +3893,30 @@
         <source>a block of less than this share of the median volume of its solid&apos;s blocks is a splinter, too, unless blocks names it: 1e-6 when absent, 0: none is</source>
         <translation>auch ein Block, dessen Volumen kleiner ist als dieser Anteil am Median der Blöcke seines Körpers, ist ein Splitter, wenn blocks ihn nicht nennt: 1e-6, wenn es fehlt, 0: keiner</translation>
     </message>
+    <message>
+        <source>Strength</source>
+        <translation>Festigkeit</translation>
+    </message>
+    <message>
+        <source>of whole rock by Mohr and Coulomb, an object with cohesion and friction_angle: results are measured against it, no run uses it</source>
+        <translation>des ganzen Gesteins nach Mohr und Coulomb, ein Objekt mit cohesion und friction_angle: Ergebnisse werden daran gemessen, keine Rechnung verwendet sie</translation>
+    </message>
+    <message>
+        <source>cohesion, Pa (hard rock 5e6 to 30e6)</source>
+        <translation>Kohäsion, Pa (hartes Gestein 5e6 bis 30e6)</translation>
+    </message>
+    <message>
+        <source>friction angle, degrees (hard rock 40 to 55)</source>
+        <translation>Reibungswinkel, Grad (hartes Gestein 40 bis 55)</translation>
+    </message>
+    <message>
+        <source>where tension is cut off, Pa: at the apex, cohesion / tan(friction angle), when absent, and no more than that</source>
+        <translation>wo der Zug gekappt wird, Pa: an der Spitze, Kohäsion / tan(Reibungswinkel), wenn nichts angegeben ist, und höchstens dort</translation>
+    </message>
+    <message>
+        <source>c / tan φ</source>
+        <translation>c / tan φ</translation>
+    </message>
 </context>
 <context>
     <name>talus::AccuracyChart</name>
@@ -3774,6 +4345,10 @@
         <source>Along a line</source>
         <translation>Entlang einer Linie</translation>
     </message>
+    <message>
+        <source>Joints that slipped</source>
+        <translation>Geglittene Klüfte</translation>
+    </message>
 </context>
 <context>
     <name>talus::CasePage</name>
@@ -3869,6 +4444,10 @@
     <message>
         <source>The results that are compared</source>
         <translation>Die verglichenen Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Draw its blocks&apos; edges over the view beside it</source>
+        <translation>Kanten seiner Blöcke über die Ansicht daneben zeichnen</translation>
     </message>
 </context>
 <context>
@@ -4199,6 +4778,30 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
         <source>How fast blocks go where, the forces by which each two push each other, or the principal stresses: heads point inwards where rock is pressed</source>
         <translation>Wie schnell Blöcke wohin gehen, die Kräfte, mit denen je zwei gegeneinander drücken, oder die Hauptspannungen: Spitzen zeigen nach innen, wo Fels gedrückt wird</translation>
     </message>
+    <message>
+        <source>selected blocks</source>
+        <translation>ausgewählte Blöcke</translation>
+    </message>
+    <message>
+        <source>all blocks</source>
+        <translation>alle Blöcke</translation>
+    </message>
+    <message>
+        <source>Trails</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>The ways that blocks&apos; centres have gone up to the frame in view, as soon as a run is over</source>
+        <translation>Die Wege der Blockmitten bis zum gezeigten Bild, sobald eine Rechnung vorbei ist</translation>
+    </message>
+    <message>
+        <source>Axes of rotation</source>
+        <translation>Drehachsen</translation>
+    </message>
+    <message>
+        <source>About which blocks turn in the frame in view, by the right hand</source>
+        <translation>Um die sich Blöcke im gezeigten Bild drehen, nach der rechten Hand</translation>
+    </message>
 </context>
 <context>
     <name>talus::EffectList</name>
@@ -4295,6 +4898,157 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
     <message>
         <source>Kind</source>
         <translation>Art</translation>
+    </message>
+</context>
+<context>
+    <name>talus::FilmDialog</name>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Block that is followed</source>
+        <translation>Verfolgter Block</translation>
+    </message>
+    <message>
+        <source>Turns about the rock by</source>
+        <translation>Kreist um den Fels um</translation>
+    </message>
+    <message>
+        <source>Goes along with</source>
+        <translation>Geht mit</translation>
+    </message>
+    <message>
+        <source>Goes from key to key</source>
+        <translation>Fährt von Ort zu Ort</translation>
+    </message>
+    <message>
+        <source>Save film…</source>
+        <translation>Film speichern…</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1 pixels wide</source>
+        <translation>%1 Pixel breit</translation>
+    </message>
+    <message>
+        <source>%1 a second</source>
+        <translation>%1 je Sekunde</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>In the view&apos;s shape</source>
+        <translation>In der Form der Ansicht</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>That of play, which the timeline chooses</source>
+        <translation>Das Tempo des Abspielens, das die Zeitleiste wählt</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Once round from the first picture to the last, or as far as is said, anticlockwise from above</source>
+        <translation>Einmal herum vom ersten bis zum letzten Bild, oder so weit wie angegeben, von oben gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Degrees that the camera turns by</source>
+        <translation>Grad, um die die Kamera kreist</translation>
+    </message>
+    <message>
+        <source>The block stays in the middle of the picture</source>
+        <translation>Der Block bleibt in der Bildmitte</translation>
+    </message>
+    <message>
+        <source>Smoothly through the places of the table; at each key&apos;s moment it is there</source>
+        <translation>Sanft durch die Orte der Tabelle; zum Zeitpunkt jedes Ortes ist sie dort</translation>
+    </message>
+    <message>
+        <source>Camera keys</source>
+        <translation>Orte der Kamera</translation>
+    </message>
+    <message>
+        <source>Add the view</source>
+        <translation>Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>The camera is at this moment where the view is now</source>
+        <translation>Zu diesem Zeitpunkt ist die Kamera, wo die Ansicht jetzt ist</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Read…</source>
+        <translation>Lesen…</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>For talus-cli animate --camera</source>
+        <translation>Für talus-cli animate --camera</translation>
+    </message>
+    <message>
+        <source>Read camera keys</source>
+        <translation>Orte der Kamera lesen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the camera keys</source>
+        <translation>Orte der Kamera speichern</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Stands at, m</source>
+        <translation>Steht bei, m</translation>
+    </message>
+    <message>
+        <source>Looks to, m</source>
+        <translation>Blickt nach, m</translation>
+    </message>
+    <message>
+        <source>real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>There are no frames yet</source>
+        <translation>Es gibt noch keine Bilder</translation>
+    </message>
+    <message>
+        <source>Add a key, or let the camera stand still</source>
+        <translation>Einen Ort hinzufügen oder die Kamera stehen lassen</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Bildrate</translation>
     </message>
 </context>
 <context>
@@ -4884,6 +5638,10 @@ Z %3</translation>
     <message>
         <source>%1 long</source>
         <translation>%1 lang</translation>
+    </message>
+    <message>
+        <source>Take the line away</source>
+        <translation>Linie wegnehmen</translation>
     </message>
 </context>
 <context>
@@ -6824,6 +7582,25 @@ Diese Datei gibt es nicht mehr</translation>
     </message>
 </context>
 <context>
+    <name>talus::SlippedJointsPanel</name>
+    <message>
+        <source>Net of the joints that slipped</source>
+        <translation>Netz der geglittenen Klüfte</translation>
+    </message>
+    <message>
+        <source>The frames are being looked at …</source>
+        <translation>Die Bilder werden durchgesehen …</translation>
+    </message>
+    <message>
+        <source>On which joints blocks slid is told of results on disk, when a run is over.</source>
+        <translation>Auf welchen Klüften Blöcke glitten, wird von Ergebnissen auf der Platte gesagt, wenn eine Rechnung vorbei ist.</translation>
+    </message>
+    <message>
+        <source>No block slid on another one that it lay against.</source>
+        <translation>Kein Block glitt auf einem anderen, an dem er lag.</translation>
+    </message>
+</context>
+<context>
     <name>talus::SolidTools</name>
     <message>
         <source>Import geometry…</source>
@@ -7278,6 +8055,18 @@ Diese Datei gibt es nicht mehr</translation>
     <message>
         <source>%1 % of energy</source>
         <translation>%1 % der Energie</translation>
+    </message>
+    <message>
+        <source>Under way</source>
+        <translation>Im Gange</translation>
+    </message>
+    <message>
+        <source>The step that is being made: its open–close iterations so far, and the norm of the force that is out of balance</source>
+        <translation>Der Schritt, der gerade gerechnet wird: seine Iterationen bisher und der Betrag der Kraft, die nicht im Gleichgewicht ist</translation>
+    </message>
+    <message>
+        <source>iteration %1, %2 kN</source>
+        <translation>Iteration %1, %2 kN</translation>
     </message>
 </context>
 <context>

@@ -4,15 +4,12 @@
 #include "model/require.hpp"
 
 namespace talus {
-namespace {
 
 void check_friction_angle(double angle, const Place& place) {
   require_finite(angle, place);
   require(angle >= 0 && angle < 90, place,
           "the friction angle must be at least 0 and below 90, is " + number_text(angle), "give it in degrees");
 }
-
-}  // namespace
 
 void check(const Joint& joint, const Place& place) {
   check_friction_angle(joint.friction_angle, place / "friction_angle");

@@ -1,9 +1,11 @@
 #include "model/rules/validate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "base/error.hpp"
+#include "base/units.hpp"
 #include "model/actions.hpp"
 #include "model/number_text.hpp"
 #include "model/place.hpp"
@@ -22,6 +24,20 @@
 namespace talus {
 namespace {
 
+void check(const RockStrength& strength, const Place& place) {
+  check_friction_angle(strength.friction_angle, place / "friction_angle");
+  require_not_negative(strength.cohesion, place / "cohesion", "cohesion", "Pa");
+  if (!strength.tensile_strength) return;
+  require_not_negative(*strength.tensile_strength, place / "tensile_strength", "tensile strength", "Pa");
+  const double slope = std::tan(radians(strength.friction_angle));
+  require(*strength.tensile_strength * slope <= strength.cohesion * (1 + 1e-9), place / "tensile_strength",
+          "the tensile strength, " + number_text(*strength.tensile_strength) +
+              " Pa, lies beyond the apex of the shear "
+              "strength, cohesion / tan(friction angle) = " +
+              number_text(strength.cohesion / slope) + " Pa",
+          "give at most that, or leave it out");
+}
+
 void check(const Material& material) {
   const Place place = Place() / "materials" / material.name;
   require_positive(material.density, place / "density", "density", "kg/m³");
@@ -31,6 +47,7 @@ void check(const Material& material) {
           "Poisson's ratio must lie between -1 and 0.5, is " + number_text(material.poisson),
           "rock has 0.1 to 0.35; use 0.49 for nearly incompressible");
   require_not_negative(material.damping, place / "damping", "damping", "1/s");
+  if (material.strength) check(*material.strength, place / "strength");
   require(material.law == MaterialLaw::linear || material.poisson >= 0, place / "poisson",
           "a neo-hookean material needs a Poisson's ratio of at least 0, is " + number_text(material.poisson),
           "squeezed to nothing it would give energy; give it another ratio, or the linear law");

@@ -53,14 +53,28 @@ TEST(BlockFields, StrainOfAnExtensionIsGreensAndLagranges) {
   EXPECT_EQ(values_of(frame, "strain.volumetric").size(), 12u);
 }
 
+TEST(BlockFields, SleepIsToldWhereItIsRecorded) {
+  const BlockSystem system = test::cube_on_slab();
+  Frame frame = mapped(system, turned, Vec3::Zero());
+  EXPECT_THAT(why_absent(system, frame, field_named("asleep")), testing::HasSubstr("not recorded"));
+  EXPECT_THAT(values_of(frame, "asleep"), testing::Each(testing::IsNan()));
+  frame.asleep = {0, 1};
+  EXPECT_EQ(why_absent(system, frame, field_named("asleep")), "");
+  EXPECT_THAT(values_of(frame, "asleep"),
+              testing::ElementsAre(static_cast<double>(SleepState::fixed), static_cast<double>(SleepState::asleep)));
+  frame.asleep = {0, 0};
+  EXPECT_EQ(values_of(frame, "asleep")[1], static_cast<double>(SleepState::awake));
+}
+
 TEST(BlockFields, ClassesAreThoseOfBodiesAndMotions) {
+  const BlockSystem system = test::cube_on_slab();
   Frame frame = mapped(test::cube_on_slab(), turned, Vec3::Zero());
   EXPECT_THAT(values_of(frame, "body"),
               testing::ElementsAre(static_cast<double>(BodyKind::fixed), static_cast<double>(BodyKind::tetrahedra)));
-  EXPECT_THAT(why_absent(frame, field_named("motion")), testing::HasSubstr("not noted"));
+  EXPECT_THAT(why_absent(system, frame, field_named("motion")), testing::HasSubstr("not noted"));
   frame.motions.resize(2);
   frame.motions[1].mode = MotionMode::toppling;
-  EXPECT_EQ(why_absent(frame, field_named("motion")), "");
+  EXPECT_EQ(why_absent(system, frame, field_named("motion")), "");
   EXPECT_THAT(values_of(frame, "motion"),
               testing::ElementsAre(static_cast<double>(MotionMode::stable), static_cast<double>(MotionMode::toppling)));
 }

@@ -159,14 +159,15 @@ TEST(JointFields, OpeningAndSlipAreToldWhereNothingTouchesAnyMore) {
 }
 
 TEST(JointFields, WhatResultsOfEarlierVersionsLackIsSaid) {
+  const BlockSystem system = test::cube_on_slab();
   Frame frame;
   frame.contacts.push_back({Vec3::Zero(), Vec3::UnitZ(), {1, 0}, 0, ContactState::stick, 1, Vec3::Zero(), 1});
   for (const char* name : {"joint.mobilised", "joint.bond", "joint.cohesion"})
-    EXPECT_THAT(why_absent(frame, field_named(name)), testing::HasSubstr("earlier version")) << name;
+    EXPECT_THAT(why_absent(system, frame, field_named(name)), testing::HasSubstr("earlier version")) << name;
   for (const char* name : {"joint.normal_stress", "joint.state", "joint.slip", "displacement"})
-    EXPECT_EQ(why_absent(frame, field_named(name)), "") << name;
+    EXPECT_EQ(why_absent(system, frame, field_named(name)), "") << name;
   frame.contacts[0].friction = 0.5;
-  EXPECT_EQ(why_absent(frame, field_named("joint.bond")), "");
+  EXPECT_EQ(why_absent(system, frame, field_named("joint.bond")), "");
 }
 
 TEST(JointWalls, OfALargeFaceHaveManyPointsAndCoverItsArea) {

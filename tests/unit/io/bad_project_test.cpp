@@ -70,6 +70,10 @@ const std::vector<BadText> against_schema{
      "kg/m³"},
     {"0.24", "0.5", "line 4, /materials/rock/poisson", "must be below 0.5, is 0.5", "0.1 to 0.35"},
     {"0.24", "-1", "line 4, /materials/rock/poisson", "must be greater than -1, is -1", "Poisson"},
+    {"0.24", "0.24, \"strength\": {\"cohesion\": 1e6}", "line 4, /materials/rock/strength",
+     "'friction_angle' is missing", "degrees"},
+    {"0.24", "0.24, \"strength\": {\"cohesion\": -1, \"friction_angle\": 45}",
+     "line 4, /materials/rock/strength/cohesion", "must be at least 0, is -1", "Pa"},
     {"25e9", "\"25e9\"", "line 4, /materials/rock/young", "must be a number, is \"25e9\"", "Pa"},
     {"25e9", "null", "line 4, /materials/rock/young", "must be a number, is null", "Pa"},
     {"\"friction_angle\": 8", "\"friction_angle\": 90", "line 8, /joints/J2/friction_angle", "must be below 90, is 90",
@@ -105,6 +109,8 @@ const std::vector<BadText> against_schema{
 INSTANTIATE_TEST_SUITE_P(AgainstSchema, BadProject, testing::ValuesIn(against_schema));
 
 const std::vector<BadText> against_rules{
+    {"0.24", "0.24, \"strength\": {\"cohesion\": 1e6, \"friction_angle\": 45, \"tensile_strength\": 1.1e6}",
+     "line 4, /materials/rock/strength/tensile_strength", "beyond the apex", "leave it out"},
     {"\"joint\": \"J2\"", "\"joint\": \"X7\"", "line 15, /cuts/0/joint", "joint 'X7' is used here but not defined",
      "define it under joints, or use one of J1, J2"},
     {"\"material\": \"rock\"", "\"material\": \"rok\"", "line 12, /solids/0/material", "material 'rok' is not defined",

@@ -21,7 +21,8 @@ TEST(ProjectRoundTrip, EveryKeyIsRead) {
   EXPECT_EQ(p.gravity, Vec3(0, 0, -9.80665));
   EXPECT_TRUE(std::signbit(p.gravity[1]));
   ASSERT_EQ(p.materials.size(), 2u);
-  EXPECT_EQ(p.materials[0], (Material{"soft rock", 2100, 1e9, 0.3, 0, MaterialLaw::neo_hookean}));
+  EXPECT_EQ(p.materials[0],
+            (Material{"soft rock", 2100, 1e9, 0.3, 0, MaterialLaw::neo_hookean, RockStrength{2e6, 35, 5e5}}));
   EXPECT_EQ(p.materials[1], (Material{"hard/rock", 2600, 25e9, -0.1, 0.5}));
   ASSERT_EQ(p.joints.size(), 2u);
   EXPECT_EQ(p.joints[0], (Joint{"J2", 8, 0, 0, {}, {}, {}, {}}));

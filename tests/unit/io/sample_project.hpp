@@ -15,7 +15,7 @@ inline const std::string full_project = R"(// A slope above a road.
   /* Rock from the
      laboratory */
   "materials": {
-    "soft rock": {"density": 2.1e3, "young": 1e9, "poisson": 0.3, "law": "neo-hookean"}, // first, though later in the alphabet
+    "soft rock": {"density": 2.1e3, "young": 1e9, "poisson": 0.3, "law": "neo-hookean", "strength": {"cohesion": 2e6, "friction_angle": 35, "tensile_strength": 5e5}}, // first, though later in the alphabet
     "hard/rock": {"density": 2600, "young": 25E+9, "poisson": -0.1, "damping": 0.5}
   },
   "joints": {

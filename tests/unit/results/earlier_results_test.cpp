@@ -71,5 +71,28 @@ TEST(EarlierResults, OpenWithoutTheStrengthOfContacts) {
   }
 }
 
+TEST(EarlierResults, OpenWithoutSleepersAndStrengths) {
+  const TemporaryFolder folder;
+  const BlockSystem system = example_system();
+  const std::filesystem::path file = folder.path / "results.h5";
+  {
+    ResultFileWriter writer(file, example_project(), system);
+    for (int i = 0; i < 3; ++i) writer.add_frame(example_frame(system, i));
+  }
+  EXPECT_EQ(ResultFileReader(file).system.strengths, system.strengths);
+  const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  ASSERT_GE(opened, 0);
+  for (const char* name : {"/Talus/asleep", "/Talus/material_strengths"})
+    ASSERT_GE(H5Ldelete(opened, name, H5P_DEFAULT), 0) << name;
+  H5Fclose(opened);
+  const ResultFileReader reader(file);
+  EXPECT_TRUE(reader.system.strengths.empty());
+  for (int i = 0; i < 3; ++i) {
+    Frame written = example_frame(system, i);
+    written.asleep.clear();
+    EXPECT_TRUE(same(reader.frame(i), written)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace talus

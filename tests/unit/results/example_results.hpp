@@ -65,6 +65,7 @@ inline BlockSystem example_system(int cells_a = 2, int cells_b = 3) {
                      .solids_volume = 5.25};
   system.blocks[0].body = BodyKind::fixed;
   system.blocks[1].material = 1;
+  system.strengths = {std::nullopt, RockStrength{.cohesion = 2e4, .friction_angle = 25}};
   return system;
 }
 
@@ -72,6 +73,7 @@ inline Project example_project() {
   Project project;
   project.name = "Two <blocks> & a slide";
   project.materials = {{"rock", 2600, 25e9, 0.24}, {"clay", 1900, 1e8, 0.3}};
+  project.materials[1].strength = RockStrength{.cohesion = 2e4, .friction_angle = 25};
   project.stages.resize(2);
   project.stages[0].name = "gravity";
   project.stages[1].name = "slide";
@@ -121,6 +123,7 @@ inline Frame example_frame(const BlockSystem& system, int index) {
                                .line = Vec3(3, number(index, 8), 4),
                                .axis = Vec3(5, 6, number(index, 9)),
                                .rotation_share = number(index, 10)});
+  if (index % 4 != 2) frame.asleep = {0, static_cast<char>(index % 4 == 1)};
   return frame;
 }
 
@@ -134,7 +137,7 @@ inline bool same(const ContactSample& a, const ContactSample& b) {
 /// Bit for bit, stresses too where they were floats to begin with.
 inline bool same(const Frame& a, const Frame& b) {
   return a.index == b.index && a.time == b.time && a.stage == b.stage && a.displacement == b.displacement &&
-         a.velocity == b.velocity && a.stress == b.stress && a.motions == b.motions &&
+         a.velocity == b.velocity && a.stress == b.stress && a.motions == b.motions && a.asleep == b.asleep &&
          std::equal(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end(),
                     [](const ContactSample& x, const ContactSample& y) { return same(x, y); });
 }

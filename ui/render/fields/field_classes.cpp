@@ -36,6 +36,8 @@ std::vector<FieldClass> classes_of(const Field& field) {
       const auto& palette = block_palette();
       return {{fixed, "fixed"}, {palette[0], "rigid"}, {palette[2], "affine"}, {palette[1], "tetrahedra"}};
     }
+    case Field::Measure::sleep:
+      return {{fixed, "fixed"}, {rgb(0xee8866), "awake"}, {rgb(0x77aadd), "asleep"}};
     case Field::Measure::motion:
       return motions();
     default:

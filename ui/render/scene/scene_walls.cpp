@@ -88,7 +88,7 @@ void Scene::State::keep_wanted_faces() {
 
 void Scene::State::explain_field() {
   const Field& field = *settings.field;
-  if (const std::string absent = why_absent(*frame, field); !absent.empty()) {
+  if (const std::string absent = why_absent(system, *frame, field); !absent.empty()) {
     overlay.remarks = absent;
     return;
   }

@@ -27,6 +27,8 @@ QString componentTitle(const Field& field) {
                                       QT_TRANSLATE_NOOP("component", "Smallest principal"),
                                       QT_TRANSLATE_NOOP("component", "Largest shear"),
                                       QT_TRANSLATE_NOOP("component", "Mean"),
+                                      QT_TRANSLATE_NOOP("component", "Safety factor of rock"),
+                                      QT_TRANSLATE_NOOP("component", "Blocks that sleep"),
                                       QT_TRANSLATE_NOOP("component", "Volumetric"),
                                       QT_TRANSLATE_NOOP("component", "Rotation"),
                                       QT_TRANSLATE_NOOP("component", "Kind of body"),
