@@ -92,6 +92,7 @@ Recording::Recording(const Project& project, const BlockSystem& system, const Ru
       interpenetration_(system, simulation),
       next_frame_(project.output.every),
       next_checkpoint_(options.checkpoint_every) {
+  simulation_.watch_iterations([this](double unbalanced) { observer_.on_iteration(unbalanced); });
   report_.threads = options.threads;
   report_.tolerance = project.solver.tolerance;
 }
@@ -170,6 +171,8 @@ void Recording::take(StepReport step) {
       write_frame();
       interpenetrating_ = interpenetration_.look(step, report_.max_relative_penetration);
       next_frame_ = project_.output.every * (std::floor(simulation_.time() / project_.output.every + 1e-9) + 1);
+    } else if (last_frame_ && observer_.wants_moment()) {
+      observer_.on_moment(std::make_shared<const Frame>(simulation_.moment(*last_frame_)));
     }
     observer_.on_bodies(step, simulation_.bodies());
     observer_.on_step(step, row, simulation_.time() / simulation_.end_time());
@@ -234,6 +237,7 @@ void Recording::write_frame() {
   const auto frame = std::make_shared<Frame>(simulation_.frame(report_.frames++));
   frame->motions = motions_.classes(simulation_.bodies());
   writer_->add_frame(*frame);
+  last_frame_ = frame;
   observer_.on_frame(frame);
   observer_.on_effects(simulation_.effects());
 }

@@ -60,8 +60,9 @@ class Recording {
   InterpenetrationWatch interpenetration_;
   std::optional<ConvergenceTrouble> interpenetrating_;
   std::optional<ResultWriter> writer_;
-  double next_frame_;           ///< s
-  double next_checkpoint_ = 0;  ///< s, wall time of the run
+  double next_frame_;                        ///< s
+  std::shared_ptr<const Frame> last_frame_;  ///< null before the first
+  double next_checkpoint_ = 0;               ///< s, wall time of the run
   RunReport report_;
 };
 

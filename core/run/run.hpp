@@ -16,7 +16,8 @@ struct Project;
 
 struct BodySet;
 
-/// How a run talks to the one who started it. All functions are called from the solving thread, after a step.
+/// How a run talks to the one who started it. All functions are called from the solving thread, all but on_iteration
+/// after a step.
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
@@ -24,8 +25,15 @@ class RunObserver {
   virtual void on_step(const StepReport& step, const HistoryRow& history, double fraction) = 0;
   /// The same step, before `on_step`: the bodies at its end.
   virtual void on_bodies(const StepReport&, const BodySet&) {}
+  /// With each open–close iteration of the step that is being made, and the force out of balance then [N].
+  virtual void on_iteration(double /*unbalanced*/) {}
   /// After every frame that was written.
   virtual void on_frame(std::shared_ptr<const Frame> frame) = 0;
+  /// Asked after steps of which no frame is written: whether someone looks on who has waited for one.
+  virtual bool wants_moment() { return false; }
+  /// Where blocks are then: a frame that is not written, with the number, the stresses and the classes of motion of the
+  /// last one that was.
+  virtual void on_moment(std::shared_ptr<const Frame>) {}
   /// With every frame: what each effect has cost so far.
   virtual void on_effects(const std::vector<EffectOutcome>&) {}
   /// After every step that was hard somewhere: the hardest places of the run so far, the hardest first.

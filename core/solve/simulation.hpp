@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ class Simulation {
   /// adaptive control chooses.
   StepReport step();
 
+  /// Is called with each open–close iteration of a step and told the force that is out of balance [N].
+  void watch_iterations(std::function<void(double unbalanced)> each_iteration);
+
   /// Contact points within reach of the next step, as that step would find them; takes none. They hold until the next
   /// call. With every block fixed there are none.
   const ContactSet& look_for_contacts();
@@ -49,6 +53,9 @@ class Simulation {
   void archive(StateArchive& state);
 
   Frame frame(int index) const;
+  /// The frame of now but for what takes long, stresses, and what is not its own, number and classes of motion: these
+  /// are those of an earlier one.
+  Frame moment(const Frame& earlier) const;
   HistoryRow history() const;
   std::vector<ContactSample> contacts() const;  ///< of the last step, those of sleeping blocks too
   /// Of the last step, of blocks that are awake; about the local origin, as the bodies are.

@@ -40,15 +40,14 @@ const ContactSet& Simulation::look_for_contacts() {
   return s.contacts;
 }
 
+void Simulation::watch_iterations(std::function<void(double unbalanced)> each_iteration) {
+  state_->open_close.watch(std::move(each_iteration));
+}
+
 Frame Simulation::frame(int index) const {
   const SimulationState& s = *state_;
-  Frame frame;
+  Frame frame = moment({});
   frame.index = index;
-  frame.time = time();
-  frame.stage = stage();
-  const NodeSet& nodes = s.bodies.nodes;
-  for (int n = 0; n < nodes.of_blocks; ++n) frame.displacement.push_back(nodes.position[n] - nodes.reference[n]);
-  frame.velocity.assign(nodes.velocity.begin(), nodes.velocity.begin() + nodes.of_blocks);
   const std::vector<Voigt> stress = s.stress.all();
   for (std::size_t b = 0; b < s.bodies.bodies.size(); ++b) {
     const Body& body = s.bodies.bodies[b];
@@ -57,7 +56,21 @@ Frame Simulation::frame(int index) const {
     own.resize(tetrahedra, body.kind == BodyKind::affine && !own.empty() ? own.front() : Voigt(Voigt::Zero()));
     frame.stress.insert(frame.stress.end(), own.begin(), own.end());
   }
+  return frame;
+}
+
+Frame Simulation::moment(const Frame& earlier) const {
+  const SimulationState& s = *state_;
+  Frame frame;
+  frame.index = earlier.index;
+  frame.time = time();
+  frame.stage = stage();
+  const NodeSet& nodes = s.bodies.nodes;
+  for (int n = 0; n < nodes.of_blocks; ++n) frame.displacement.push_back(nodes.position[n] - nodes.reference[n]);
+  frame.velocity.assign(nodes.velocity.begin(), nodes.velocity.begin() + nodes.of_blocks);
+  frame.stress = earlier.stress;
   frame.contacts = contacts();
+  frame.motions = earlier.motions;
   frame.asleep = s.sleep.asleep();
   return frame;
 }

@@ -17,13 +17,33 @@ void RunExchange::on_step(const StepReport& step, const HistoryRow& history, dou
   const std::lock_guard lock(mutex_);
   news_.solving = true;
   news_.fraction = fraction;
+  news_.iterations = 0;
   news_.steps.push_back(step);
   news_.history.push_back(history);
+}
+
+void RunExchange::on_iteration(double unbalanced) {
+  const std::lock_guard lock(mutex_);
+  ++news_.iterations;
+  news_.unbalanced = unbalanced;
 }
 
 void RunExchange::on_frame(std::shared_ptr<const Frame> frame) {
   const std::lock_guard lock(mutex_);
   news_.frames.push_back(std::move(frame));
+  news_.moment.reset();
+  last_frame_ = std::chrono::steady_clock::now();
+}
+
+bool RunExchange::wants_moment() {
+  const std::lock_guard lock(mutex_);
+  return std::chrono::steady_clock::now() - last_frame_ > between_moments;
+}
+
+void RunExchange::on_moment(std::shared_ptr<const Frame> frame) {
+  const std::lock_guard lock(mutex_);
+  news_.moment = std::move(frame);
+  last_frame_ = std::chrono::steady_clock::now();
 }
 
 void RunExchange::on_effects(const std::vector<EffectOutcome>& effects) {
@@ -85,6 +105,8 @@ JobNews RunExchange::take() {
   news_.fraction = taken.fraction;
   news_.what = taken.what;
   news_.solving = taken.solving;
+  news_.iterations = taken.iterations;
+  news_.unbalanced = taken.unbalanced;
   return taken;
 }
 

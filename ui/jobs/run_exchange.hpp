@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -16,6 +17,10 @@ namespace talus {
 /// News are taken ten times a second: quick to the eye, cheap for the window.
 inline constexpr int heartbeat_ms = 100;
 
+/// A run whose frames come less often shows where blocks are between them: four times a second, which costs a run of
+/// a thousand blocks less than a thousandth.
+inline constexpr std::chrono::milliseconds between_moments{250};
+
 /// What a job has done since it was last asked.
 struct JobNews {
   double fraction = 0;  ///< 0…1 of the work that goes on: meshing or solving
@@ -24,7 +29,10 @@ struct JobNews {
   std::shared_ptr<const BlockSystem> system;  ///< once, when meshing is done
   std::vector<StepReport> steps;
   std::vector<HistoryRow> history;  ///< one for each of `steps`
+  int iterations = 0;               ///< of the step that is being made, so far
+  double unbalanced = 0;            ///< N, in the last of them
   std::vector<std::shared_ptr<const Frame>> frames;
+  std::shared_ptr<const Frame> moment;       ///< later than these, and not written; null: none
   std::optional<SceneSize> size;             ///< once, after `system`: what the effects will be paid for
   std::vector<EffectOutcome> effects;        ///< what they have cost so far; empty where nothing new is known
   std::vector<ConvergenceTrouble> troubles;  ///< the hardest places so far; empty where nothing new is known
@@ -38,7 +46,10 @@ class RunExchange final : public Progress, public RunObserver {
   void report(double fraction, std::string_view what) override;
   bool cancelled() const override;
   void on_step(const StepReport& step, const HistoryRow& history, double fraction) override;
+  void on_iteration(double unbalanced) override;
   void on_frame(std::shared_ptr<const Frame> frame) override;
+  bool wants_moment() override;
+  void on_moment(std::shared_ptr<const Frame> frame) override;
   void on_effects(const std::vector<EffectOutcome>& effects) override;
   void on_troubles(const std::vector<ConvergenceTrouble>& troubles) override;
   bool go_on() override;
@@ -58,6 +69,7 @@ class RunExchange final : public Progress, public RunObserver {
   std::condition_variable woken_;
   std::optional<long> allowed_;  ///< steps that may still be made; empty: any number
   bool stopped_ = false;
+  std::chrono::steady_clock::time_point last_frame_ = std::chrono::steady_clock::now();
   JobNews news_;
 };
 

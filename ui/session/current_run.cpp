@@ -196,6 +196,7 @@ void CurrentRun::watchOutside() {
 
 void CurrentRun::clear() {
   fraction_ = 0;
+  iterations_ = 0;
   activity_.clear();
   steps_.clear();
   history_.clear();
@@ -246,6 +247,8 @@ void CurrentRun::start(Start what) {
 void CurrentRun::takeNews(const JobNews& news) {
   fraction_ = news.fraction;
   activity_ = QString::fromStdString(news.what);
+  iterations_ = news.iterations;
+  unbalanced_ = news.unbalanced;
   if (news.system) {
     project_.setSystem(news.system);
     messages_.log(tr("%1 cut and meshed").arg(countOf(*news.system)));
@@ -256,6 +259,7 @@ void CurrentRun::takeNews(const JobNews& news) {
   if (news.size || !news.effects.empty()) emit effectsChanged();
   if (!news.troubles.empty()) takeTroubles(news.troubles);
   if (!news.frames.empty()) playback_.add(news.frames);
+  if (news.moment) playback_.showMoment(news.moment);
   if (!news.steps.empty()) {
     keepStepsBefore(news);
     steps_.insert(steps_.end(), news.steps.begin(), news.steps.end());
@@ -322,6 +326,7 @@ bool CurrentRun::handOver(const JobEnd& end) {
 }
 
 void CurrentRun::takeEnd(const JobEnd& end) {
+  iterations_ = 0;
   const bool leaving = std::exchange(leaving_, false);
   const bool handed = leaving && handOver(end);
   if (leaving && (handed || end.kind != JobEnd::Kind::stopped)) emit left();

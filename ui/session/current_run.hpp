@@ -61,6 +61,10 @@ class CurrentRun : public QObject {
   double fraction() const;
   const QString& activity() const { return activity_; }
 
+  /// Of the step that is being made: open–close iterations so far, 0 where none is, and the force out of balance, N.
+  int iterations() const { return iterations_; }
+  double unbalanced() const { return unbalanced_; }
+
   const std::vector<StepReport>& steps() const { return steps_; }
   const std::vector<HistoryRow>& history() const { return history_; }
   const std::vector<Event>& events() const { return events_; }
@@ -118,7 +122,8 @@ class CurrentRun : public QObject {
   OutsideTask task_;      ///< what another process could go on with; empty: blocks are cut alone
   bool leaving_ = false;  ///< it is to do so
   int looks_ = 0;         ///< at the run of another process
-  double fraction_ = 0;
+  double fraction_ = 0, unbalanced_ = 0;
+  int iterations_ = 0;
   QString activity_;
   std::optional<SceneSize> size_;     ///< of the project's blocks
   std::optional<KeptRun> kept_;       ///< none without a checkpoint

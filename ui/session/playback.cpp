@@ -65,6 +65,10 @@ void Playback::add(const std::vector<std::shared_ptr<const Frame>>& frames) {
   if (following_) showFrame(static_cast<int>(times_.size()) - 1);
 }
 
+void Playback::showMoment(std::shared_ptr<const Frame> moment) {
+  if (live_ && following_ && !times_.empty()) takeFrame(std::move(moment));
+}
+
 void Playback::endRun(const std::filesystem::path& folder) {
   wantedTime_ = frame_ ? std::optional<double>(frame_->time) : std::nullopt;
   load(folder);

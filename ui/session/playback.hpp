@@ -66,6 +66,8 @@ class Playback : public QObject {
   /// A run of the project as it is now begins, and brings its frames one by one.
   void beginRun();
   void add(const std::vector<std::shared_ptr<const Frame>>& frames);
+  /// Where the run is, later than its last frame: in view while the newest is followed, until the next frame comes.
+  void showMoment(std::shared_ptr<const Frame> moment);
   /// The run that brought the frames has come to nothing.
   void abandonRun() { live_ = false; }
   /// The results of the run take the place of its frames, at the moment that is in view.

@@ -250,6 +250,7 @@ bool OpenClose::has_converged(const OpenCloseResult& now, bool stalled, const In
 }
 
 void OpenClose::assemble(const Increment& d, double touching) {
+  if (watch_) watch_(residual_.norm());
   residual_.assemble(d, touching);
   residual_.measure_rounding();
 }
@@ -423,7 +424,9 @@ int OpenClose::approach_by_interior_point(Increment& d, int limit) {
           },
       .is_near =
           [this](const Increment& at) {
-            return residual_at(at) < tolerances_.interior_point_residual * residual_.force_scale();
+            const double residual = residual_at(at);
+            if (watch_) watch_(residual);
+            return residual < tolerances_.interior_point_residual * residual_.force_scale();
           }};
   const int count = interior_.approach(problem, std::min(limit, tolerances_.interior_point_limit), d);
   residual_.evaluate(d, Friction::coupled);

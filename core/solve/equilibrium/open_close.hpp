@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -66,6 +67,8 @@ class OpenClose {
   /// start of a step. It ends as converged, too, once no body is out of balance by more than `enough` of the forces on
   /// it.
   OpenCloseResult converge(Increment& d, double enough = 0);
+  /// Is called with each iteration and told the force that is out of balance [N]: a hard step takes hundreds.
+  void watch(std::function<void(double unbalanced)> each_iteration) { watch_ = std::move(each_iteration); }
   /// Contacts are about to be found anew: none is held in a state any more.
   void release_states();
   /// Norm of the gradient at D [N].
@@ -88,7 +91,7 @@ class OpenClose {
  private:
   using Friction = StepResidual::Friction;
   void follow_pattern();
-  /// Assembles the tangent and measures what rounding it makes.
+  /// An iteration begins from D: tells who watches, assembles the tangent and measures what rounding it makes.
   void assemble(const Increment& d, double touching);
   /// Newton's direction from D of the parts that are pending, no longer than bodies may go in an iteration.
   void find_direction(const Increment& d, Friction friction);
@@ -138,6 +141,7 @@ class OpenClose {
   int worst_dof_block() const;
 
   Composition* composition_ = nullptr;
+  std::function<void(double unbalanced)> watch_;  ///< empty: nobody does
   ConvergenceTolerances tolerances_;
   int iteration_limit_;
   OpenCloseMethod method_;

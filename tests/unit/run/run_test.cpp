@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
 #include "support/small_scenes.hpp"
@@ -13,6 +15,15 @@ struct Recorder final : RunObserver {
   int steps = 0, frames = 0, stop_after = 1 << 30;
   double last_fraction = 0;
   std::vector<EffectOutcome> effects;
+  int iterations = 0;
+  void on_iteration(double unbalanced) override {
+    ++iterations;
+    EXPECT_TRUE(std::isfinite(unbalanced));
+  }
+  bool looks_on = false;
+  std::vector<std::shared_ptr<const Frame>> moments;
+  bool wants_moment() override { return looks_on; }
+  void on_moment(std::shared_ptr<const Frame> moment) override { moments.push_back(std::move(moment)); }
   void on_step(const StepReport&, const HistoryRow&, double fraction) override {
     ++steps;
     EXPECT_GT(fraction, last_fraction);
@@ -61,6 +72,26 @@ TEST_F(Run, WritesAFrameAtTheStartAndAfterEveryInterval) {
                                                           testing::DoubleEq(0.75), testing::DoubleEq(1.0)));
   EXPECT_NEAR(results.frame(2).displacement[3].z(), -0.5 * 9.81 * 0.25, 1e-9);
   EXPECT_EQ(results.history().size(), 101u);
+}
+
+TEST_F(Run, TellsOfEachIterationOfAStep) {
+  const RunReport report = run_it();
+  EXPECT_GT(report.iterations, 0);
+  EXPECT_EQ(recorder_.iterations, report.iterations);
+}
+
+TEST_F(Run, ShowsMomentsBetweenFramesToWhoLooksOn) {
+  recorder_.looks_on = true;
+  const RunReport report = run_it();
+  EXPECT_EQ(report.frames, 5) << "moments are not written";
+  ASSERT_EQ(recorder_.moments.size(), 96u) << "of steps without a frame";
+  const Frame& first = *recorder_.moments.front();
+  EXPECT_EQ(first.index, 0);
+  EXPECT_NEAR(first.time, 0.01, 1e-12);
+  EXPECT_NEAR(first.displacement[3].z(), -0.5 * 9.81 * 0.01 * 0.01, 1e-12);
+  EXPECT_NEAR(first.velocity[3].z(), -9.81 * 0.01, 1e-9);
+  EXPECT_EQ(first.stress.size(), system_.blocks[0].mesh.tetrahedra.size());
+  EXPECT_EQ(recorder_.moments.back()->index, 3);
 }
 
 TEST_F(Run, SaysHowBlocksMoveInFramesAndReport) {

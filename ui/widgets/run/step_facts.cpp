@@ -39,6 +39,9 @@ StepFacts::StepFacts(CurrentProject& project, CurrentRun& run)
   grid_->setVerticalSpacing(3);
   grid_->setHorizontalSpacing(12);
   grid_->setColumnStretch(1, 1);
+  underWay_ =
+      add(tr("Under way"), tr("The step that is being made: its open–close iterations so far, and the norm of the "
+                              "force that is out of balance"));
   time_ = add(tr("t"), tr("Model time"));
   step_ = add(tr("Step"), tr("Its number and length"));
   pace_ = add(tr("Pace"), tr("Wall time of a step, mean of the last %1").arg(recent));
@@ -52,6 +55,7 @@ StepFacts::StepFacts(CurrentProject& project, CurrentRun& run)
   damped_ =
       add(tr("Numerical damping"), tr("Energy that time integration has dissipated, over the energy that has moved"));
   connect(&run_, &CurrentRun::historyChanged, this, &StepFacts::refresh);
+  connect(&run_, &CurrentRun::progressed, this, &StepFacts::refresh);
   connect(&project_, &CurrentProject::systemChanged, this, [this] {
     size_ = project_.system() ? smallest_mesh_size(*project_.system()) : 0;
     refresh();
@@ -80,11 +84,15 @@ void StepFacts::followEnergy() {
 
 void StepFacts::refresh() {
   followEnergy();
-  setVisible(!run_.steps().empty());
-  if (run_.steps().empty()) {
+  const bool isUnderWay = run_.iterations() > 0;
+  setVisible(isUnderWay || !run_.steps().empty());
+  if (run_.steps().empty())
     for (auto* label : values_) label->setText(not_told);
-    return;
-  }
+  underWay_->setText(
+      isUnderWay
+          ? tr("iteration %1, %2 kN").arg(run_.iterations()).arg(numbers::significant(run_.unbalanced() / 1e3, 2))
+          : not_told);
+  if (run_.steps().empty()) return;
   const StepReport& step = run_.steps().back();
   time_->setText(tr("%1 s").arg(numbers::fixed(step.time, 2)));
   step_->setText(step.time_step > 0

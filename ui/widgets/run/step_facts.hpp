@@ -25,8 +25,8 @@ class StepFacts : public QWidget {
   CurrentRun& run_;
   QGridLayout* grid_;
   std::vector<QLabel*> values_;
-  QLabel *time_, *step_, *pace_, *iterations_, *asleep_, *contacts_, *penetration_, *unbalanced_, *error_, *remainder_,
-      *damped_;
+  QLabel *underWay_, *time_, *step_, *pace_, *iterations_, *asleep_, *contacts_, *penetration_, *unbalanced_, *error_,
+      *remainder_, *damped_;
   double size_ = 0;         ///< m, smallest mesh size of the blocks that move
   double moved_ = 0;        ///< J, energy that moved in the steps that were looked at
   std::size_t looked_ = 0;  ///< steps
