@@ -3,11 +3,13 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTableWidget>
 #include <QTreeWidget>
@@ -15,7 +17,10 @@
 
 #include "driven_window.hpp"
 #include "listed_runs.hpp"
+#include "render/fields/field_classes.hpp"
+#include "render/paint/picture_words.hpp"
 #include "widgets/kit/language.hpp"
+#include "widgets/view/timeline.hpp"
 #include "widgets/window/rail.hpp"
 
 namespace talus {
@@ -132,6 +137,28 @@ TEST_F(German, TitlesOfFormsAreNotCutOff) {
     }
   }
   keepPicture(*window, "german.png");
+}
+
+TEST_F(German, PicturesSpeakTheLanguageOfTheWindow) {
+  EXPECT_EQ(picture_word("Displacement"), "Displacement");
+  begin("de");
+  for (const Field& field : all_fields()) {
+    const std::string title(field.title);
+    EXPECT_NE(picture_word(title), title);
+  }
+  EXPECT_EQ(picture_word("Displacement"), "Verschiebung");
+  EXPECT_EQ(classes_of(field_named("asleep"))[2].word, "schläft");
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
+  rest(500);
+  keepPicture(*window, "german_results.png");
+  const auto* speed = window->timeline().findChild<QComboBox*>();
+  QStyleOptionComboBox option;
+  option.initFrom(speed);
+  const QRect room = speed->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, speed);
+  for (int i = 0; i < speed->count(); ++i)
+    EXPECT_GE(room.width(), speed->fontMetrics().horizontalAdvance(speed->itemText(i)))
+        << speed->itemText(i).toStdString();
 }
 
 TEST_F(German, CountsHaveTheirPlural) {

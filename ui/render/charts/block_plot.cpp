@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "render/paint/numbers.hpp"
+#include "render/paint/picture_words.hpp"
 
 namespace talus {
 
 HistoryPlot block_plot(const BlockHistory& history, const BlockQuantity& quantity) {
   HistoryPlot plot;
-  plot.title = quantity.title;
-  plot.y_title = quantity.title;
+  plot.title = picture_word(quantity.title);
+  plot.y_title = picture_word(quantity.title);
   double largest = 0;
   for (std::size_t i = 0; i < history.blocks.size(); ++i) {
     plot.series.push_back({.name = history.names[i], .x = history.times, .y = history.values(i, quantity)});

@@ -8,6 +8,7 @@
 #include "render/charts/chart_layout.hpp"
 #include "render/charts/painted_image.hpp"
 #include "render/paint/numbers.hpp"
+#include "render/paint/picture_words.hpp"
 #include "render/paint/value_range.hpp"
 #include "results/monitor_value.hpp"
 
@@ -110,7 +111,7 @@ class Chart {
     double x = area_.left;
     for (const bool reference : {false, true}) {
       paint_mark_line(painter, {x, y}, {x + 2.2 * em_, y}, reference);
-      const char* meaning = reference ? "event in the reference" : "computed event";
+      const std::string meaning = picture_word(reference ? "event in the reference" : "computed event");
       painter.text({x + 2.8 * em_, y}, meaning,
                    {.height = label_height(), .colour = colours_.muted, .y = AlignY::centre});
       x += 2.8 * em_ + text_width(meaning, label_height()) + 1.8 * em_;
@@ -219,20 +220,21 @@ void check(const HistoryPlot& plot) {
 
 /// What a chart of a monitor's field calls itself, its axis and its curves.
 struct Heading {
-  const char *title_of_chart, *title_of_axis;
-  std::vector<const char*> components;
+  std::string title_of_chart, title_of_axis;
+  std::vector<std::string> components;
 };
 
 Heading heading_of(Quantity::Field field) {
+  const std::vector<std::string> axes{picture_word("x east"), picture_word("y north"), picture_word("z up")};
   switch (field) {
     case Quantity::Field::velocity:
-      return {"velocity", "Velocity", {"x east", "y north", "z up"}};
+      return {picture_word("velocity"), picture_word("Velocity"), axes};
     case Quantity::Field::stress:
-      return {"stress", "Stress, tension positive", {"xx", "yy", "zz", "xy", "yz", "zx"}};
+      return {picture_word("stress"), picture_word("Stress, tension positive"), {"xx", "yy", "zz", "xy", "yz", "zx"}};
     case Quantity::Field::displacement:
       break;
   }
-  return {"displacement", "Displacement", {"x east", "y north", "z up"}};
+  return {picture_word("displacement"), picture_word("Displacement"), axes};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "model/quantity.hpp"
 #include "render/paint/image.hpp"
 #include "render/paint/painter.hpp"
+#include "render/paint/picture_words.hpp"
 #include "render/paint/theme.hpp"
 #include "results/run_report.hpp"
 
@@ -29,7 +30,7 @@ struct EventMark {
 /// Curves over a common axis, as a journal prints them.
 struct HistoryPlot {
   std::string title;
-  std::string x_title = "Time", x_unit = "s";
+  std::string x_title = picture_word("Time"), x_unit = "s";
   std::string y_title, y_unit;
   std::vector<Series> series;    ///< at most 6
   std::vector<EventMark> marks;  ///< labelled above the curves, in as many rows as keep them apart

@@ -10,6 +10,7 @@
 #include "render/charts/painted_image.hpp"
 #include "render/charts/tag_layout.hpp"
 #include "render/paint/numbers.hpp"
+#include "render/paint/picture_words.hpp"
 
 namespace talus {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 constexpr double row_height = 1.62, cost_margin = 1.4, tag_radius = 0.72;
 constexpr double front_width = 0.16, cost_bar_width = 0.07;
 
-constexpr const char* rounding_label = "rounding";
+std::string rounding_label() { return picture_word("rounding"); }
 
 std::string text_of_error(const CostPoint& point) {
   return error_text(point.error) + (point.spread ? " ± " + error_text(*point.spread) : "");
@@ -74,13 +75,14 @@ class CostChart {
   double drawn_error(const CostPoint& point) const { return point.error < smallest_error ? rounding_ : point.error; }
 
   void place() {
-    double label_width = text_width("Setting", em_), error_width = text_width("Error", em_), tick_width = 0;
+    double label_width = text_width(picture_word("Setting"), em_), error_width = text_width(picture_word("Error"), em_),
+           tick_width = 0;
     for (const CostPoint& point : plot_.points) {
       label_width = std::max(label_width, text_width(point.label, em_, weight_of(point)));
       error_width = std::max(error_width, text_width(text_of_error(point), em_, weight_of(point)));
     }
     for (const double tick : y_.ticks) tick_width = std::max(tick_width, text_width(error_tick_text(tick), em_));
-    if (has_rounding_) tick_width = std::max(tick_width, text_width(rounding_label, em_));
+    if (has_rounding_) tick_width = std::max(tick_width, text_width(rounding_label(), em_));
     error_column_ = width_ - cost_margin * em_ - 5.2 * em_;
     label_column_ = error_column_ - error_width - 1.4 * em_ - label_width;
     area_.left = cost_margin * em_ + 2.2 * em_ + tick_width + 0.8 * em_;
@@ -120,7 +122,7 @@ class CostChart {
       x += 1.2 * em_ + text_width(plot_.groups[g], em_) + 1.6 * em_;
     }
     painter.line({x, y}, {x + 2 * em_, y}, front_width * em_, colours_.muted);
-    painter.text({x + 2.6 * em_, y}, "best for its cost", text());
+    painter.text({x + 2.6 * em_, y}, picture_word("best for its cost"), text());
   }
 
   void paint_grid(Painter& painter) const {
@@ -136,7 +138,7 @@ class CostChart {
       painter.text({area_.left - 0.7 * em_, y}, error_tick_text(tick), text(AlignX::right));
     }
     if (has_rounding_)
-      painter.text({area_.left - 0.7 * em_, at(x_.low, rounding_).y}, rounding_label, text(AlignX::right));
+      painter.text({area_.left - 0.7 * em_, at(x_.low, rounding_).y}, rounding_label(), text(AlignX::right));
     for (const double tick : x_.ticks) {
       const double x = at(tick, y_.low).x;
       painter.line({x, area_.bottom}, {x, area_.top}, grid_width * em_, colours_.frame);
@@ -144,8 +146,8 @@ class CostChart {
     }
     painter.line({area_.left, area_.bottom}, {area_.left, area_.top}, axis_width * em_, colours_.line);
     painter.line({area_.left, area_.bottom}, {area_.right, area_.bottom}, axis_width * em_, colours_.line);
-    painter.text({(area_.left + area_.right) / 2, cost_margin * em_}, "Processor time of solving (s)",
-                 text(AlignX::centre, AlignY::bottom));
+    painter.text({(area_.left + area_.right) / 2, cost_margin * em_},
+                 picture_word("Processor time of solving") + " (s)", text(AlignX::centre, AlignY::bottom));
     TextStyle upwards = text(AlignX::centre, AlignY::top);
     upwards.upwards = true;
     painter.text({cost_margin * em_, (area_.bottom + area_.top) / 2}, plot_.error_title, upwards);
@@ -158,7 +160,7 @@ class CostChart {
     TextStyle style = text(AlignX::left, AlignY::bottom);
     style.colour = colours_.pick;
     style.weight = FontWeight::semibold;
-    const std::string words = "target " + error_text(*plot_.target);
+    const std::string words = picture_word("target") + " " + error_text(*plot_.target);
     painter.text(clear_of_tags(y + 0.3 * em_, text_width(words, em_, FontWeight::semibold)), words, style);
   }
 
@@ -222,9 +224,9 @@ class CostChart {
     heading.colour = colours_.muted;
     TextStyle to_the_right = heading;
     to_the_right.x = AlignX::right;
-    painter.text({label_column_, y}, "Setting", heading);
-    painter.text({error_column_, y}, "Error", to_the_right);
-    painter.text({seconds_column, y}, "Seconds", to_the_right);
+    painter.text({label_column_, y}, picture_word("Setting"), heading);
+    painter.text({error_column_, y}, picture_word("Error"), to_the_right);
+    painter.text({seconds_column, y}, picture_word("Seconds"), to_the_right);
     y -= 0.5 * row_height * em_;
     const double left = label_column_ - 2 * tag_radius * em_ - 0.6 * em_;
     painter.line({left, y}, {seconds_column, y}, axis_width * em_, colours_.line);

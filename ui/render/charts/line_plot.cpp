@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include "render/paint/numbers.hpp"
+#include "render/paint/picture_words.hpp"
 
 namespace talus {
 
 HistoryPlot line_plot(const LineProbe& probe, const Field& field, const std::string& title) {
   HistoryPlot plot;
   plot.title = title;
-  plot.x_title = "Distance along the line";
+  plot.x_title = picture_word("Distance along the line");
   plot.x_unit = "m";
-  plot.y_title = field.title;
+  plot.y_title = picture_word(field.title);
   LineProbe::Curve curve = probe.curve();
   double largest = 0;
   for (const double value : curve.values)

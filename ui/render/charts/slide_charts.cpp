@@ -7,6 +7,7 @@
 #include "render/charts/chart_layout.hpp"
 #include "render/paint/colour_map.hpp"
 #include "render/paint/numbers.hpp"
+#include "render/paint/picture_words.hpp"
 #include "render/paint/value_range.hpp"
 
 namespace talus {
@@ -25,7 +26,8 @@ class DepositMap {
 
   void paint(Painter& painter) const {
     if (!low_)
-      painter.text({map_.left, map_.top + 1.2 * em_}, "Depth of the deposit at " + format_number(slide_.time, 3) + " s",
+      painter.text({map_.left, map_.top + 1.2 * em_},
+                   picture_word("Depth of the deposit at") + " " + format_number(slide_.time, 3) + " s",
                    {.height = 1.25 * em_, .colour = colours_.text, .weight = FontWeight::semibold});
     paint_depth(painter);
     for (const PlanRing& ring : slide_.source) paint_ring(painter, ring, colours_.muted);
@@ -108,7 +110,7 @@ class DepositMap {
       painter.text({x, map_.bottom - 0.7 * em_}, labels[i],
                    {.height = em_, .colour = colours_.text, .x = AlignX::centre, .y = AlignY::top});
     }
-    painter.text({(map_.left + map_.right) / 2, map_.bottom - 2.1 * em_}, "East, x (m)",
+    painter.text({(map_.left + map_.right) / 2, map_.bottom - 2.1 * em_}, picture_word("East, x") + " (m)",
                  {.height = em_, .colour = colours_.text, .x = AlignX::centre, .y = AlignY::top});
     const auto heights = nice_ticks(south_, south_ + map_.height() / scale_, most_ticks(map_.height(), 3));
     const auto names = tick_labels(heights);
@@ -120,7 +122,7 @@ class DepositMap {
                    {.height = em_, .colour = colours_.text, .x = AlignX::right, .y = AlignY::centre});
       widest = std::max(widest, text_width(names[i], em_));
     }
-    painter.text({map_.left - widest - 2.6 * em_, (map_.bottom + map_.top) / 2}, "North, y (m)",
+    painter.text({map_.left - widest - 2.6 * em_, (map_.bottom + map_.top) / 2}, picture_word("North, y") + " (m)",
                  {.height = em_, .colour = colours_.text, .x = AlignX::centre, .y = AlignY::top, .upwards = true});
   }
 
@@ -129,7 +131,7 @@ class DepositMap {
     const double left = map_.right + 2 * em_, top = map_.top - 1.8 * em_;
     const double bottom = top - std::clamp(map_.height() - (low_ ? 1.8 : 7) * em_, 4 * em_, 14 * em_);
     const DisplayUnit unit = display_unit("m", scale_end_);
-    painter.text({left, map_.top}, "Depth (" + unit.name + ")",
+    painter.text({left, map_.top}, picture_word("Depth") + " (" + unit.name + ")",
                  {.height = em_, .colour = colours_.text, .y = AlignY::top});
     for (int step = 0; step < steps_; ++step)
       painter.fill(PixelRect{left, bottom + (top - bottom) * step / steps_, left + 1.2 * em_,
@@ -141,14 +143,15 @@ class DepositMap {
       painter.text({left + 1.8 * em_, bottom + (top - bottom) * ticks[i] / (unit.factor * scale_end_)}, labels[i],
                    {.height = em_, .colour = colours_.text, .y = AlignY::centre});
     struct Line {
-      const char* meaning;
+      std::string meaning;
       Rgb colour;
     };
     // Below the colours, or beside them where there is no room.
     const double key = low_ ? left + 6 * em_ : left;
     double y = low_ ? map_.top - 0.6 * em_ : bottom - 2.2 * em_;
-    for (const Line& line : {Line{"deposit", colours_.text}, Line{"the rock at rest", colours_.muted},
-                             Line{"crown to toe", colours_.warn}}) {
+    for (const Line& line :
+         {Line{picture_word("deposit"), colours_.text}, Line{picture_word("the rock at rest"), colours_.muted},
+          Line{picture_word("crown to toe"), colours_.warn}}) {
       if (line.colour == colours_.warn)
         painter.dashed({key, y}, {key + 2 * em_, y}, line_ * em_, 0.5 * em_, line.colour);
       else
@@ -172,10 +175,10 @@ class DepositMap {
 
 HistoryPlot front_plot(const Slide& slide, Theme theme) {
   HistoryPlot plot;
-  plot.title = "Velocity of the front";
-  plot.y_title = "Velocity, forward";
+  plot.title = picture_word("Velocity of the front");
+  plot.y_title = picture_word("Velocity, forward");
   plot.theme = theme;
-  Series series{.name = "front", .x = {}, .y = {}};
+  Series series{.name = picture_word("front"), .x = {}, .y = {}};
   double largest = 0;
   for (const FrontMoment& moment : slide.front) {
     series.x.push_back(moment.time);

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "render/paint/picture_words.hpp"
 #include "render/paint/theme.hpp"
 
 namespace talus {
@@ -17,7 +18,7 @@ std::vector<FieldClass> motions() {
                           rgb(0xeedd88), rgb(0x44bb99), rgb(0xee8866), rgb(0xaa7ab8)};
   std::vector<FieldClass> classes;
   for (const Rgb colour : of_modes)
-    classes.push_back({colour, std::string(to_string(static_cast<MotionMode>(classes.size())))});
+    classes.push_back({colour, picture_word(to_string(static_cast<MotionMode>(classes.size())))});
   return classes;
 }
 
@@ -26,18 +27,23 @@ std::vector<FieldClass> motions() {
 std::vector<FieldClass> classes_of(const Field& field) {
   switch (field.measure) {
     case Field::Measure::state:
-      return {{state_colour(ContactState::open), "open"},
-              {state_colour(ContactState::stick), "sticks"},
-              {state_colour(ContactState::slip), "slides"},
-              {held, "bonded"}};
+      return {{state_colour(ContactState::open), picture_word("open")},
+              {state_colour(ContactState::stick), picture_word("sticks")},
+              {state_colour(ContactState::slip), picture_word("slides")},
+              {held, picture_word("bonded")}};
     case Field::Measure::bond:
-      return {{neither, "never bonded"}, {held, "bonded"}, {torn, "broken"}};
+      return {{neither, picture_word("never bonded")}, {held, picture_word("bonded")}, {torn, picture_word("broken")}};
     case Field::Measure::body: {
       const auto& palette = block_palette();
-      return {{fixed, "fixed"}, {palette[0], "rigid"}, {palette[2], "affine"}, {palette[1], "tetrahedra"}};
+      return {{fixed, picture_word("fixed")},
+              {palette[0], picture_word("rigid")},
+              {palette[2], picture_word("affine")},
+              {palette[1], picture_word("tetrahedra")}};
     }
     case Field::Measure::sleep:
-      return {{fixed, "fixed"}, {rgb(0xee8866), "awake"}, {rgb(0x77aadd), "asleep"}};
+      return {{fixed, picture_word("fixed")},
+              {rgb(0xee8866), picture_word("awake")},
+              {rgb(0x77aadd), picture_word("asleep")}};
     case Field::Measure::motion:
       return motions();
     default:

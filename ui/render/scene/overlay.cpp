@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/paint/numbers.hpp"
+#include "render/paint/picture_words.hpp"
 
 namespace talus {
 namespace {
@@ -128,11 +129,11 @@ void paint_colour_key(Painter& painter, const Overlay& overlay, const OverlayVie
 void paint_triad(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   struct Axis {
     Vec3 direction;
-    const char* name;
+    std::string name;
     Rgb colour;
   };
   const bool dark = overlay.theme == Theme::dark;
-  std::array<Axis, 3> axes{Axis{Vec3::UnitX(), "E", dark ? rgb(0xf27d6b) : rgb(0xb3261e)},
+  std::array<Axis, 3> axes{Axis{Vec3::UnitX(), picture_word("E"), dark ? rgb(0xf27d6b) : rgb(0xb3261e)},
                            Axis{Vec3::UnitY(), "N", dark ? rgb(0x3fc7b3) : rgb(0x00806f)},
                            Axis{Vec3::UnitZ(), "Z", dark ? rgb(0x5db3ea) : rgb(0x0068a8)}};
   std::sort(axes.begin(), axes.end(), [&](const Axis& a, const Axis& b) {

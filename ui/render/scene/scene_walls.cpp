@@ -6,6 +6,7 @@
 #include "render/fields/field_classes.hpp"
 #include "render/paint/colour_map.hpp"
 #include "render/paint/numbers.hpp"
+#include "render/paint/picture_words.hpp"
 #include "render/scene/scene_state.hpp"
 
 namespace talus {
@@ -89,12 +90,12 @@ void Scene::State::keep_wanted_faces() {
 void Scene::State::explain_field() {
   const Field& field = *settings.field;
   if (const std::string absent = why_absent(system, *frame, field); !absent.empty()) {
-    overlay.remarks = absent;
+    overlay.remarks = picture_word(absent);
     return;
   }
   if (!settings.legend) return;
   if (field.is_class()) {
-    overlay.colour_key = ColourKey{std::string(field.title), {}};
+    overlay.colour_key = ColourKey{picture_word(field.title), {}};
     double value = 0;
     for (const FieldClass& each : classes_of(field))  // of blocks those that are there: they may be many
       if (std::ranges::count(field_values, value++) > 0 || !shows_blocks())
@@ -103,7 +104,7 @@ void Scene::State::explain_field() {
   }
   const ValueRange range = colour_range();
   const DisplayUnit unit = display_unit(field.unit, std::max(std::abs(range.low), std::abs(range.high)));
-  overlay.legend = Legend{.title = std::string(field.title),
+  overlay.legend = Legend{.title = picture_word(field.title),
                           .unit = unit.name,
                           .map = is_signed(field) ? &vik() : &batlow(),
                           .low = range.low * unit.factor,

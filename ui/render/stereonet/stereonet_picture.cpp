@@ -5,6 +5,7 @@
 #include "render/charts/painted_image.hpp"
 #include "render/paint/numbers.hpp"
 #include "render/paint/painter.hpp"
+#include "render/paint/picture_words.hpp"
 #include "render/stereonet/slope_key.hpp"
 
 namespace talus {
@@ -125,13 +126,14 @@ class Key {
 
   void paint_sets() {
     const std::vector<SetStatistics> sets = statistics_by_set(net_.joints);
-    heading("Sets", "mean dip/direction · κ");
+    heading(picture_word("Sets"), picture_word("mean dip/direction · κ"));
     const NetPainter symbols(painter_, {0, 0}, 1, em_);
     for (std::size_t i = 0; i < sets.size(); ++i) {
       const PlaneAttitude mean = sets[i].mean_plane();
       const std::string kappa = sets[i].fisher.kappa ? format_number(*sets[i].fisher.kappa, 3) : "–";
       const double middle =
-          row((sets[i].name.empty() ? "no set" : sets[i].name) + "  (" + std::to_string(sets[i].members.size()) + ")",
+          row((sets[i].name.empty() ? picture_word("no set") : sets[i].name) + "  (" +
+                  std::to_string(sets[i].members.size()) + ")",
               format_decimals(mean.dip, 1) + "° / " + format_decimals(mean.dip_direction, 1) + "° · " + kappa);
       symbols.paint_symbol({at_.x + 0.7 * em_, middle}, set_symbol(i), set_colour(i, net_.theme), colours_.surface,
                            0.38 * em_);
@@ -157,7 +159,7 @@ class Key {
   }
 
   void paint_slope(const DrawnNet& drawn) {
-    heading("Slope", std::string(to_string(net_.mode)));
+    heading(picture_word("Slope"), std::string(to_string(net_.mode)));
     for (const SlopeKeyRow& entry : slope_key(net_)) paint_sample(entry, row(entry.words, entry.value));
     if (judges_lines(net_.mode) && drawn.intersections > most_intersections)
       note("too many intersections of single joints to be drawn");
@@ -174,13 +176,13 @@ class Key {
     std::vector<PlaneAttitude> planes;
     for (const MeasuredJoint& joint : net_.joints) planes.push_back(joint.plane);
     const KinematicCounts counts = kinematic_counts(planes, slope);
-    heading("Critical");
-    count("planar sliding", counts.planar);
-    count("planar, no limits", counts.planar_unlimited);
-    count("wedge sliding", counts.wedge);
-    count("flexural toppling", counts.flexural);
-    count("direct toppling", counts.direct);
-    count("  base planes", counts.base);
+    heading(picture_word("Critical"));
+    count(picture_word("planar sliding"), counts.planar);
+    count(picture_word("planar, no limits"), counts.planar_unlimited);
+    count(picture_word("wedge sliding"), counts.wedge);
+    count(picture_word("flexural toppling"), counts.flexural);
+    count(picture_word("direct toppling"), counts.direct);
+    count("  " + picture_word("base planes"), counts.base);
   }
 
   Painter& painter_;
@@ -197,7 +199,7 @@ Painting stereonet_painting(const Stereonet& net, const std::string& title) {
     const ThemeColours& c = colours(net.theme);
     const double em = std::max(11.0, std::min(h / 44, w / 66)), edge = 1.2 * em;
     const double key_width = std::min(24 * em, 0.4 * w);
-    const double title_height = 2.6 * em, foot = 1.2 * em;
+    const double title_height = (title.empty() ? 0 : 2.6) * em, foot = 1.2 * em;
     const double room = std::min(w - key_width - 4 * edge, h - 2 * edge - title_height - foot);
     const double radius = room / 2 / room_for_words;
     const PixelPoint centre{edge + (w - key_width - 4 * edge) / 2,
@@ -206,9 +208,11 @@ Painting stereonet_painting(const Stereonet& net, const std::string& title) {
     for (const NetShape& shape : drawn.shapes) std::visit(net_painter, shape);
     painter.text({edge, h - edge}, title,
                  {.height = 1.25 * em, .colour = c.text, .weight = FontWeight::semibold, .y = AlignY::top});
+    const bool is_one = net.joints.size() == 1;
     painter.text({edge, edge},
-                 std::string(to_string(net.projection)) + ", lower hemisphere, " + std::to_string(net.joints.size()) +
-                     (net.joints.size() == 1 ? " pole" : " poles"),
+                 picture_word(net.projection == Projection::equal_area ? "equal area" : "equal angle") + ", " +
+                     picture_word("lower hemisphere") + ", " + std::to_string(net.joints.size()) + " " +
+                     picture_word(is_one ? "pole" : "poles"),
                  {.height = 0.85 * em, .colour = c.muted});
     Key(painter, net, {w - edge - key_width, h - edge - title_height + 0.7 * em}, key_width, em).paint(drawn);
   };

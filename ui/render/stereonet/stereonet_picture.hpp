@@ -8,8 +8,8 @@
 
 namespace talus {
 
-/// The net with a title and a key beside it: sets with their means, densities, what belongs to the slope, and how many
-/// poles and intersections are critical; without paper.
+/// The net with a title, if it is not empty, and a key beside it: sets with their means, densities, what belongs to the
+/// slope, and how many poles and intersections are critical; without paper.
 Painting stereonet_painting(const Stereonet& net, const std::string& title);
 
 /// The same as an image. Throws InputError for sizes outside 320…8192.

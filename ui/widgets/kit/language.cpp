@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <clocale>
 
+#include "render/paint/picture_words.hpp"
+
 namespace talus::language {
 
 namespace {
@@ -45,11 +47,15 @@ bool install(const QString& wanted) {
   const bool known = isKnown(code);
   for (auto* translator : {&own, &ofQt}) QCoreApplication::removeTranslator(translator);
   spoken = known ? code : english;
+  translate_pictures({});
   if (spoken == english) return known;
   // Qt's own dialogs where Debian's qt6-translations-l10n is installed.
   if (ofQt.load(QStringLiteral("qtbase_") + spoken, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
     QCoreApplication::installTranslator(&ofQt);
   if (own.load(QStringLiteral(":/translations/talus_%1.qm").arg(spoken))) QCoreApplication::installTranslator(&own);
+  translate_pictures([](std::string_view words) {
+    return QCoreApplication::translate("picture", std::string(words).c_str()).toStdString();
+  });
   return known;
 }
 

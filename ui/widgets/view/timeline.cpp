@@ -188,7 +188,7 @@ Timeline::Timeline(Document& document, CurrentRun& run, Playback& playback) : pl
   speed_ = makeCombo(names, tr("Speed of play"));
   speed_->setToolTip(tr("Model time a second of watching"));
   speed_->setCurrentIndex(real_time);
-  speed_->setFixedWidth(84);
+  speed_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   row->addWidget(speed_);
 
   timer_.setInterval(tick_ms);
@@ -199,6 +199,7 @@ Timeline::Timeline(Document& document, CurrentRun& run, Playback& playback) : pl
   connect(speed_, &QComboBox::currentIndexChanged, this, [this] {
     playedFrom_ = playback_.time();
     clock_.restart();
+    emit speedChanged();
   });
   connect(&playback_, &Playback::framesChanged, this, &Timeline::refresh);
   connect(&playback_, &Playback::frameChanged, this, &Timeline::refresh);

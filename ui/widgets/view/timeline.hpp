@@ -60,6 +60,9 @@ class Timeline : public QFrame {
   /// Seconds of the model in a second of play: 1 is real time.
   double speed() const;
 
+ signals:
+  void speedChanged();
+
  public slots:
   void togglePlay();
   void stepBy(int frames);
