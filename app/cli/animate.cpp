@@ -8,6 +8,8 @@
 #include "options.hpp"
 #include "render/film/movie.hpp"
 #include "render/views/view_of_results.hpp"
+#include "results/folder.hpp"
+#include "side_by_side.hpp"
 #include "text/json_text.hpp"
 #include "text/table.hpp"
 #include "text/terminal.hpp"
@@ -17,7 +19,8 @@ namespace talus::cli {
 namespace {
 
 struct AnimateOptions {
-  std::filesystem::path results, out;
+  std::vector<std::filesystem::path> results;
+  std::filesystem::path out;
   FilmOptions film;
   PictureSize size{1280, 720};
   std::filesystem::path camera;
@@ -25,33 +28,63 @@ struct AnimateOptions {
   Look look;
 };
 
+/// Results that are filmed, and what draws them.
+struct FilmedRun {
+  explicit FilmedRun(const std::filesystem::path& folder)
+      : results(folder), frames(about(folder, [&] { return frame_index(results, {}) + 1; })) {}
+
+  ResultReader results;
+  int frames;
+  std::unique_ptr<Scene> scene;
+};
+using FilmedRuns = std::vector<std::unique_ptr<FilmedRun>>;
+
 /// One legend for the whole film: a colour means the same in every picture.
-ValueRange range_of_all(const ResultReader& results, int count, const Field& field) {
+ValueRange range_of_all(const FilmedRuns& runs, const Field& field) {
   ValueRange range;
-  const FieldValues fields(results.system());
-  for (int i = 0; i < count; ++i) range.include(field_range(fields, results.frame(i), field));
+  for (const auto& run : runs) {
+    const FieldValues fields(run->results.system());
+    for (int i = 0; i < run->frames; ++i) range.include(field_range(fields, run->results.frame(i), field));
+  }
   return legend_range(field, range);
 }
 
-std::unique_ptr<Scene> scene_by_options(const AnimateOptions& options, const ResultReader& results, int count) {
-  SceneSettings settings = scene_settings(options.look, results);
-  about(options.results, [&] { need_field(results.system(), results.frame(count - 1), settings); });
-  if (settings.field && !settings.range) settings.range = range_of_all(results, count, *settings.field);
-  auto scene = std::make_unique<Scene>(results.system(), settings);
-  scene->set_stage_names(results.stage_names());
-  for (int i = 0; i < count; ++i) scene->include_in_view(results.frame(i));
-  mark_troubles(options.look, results, *scene);
-  point_camera(options.look, results, *scene);
-  return scene;
+void need_field_of_all(const AnimateOptions& options, const FilmedRuns& runs, const SceneSettings& settings) {
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    about(options.results[i],
+          [&] { need_field(runs[i]->results.system(), runs[i]->results.frame(runs[i]->frames - 1), settings); });
 }
 
-std::unique_ptr<Scene> scene_as_saved(const AnimateOptions& options, const ResultReader& results, int count) {
+void make_scenes_by_options(const AnimateOptions& options, const FilmedRuns& runs) {
+  const std::vector<std::string> names = names_of_results(options.results);
+  std::optional<ValueRange> range;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    FilmedRun& run = *runs[i];
+    SceneSettings settings = scene_settings(options.look, run.results);
+    need_field_of_all(options, runs, settings);
+    if (settings.field && !settings.range && !range) range = range_of_all(runs, *settings.field);
+    if (range) settings.range = range;
+    if (runs.size() > 1) settings.title = (options.look.title ? *options.look.title + ": " : "") + names[i];
+    run.scene = std::make_unique<Scene>(run.results.system(), settings);
+    run.scene->set_stage_names(run.results.stage_names());
+    for (int k = 0; k < run.frames; ++k) run.scene->include_in_view(run.results.frame(k));
+    mark_troubles(options.look, run.results, *run.scene);
+    tell_trails(run.results, *run.scene);
+  }
+  point_camera(options.look, runs.front()->results, *runs.front()->scene);
+}
+
+void make_scene_as_saved(const AnimateOptions& options, const FilmedRuns& runs) {
+  if (runs.size() > 1)
+    throw InputError("--view-file", "a view is filmed of one results folder",
+                     "leave the view out, or film them one by one");
+  FilmedRun& run = *runs.front();
   SavedView view = read_view(options.look.view_file);
-  about(options.results, [&] { need_field(results.system(), results.frame(count - 1), view.settings); });
-  if (view.settings.field && !view.settings.range)
-    view.settings.range = range_of_all(results, count, *view.settings.field);
-  return about(options.look.view_file,
-               [&] { return scene_of_view(view, results, monitors_of(options.results, results), false); });
+  need_field_of_all(options, runs, view.settings);
+  if (view.settings.field && !view.settings.range) view.settings.range = range_of_all(runs, *view.settings.field);
+  run.scene = about(options.look.view_file, [&] {
+    return scene_of_view(view, run.results, monitors_of(options.results.front(), run.results), false);
+  });
 }
 
 CameraMoves moves_of(const AnimateOptions& options, const BlockSystem& system) {
@@ -67,21 +100,28 @@ CameraMoves moves_of(const AnimateOptions& options, const BlockSystem& system) {
 
 ExitCode animate(const AnimateOptions& options, bool json) {
   catch_interrupts();
-  const ResultReader results(options.results);
-  const int count = about(options.results, [&] { return frame_index(results, {}) + 1; });
-  const std::unique_ptr<Scene> scene = options.look.view_file.empty() ? scene_by_options(options, results, count)
-                                                                      : scene_as_saved(options, results, count);
-  Filmed film{*scene, results.system(), results.frame_times(),
-              [&](int i) { return std::make_shared<const Frame>(results.frame(i)); }, options.film};
-  film.options.width = options.size.width;
-  film.options.height = options.size.height;
-  film.options.camera = about(options.results, [&] { return moves_of(options, results.system()); });
+  need_few(options.results, options.film.over);
+  FilmedRuns runs;
+  for (const auto& folder : options.results) runs.push_back(std::make_unique<FilmedRun>(folder));
+  options.look.view_file.empty() ? make_scenes_by_options(options, runs) : make_scene_as_saved(options, runs);
+  const std::vector<std::string> names = names_of_results(options.results);
+  std::vector<Filmed> films;
+  for (const auto& run : runs)
+    films.push_back({*run->scene, run->results.system(), run->results.frame_times(),
+                     [&run](int i) { return std::make_shared<const Frame>(run->results.frame(i)); },
+                     names[films.size()]});
+  FilmOptions film = options.film;
+  film.width = options.size.width;
+  film.height = options.size.height;
+  film.camera = about(options.results.front(), [&] { return moves_of(options, runs.front()->results.system()); });
   int pictures = 0;
   {
     TerminalProgress progress;
-    pictures = render_film(film, options.out, progress);
+    pictures = render_film(films, film, options.out, progress);
   }
-  const int fps = film.options.fps;
+  int count = 0;
+  for (const auto& run : runs) count += run->frames;
+  const int fps = film.fps;
   const double seconds = static_cast<double>(pictures) / fps;
 
   if (json) {
@@ -92,10 +132,10 @@ ExitCode animate(const AnimateOptions& options, bool json) {
                                            {"frames", count},
                                            {"pictures", pictures},
                                            {"seconds", seconds},
-                                           {"speed", film.options.speed}};
+                                           {"speed", film.speed}};
     std::cout << json_text(result) << '\n';
   } else {
-    const std::string speed = speed_text(film.options.speed);
+    const std::string speed = speed_text(film.speed);
     std::cout << options.out.string() << ": " << number(seconds, 3) << " s, " << pictures << " pictures of " << count
               << (count == 1 ? " frame, " : " frames, ") << (speed.empty() ? "real time" : speed) << '\n';
   }
@@ -105,9 +145,14 @@ ExitCode animate(const AnimateOptions& options, bool json) {
 }  // namespace
 
 void add_animate(CLI::App& program, Invocation& invocation) {
-  auto* command = program.add_subcommand("animate", "Film all frames as MP4 or GIF; needs no display");
+  auto* command = program.add_subcommand(
+      "animate", "Film all frames as MP4 or GIF, also of several results side by side; needs no display");
   auto options = std::make_shared<AnimateOptions>();
-  add_results(*command, options->results);
+  command
+      ->add_option("RESULTS", options->results,
+                   "Results folder, also of a run that goes on or was killed; up to four are filmed side by side")
+      ->required()
+      ->type_name("DIR");
   command->add_option("--out", options->out, "Film to write")->required()->type_name("F.mp4|F.gif");
   command
       ->add_option("--speed", options->film.speed,
@@ -125,6 +170,7 @@ void add_animate(CLI::App& program, Invocation& invocation) {
                    "The camera goes through the keys of this table: time [s], where it stands (x, y, z), where it "
                    "looks to (x, y, z)")
       ->type_name("KEYS.csv");
+  add_over(*command, options->film.over);
   command->add_option("--fps", options->film.fps, "Pictures a second")
       ->check(CLI::Range(1, 120).description(""))
       ->type_name("N")

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "measures/block_trails.hpp"
 #include "project_choice.hpp"
 #include "render/scene/slope_view.hpp"
 
@@ -126,6 +127,9 @@ void add_look(CLI::App& command, Look& look) {
       ->check(CLI::IsMember(arrows).description(""))
       ->type_name("none|velocity|force|stress")
       ->default_str("none");
+  command.add_flag("--trails", look.trails, "Draw the ways that the blocks' centres have gone up to the frame");
+  command.add_flag("--turning-axes", look.turning_axes,
+                   "Draw the axes about which blocks turn in the frame, by the right hand");
   command
       .add_option("--view", look.view,
                   "Where to look from: auto (before the slope or what moves), iso, front, back, left, right or "
@@ -162,8 +166,8 @@ void add_look(CLI::App& command, Look& look) {
                                     "Draw a view that the window has saved, pixel for pixel where no --size is given; "
                                     "--time or --frame choose another frame")
                         ->type_name("VIEW.json");
-  for (const char* said_there : {"--field", "--range", "--only", "--arrows", "--view", "--edges", "--scale",
-                                 "--explode", "--contacts", "--trouble", "--theme"})
+  for (const char* said_there : {"--field", "--range", "--only", "--arrows", "--trails", "--turning-axes", "--view",
+                                 "--edges", "--scale", "--explode", "--contacts", "--trouble", "--theme"})
     view_file->excludes(command.get_option(said_there));
 }
 
@@ -177,6 +181,8 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results) {
   settings.range = look.range;
   settings.only = look.only;
   settings.arrows = look.arrows;
+  settings.trails = look.trails ? Trails::all : Trails::none;
+  settings.turning_axes = look.turning_axes;
   settings.title = look.title.value_or(results.project_name());
   if (!look.field.empty()) settings.field = field_named(look.field);
   return settings;
@@ -196,6 +202,12 @@ void need_field(const BlockSystem& system, const Frame& frame, const SceneSettin
   if (!settings.field) return;
   if (const std::string absent = why_absent(system, frame, *settings.field); !absent.empty())
     throw InputError("field " + std::string(settings.field->name), absent, "solve the project again");
+}
+
+void tell_trails(const ResultReader& results, Scene& scene) {
+  if (scene.settings().trails == Trails::none) return;
+  NoProgress quiet;
+  scene.set_trails(std::make_shared<const BlockTrails>(block_trails(results, quiet)));
 }
 
 void mark_troubles(const Look& look, const ResultReader& results, Scene& scene) {

@@ -43,6 +43,7 @@ struct Look {
   std::optional<ValueRange> range;  ///< of the legend, SI
   std::optional<ValueRange> only;   ///< values of faces that are drawn, SI
   Arrows arrows = Arrows::none;
+  bool trails = false, turning_axes = false;
   std::filesystem::path view_file;  ///< saved by the window, says all of this itself; empty: none
 };
 void add_look(CLI::App& command, Look& look);
@@ -52,6 +53,8 @@ SceneSettings scene_settings(const Look& look, const ResultReader& results);
 std::vector<ActionGlyph> monitors_of(const std::filesystem::path& folder, const ResultReader& results);
 /// Throws InputError where the frame does not tell of the field that is to be shown.
 void need_field(const BlockSystem& system, const Frame& frame, const SceneSettings& settings);
+/// Tells a scene that is to show trails the ways of all blocks.
+void tell_trails(const ResultReader& results, Scene& scene);
 /// Marks where the run was hard, if that was asked for; of a run that was killed nothing is known.
 void mark_troubles(const Look& look, const ResultReader& results, Scene& scene);
 /// Points the camera of a scene that shows `results`. Throws InputError for a view there is not.

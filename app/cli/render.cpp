@@ -33,6 +33,7 @@ struct RenderOptions {
   PictureSize size{1600, 1000};
   bool has_size = false;  ///< it was given
   Look look;
+  bool over = false;  ///< the second results over the first
   PictureCheck check;
 };
 
@@ -135,9 +136,10 @@ void print(const RenderOptions& options, const std::vector<DrawnFrame>& frames, 
 
 ExitCode render(const RenderOptions& options, bool json) {
   refuse_to_overwrite_baseline(options.check, options.out);
-  const auto [drawn, frames] = options.look.view_file.empty()
-                                   ? draw_side_by_side(options.results, options.choice, options.look, options.size)
-                                   : drawn_as_saved(options);
+  const auto [drawn, frames] =
+      options.look.view_file.empty()
+          ? draw_side_by_side(options.results, options.choice, options.look, options.over, options.size)
+          : drawn_as_saved(options);
   write_png(drawn, options.out);
 
   nlohmann::ordered_json picture = {{"picture", options.out.string()},
@@ -196,6 +198,7 @@ void add_render(CLI::App& program, Invocation& invocation) {
   command->add_option("--out", options->out, "Picture to write")->required()->type_name("P.png");
   add_frame_choice(*command, options->choice);
   const CLI::Option* size = add_size(*command, options->size);
+  add_over(*command, options->over);
   add_look(*command, options->look);
   add_picture_check(*command, options->check);
   command->callback([&invocation, options, size] {

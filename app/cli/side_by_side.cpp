@@ -1,18 +1,15 @@
 #include "side_by_side.hpp"
 
-#include <algorithm>
 #include <memory>
 
 #include "base/error.hpp"
 #include "command.hpp"
-#include "render/scene/offscreen.hpp"
+#include "render/film/side_by_side.hpp"
+#include "results/folder.hpp"
 
 namespace talus::cli {
 
 namespace {
-
-constexpr std::size_t most_panels = 4;
-constexpr int between_panels = 3;  // pixels between two of them
 
 struct Panel {
   explicit Panel(const std::filesystem::path& folder, const FrameChoice& choice)
@@ -28,18 +25,14 @@ struct Panel {
 
 using Panels = std::vector<std::unique_ptr<Panel>>;
 
-/// "phi20" of out/phi20.results
-std::string name_of(const std::filesystem::path& folder) {
-  return std::filesystem::weakly_canonical(folder).stem().string();
-}
-
 void make_scenes(const Panels& panels, const std::vector<std::filesystem::path>& folders, const Look& look) {
   const bool alone = panels.size() == 1;
+  const std::vector<std::string> names = names_of_results(folders);
   ValueRange range;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     Panel& panel = *panels[i];
     SceneSettings settings = scene_settings(look, panel.results);
-    if (!alone) settings.title = (look.title ? *look.title + ": " : "") + name_of(folders[i]);
+    if (!alone) settings.title = (look.title ? *look.title + ": " : "") + names[i];
     about(folders[i], [&] { need_field(panel.results.system(), *panel.frame, settings); });
     if (!alone && settings.field && !look.range)
       range.include(field_range(FieldValues(panel.results.system()), *panel.frame, *settings.field));
@@ -47,6 +40,7 @@ void make_scenes(const Panels& panels, const std::vector<std::filesystem::path>&
     panel.scene->set_stage_names(panel.results.stage_names());
     panel.scene->set_frame(panel.frame);
     mark_troubles(look, panel.results, *panel.scene);
+    tell_trails(panel.results, *panel.scene);
   }
   point_camera(look, panels.front()->results, *panels.front()->scene);
   if (range.empty()) return;
@@ -57,58 +51,23 @@ void make_scenes(const Panels& panels, const std::vector<std::filesystem::path>&
   }
 }
 
-/// All look as the first one does, from as far away as the one does that needs the most room.
-void share_camera(const Panels& panels, int width, int height) {
-  CameraPose farthest;
-  double most = -1;
-  for (const auto& panel : panels) {
-    Scene& scene = *panel->scene;
-    if (panel != panels.front()) {
-      scene.set_pose(panels.front()->scene->pose());
-      scene.fit();
-    }
-    OffscreenView(scene, width, height).hold_camera();
-    const CameraPose pose = scene.pose();
-    const double distance = (pose.position - pose.focal_point).norm();
-    if (distance <= most) continue;
-    most = distance;
-    farthest = pose;
-  }
-  for (const auto& panel : panels) panel->scene->set_pose(farthest);
-}
-
-void paste(Image& whole, const Image& part, int left) {
-  for (int y = 0; y < part.height; ++y)
-    std::copy_n(part.rgb.begin() + static_cast<std::ptrdiff_t>(y) * part.width * 3, part.width * 3,
-                whole.rgb.begin() + (static_cast<std::ptrdiff_t>(y) * whole.width + left) * 3);
-}
-
-Image joined(const Panels& panels, const PictureSize& size, Theme theme) {
-  const int count = static_cast<int>(panels.size());
-  if (count == 1) return draw_image(*panels.front()->scene, size.width, size.height);
-  Image whole(size.width, size.height);
-  const Rgb between = colours(theme).frame;
-  for (std::size_t i = 0; i < whole.rgb.size(); i += 3) {
-    whole.rgb[i] = between.red;
-    whole.rgb[i + 1] = between.green;
-    whole.rgb[i + 2] = between.blue;
-  }
-  const int width = (size.width - between_panels * (count - 1)) / count;
-  share_camera(panels, width, size.height);
-  for (int i = 0; i < count; ++i) {
-    const int left = i * (width + between_panels);
-    const int own = i + 1 < count ? width : size.width - left;  // the last one takes what division leaves
-    paste(whole, draw_image(*panels[static_cast<std::size_t>(i)]->scene, own, size.height), left);
-  }
-  return whole;
-}
-
 }  // namespace
 
-SideBySide draw_side_by_side(const std::vector<std::filesystem::path>& results, const FrameChoice& choice,
-                             const Look& look, const PictureSize& size) {
+void add_over(CLI::App& command, bool& over) {
+  command.add_flag("--over", over, "Draw the edges of the second results' blocks over the first, not beside them");
+}
+
+void need_few(const std::vector<std::filesystem::path>& results, bool over) {
+  constexpr std::size_t most_panels = 4;
   if (results.size() > most_panels)
     throw InputError("RESULTS", "four are drawn side by side at most", "draw the others into another picture");
+  if (over && results.size() != 2)
+    throw InputError("--over", "two results are drawn over each other", "name two, or leave --over out");
+}
+
+SideBySide draw_side_by_side(const std::vector<std::filesystem::path>& results, const FrameChoice& choice,
+                             const Look& look, bool over, const PictureSize& size) {
+  need_few(results, over);
   Panels panels;
   SideBySide drawn;
   for (const auto& folder : results) {
@@ -116,7 +75,16 @@ SideBySide draw_side_by_side(const std::vector<std::filesystem::path>& results, 
     drawn.frames.push_back({folder, panels.back()->number, panels.back()->frame->time});
   }
   make_scenes(panels, results, look);
-  drawn.picture = joined(panels, size, look.theme);
+  std::vector<Scene*> scenes;
+  for (const auto& panel : panels)
+    if (scenes.empty() || !over) scenes.push_back(panel->scene.get());
+  if (over)
+    scenes.front()->set_ghost(
+        {std::shared_ptr<const BlockSystem>(std::shared_ptr<void>(), &panels[1]->results.system()), panels[1]->frame,
+         names_of_results(results)[1]});
+  SideBySideView view(std::move(scenes), size.width, size.height, Sampling::best);
+  view.hold_camera();
+  drawn.picture = view.draw();
   return drawn;
 }
 

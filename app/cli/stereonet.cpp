@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "measures/slipped_faces.hpp"
 #include "options.hpp"
 #include "orientation/project_joints.hpp"
 #include "output_file.hpp"
 #include "project_choice.hpp"
+#include "render/stereonet/slipped_joints.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
 #include "sheet.hpp"
 #include "text/json_text.hpp"
@@ -40,23 +40,19 @@ bool begins_as_project(const std::string& text) {
 }
 
 /// The planes on which blocks of a run slid on each other, as they were at rest, by the names of their joints.
-std::vector<MeasuredJoint> joints_that_slipped(const std::filesystem::path& folder) {
+std::vector<MeasuredJoint> joints_that_slipped_in(const std::filesystem::path& folder) {
   catch_interrupts();
   const ResultReader results(folder);
   TerminalProgress progress;
-  std::vector<MeasuredJoint> joints;
-  for (const SlippedFace& face : slipped_faces(results, progress)) {
-    const std::vector<std::string>& names = results.system().joint_names;
-    const auto joint = static_cast<std::size_t>(face.joint);
-    joints.push_back({attitude_of_normal(face.normal), face.joint >= 0 && joint < names.size() ? names[joint] : ""});
-  }
+  const std::vector<MeasuredJoint> joints =
+      joints_that_slipped(slipped_faces(results, progress), results.system().joint_names);
   if (joints.empty())
     throw InputError(folder.string(), "no block slid on another one that it lay against", "give a project or a table");
   return joints;
 }
 
 std::vector<MeasuredJoint> joints_in(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file)) return joints_that_slipped(file);
+  if (std::filesystem::is_directory(file)) return joints_that_slipped_in(file);
   const ProjectChoice choice{file, {.allow_outside = true}};  // no file that it names is opened
   const std::string text = text_of(choice);
   Project project;

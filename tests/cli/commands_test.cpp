@@ -331,6 +331,36 @@ TEST_F(Commands, AnimateWritesFilms) {
   }
 }
 
+TEST_F(Commands, AnimateFilmsResultsSideBySideAndOverEachOther) {
+  const std::string other = place("elsewhere") + "/" + std::filesystem::path(results()).filename().string();
+  std::filesystem::create_directories(place("elsewhere"));
+  std::filesystem::copy(results(), other, std::filesystem::copy_options::recursive);
+  const auto filmed = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"animate", results(), other, "--out", place("two.gif"), "--size", "200x80", "--fps", "5",
+                               "--field", "velocity"});
+    return talus_cli(more);
+  };
+  const Ending beside = filmed({});
+  EXPECT_EQ(beside.exit_code, 0) << beside.err;
+  EXPECT_THAT(beside.out, HasSubstr("6 pictures of 42 frames"));
+  EXPECT_EQ(filmed({"--over"}).exit_code, 0);
+  const Ending alone = talus_cli({"animate", results(), "--over", "--out", place("two.gif")});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_THAT(alone.err, HasSubstr("two results are drawn over each other"));
+}
+
+TEST_F(Commands, RenderDrawsTrailsAxesAndWhoSleeps) {
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--trails"}, {"--turning-axes"}, {"--field", "asleep"}}) {
+    std::vector<std::string> command{"render", results(), "--out", place("drawn.png"), "--size", "200x120"};
+    command.insert(command.end(), more.begin(), more.end());
+    EXPECT_EQ(talus_cli(command).exit_code, 0) << more.front();
+  }
+  const Ending safety = talus_cli({"render", results(), "--out", place("s.png"), "--field", "stress.safety"});
+  EXPECT_EQ(safety.exit_code, 2);
+  EXPECT_THAT(safety.err, HasSubstr("no material has a strength"));
+}
+
 TEST_F(Commands, AnimateGoesAtTheSpeedAndTheWayThatItIsTold) {
   write_text(*folder / "keys.csv", "time,x,y,z,to x,to y,to z\n0,20,-20,5,0,0,0\n1,20,20,5,0,0,-4\n");
   const auto filmed = [&](std::vector<std::string> more) {

@@ -1,11 +1,25 @@
 #include "widgets/view/compared_viewport.hpp"
 
+#include <QToolButton>
+#include <algorithm>
+#include <stdexcept>
+
 #include "driven_window.hpp"
 #include "session/compared_results.hpp"
 #include "widgets/view/render_surface.hpp"
 
 namespace talus {
 namespace {
+
+QToolButton* toolTipped(const QWidget& in, const char* tip) {
+  for (auto* tool : in.findChildren<QToolButton*>())
+    if (tool->toolTip() == QLatin1String(tip)) return tool;
+  throw std::runtime_error(std::string("there is no button: ") + tip);
+}
+
+auto shownBeside(const QWidget& window) {
+  return std::ranges::count_if(window.findChildren<ComparedViewport*>(), &QWidget::isVisible);
+}
 
 TEST_F(DrivenWindow, OtherResultsAreShownBesideAtTheSameMomentFromTheSamePlace) {
   openAndMesh(slidingCube(100));
@@ -14,13 +28,15 @@ TEST_F(DrivenWindow, OtherResultsAreShownBesideAtTheSameMomentFromTheSamePlace) 
   ASSERT_TRUE(wait([&] { return !session->playback.isLive() && !session->playback.folder().empty(); }));
   const auto other = folder / "other.results";
   std::filesystem::copy(session->playback.folder(), other, std::filesystem::copy_options::recursive);
-  auto* beside = window->findChild<ComparedViewport*>();
-  ASSERT_FALSE(beside->isVisible());
+  ASSERT_FALSE(window->findChild<ComparedViewport*>());
 
   window->compareWith(other);
-  ASSERT_TRUE(wait([&] { return beside->isVisible() && beside->scene() && session->compared.frame(); }));
+  ASSERT_TRUE(wait([&] { return session->compared.runs().size() == 1; }));
+  const auto run = session->compared.runs().front();
+  auto* beside = window->findChild<ComparedViewport*>();
+  ASSERT_TRUE(wait([&] { return beside->isVisible() && beside->scene() && run->frame(); }));
   session->playback.showFrame(3);
-  ASSERT_TRUE(wait([&] { return session->compared.frame()->index == 3; }));
+  ASSERT_TRUE(wait([&] { return run->frame()->index == 3; }));
   const auto same = [&] {
     return (beside->scene()->pose().position - window->viewport().pose()->position).norm() < 1e-9;
   };
@@ -34,11 +50,45 @@ TEST_F(DrivenWindow, OtherResultsAreShownBesideAtTheSameMomentFromTheSamePlace) 
   window->viewport().look(View::top);
   EXPECT_TRUE(wait(same));
 
-  session->compared.close();
-  EXPECT_FALSE(beside->isVisible());
+  QTest::mouseClick(toolTipped(*beside, "End comparing"), Qt::LeftButton);
+  EXPECT_TRUE(session->compared.runs().empty());
+  EXPECT_EQ(shownBeside(*window), 0);
   window->compareWith(folder / "none.results");
   ASSERT_TRUE(wait([&] { return !session->messages.problems().empty(); }));
-  EXPECT_FALSE(beside->isVisible());
+  EXPECT_EQ(shownBeside(*window), 0);
+}
+
+TEST_F(DrivenWindow, SeveralResultsAreComparedAndDrawnOverEachOther) {
+  openAndMesh(slidingCube(100));
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->display.page() == WorkflowPage::results && session->playback.frame(); }));
+  ASSERT_TRUE(wait([&] { return !session->playback.isLive() && !session->playback.folder().empty(); }));
+  for (const char* name : {"a/cube.results", "b/cube.results", "c/other.results", "d/fourth.results"}) {
+    std::filesystem::create_directories((folder / name).parent_path());
+    std::filesystem::copy(session->playback.folder(), folder / name, std::filesystem::copy_options::recursive);
+    window->compareWith(folder / name);
+  }
+  ASSERT_TRUE(wait([&] { return session->compared.runs().size() == 3; }));
+  EXPECT_EQ(session->messages.problems().size(), 1u) << "a fourth is refused";
+  const auto& runs = session->compared.runs();
+  EXPECT_EQ(session->compared.nameOf(*runs[0]), QStringLiteral("a/cube"));
+  EXPECT_EQ(session->compared.nameOf(*runs[1]), QStringLiteral("b/cube"));
+  EXPECT_EQ(session->compared.nameOf(*runs[2]), QStringLiteral("other"));
+  const auto views = window->findChildren<ComparedViewport*>();
+  ASSERT_EQ(views.size(), 3);
+  for (auto* view : views) ASSERT_TRUE(wait([&] { return view->scene() && view->run().frame(); }));
+  rest(500);
+  keepPicture(*window, "compared.png");
+
+  const QImage alone = window->viewport().picture().toImage();
+  QTest::mouseClick(toolTipped(*views[0], "Draw its blocks' edges over the view beside it"), Qt::LeftButton);
+  rest(500);
+  EXPECT_EQ(window->viewport().ghost().name, "a/cube");
+  EXPECT_NE(window->viewport().picture().toImage(), alone);
+  keepPicture(*window, "over.png");
+  session->compared.close(*runs[0]);
+  EXPECT_EQ(shownBeside(*window), 2);
+  EXPECT_FALSE(window->viewport().ghost().system) << "it goes with its view";
 }
 
 }  // namespace

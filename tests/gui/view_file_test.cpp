@@ -62,6 +62,8 @@ TEST_F(ViewFile, IsDrawnByTheCommandAsTheWindowShowsItToTheBit) {
   settings.only = ValueRange{0.001, 0.1};
   settings.arrows = Arrows::velocity;
   settings.contacts = true;
+  settings.trails = Trails::all;
+  settings.probed_line = std::array{Vec3(0, 2, 2), Vec3(6, 2, 4)};
   settings.scale_bar = false;
   session->display.set(settings);
   session->display.setTypedRange(ValueRange{0, 0.123});
@@ -69,6 +71,7 @@ TEST_F(ViewFile, IsDrawnByTheCommandAsTheWindowShowsItToTheBit) {
   window->viewport().toggleProjection();
   window->viewport().toggleSection();
   session->project.selection().selectBlocks({1});
+  ASSERT_TRUE(wait([&] { return session->trails.trails() != nullptr; }));
   rest(600);
   window->saveView(view);
   const QImage all = shown();

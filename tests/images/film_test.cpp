@@ -5,6 +5,10 @@ extern "C" {
 #include <gif_lib.h>
 #include <gtest/gtest.h>
 
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
 #include <unistd.h>
 
 #include <atomic>
@@ -177,10 +181,46 @@ TEST_F(Film, OfASlideShowsEveryFrame) {
   Recorder progress;
   const std::vector<double> times{0, 0.2, 0.4, 0.6, 0.8, 1};
   const FilmOptions options{.width = 320, .height = 200, .fps = 5};
-  EXPECT_EQ(render_film({scene, slope, times, frame, options}, folder / "slide.mp4", progress), 6);
+  EXPECT_EQ(render_film({{scene, slope, times, frame}}, options, folder / "slide.mp4", progress), 6);
   EXPECT_EQ(decode(folder / "slide.mp4").frames, 6);
   ASSERT_EQ(progress.fractions.size(), 6u);
   EXPECT_DOUBLE_EQ(progress.fractions.back(), 1);
+}
+
+TEST_F(Film, OfFewFramesInRealTimeDrawsEachPictureOnce) {
+  const BlockSystem boxes = two_boxes();
+  Scene scene(boxes);
+  int drawn = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&drawn);
+  count->SetCallback([](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  scene.renderer()->AddObserver(vtkCommand::EndEvent, count);
+  const auto frame = [&](int i) { return slid(boxes, 0.5 * i, i); };
+  NoProgress progress;
+  const FilmOptions options{.width = 64, .height = 48, .fps = 25};
+  EXPECT_EQ(render_film({{scene, boxes, {0, 1, 2}, frame}}, options, folder / "few.mp4", progress), 51);
+  EXPECT_EQ(drawn, 3);
+  EXPECT_EQ(decode(folder / "few.mp4").frames, 51);
+}
+
+TEST_F(Film, OfResultsBesideEachOtherHasAPanelForEach) {
+  const BlockSystem boxes = two_boxes(), slope = jointed_slope();
+  SceneSettings left, right;
+  left.title = "left";
+  right.title = "right";
+  Scene one(boxes, left), other(slope, right);
+  const auto first = [&](int i) { return slid(boxes, 0.5 * i, i); };
+  const auto second = [&](int i) { return slid(slope, 0.5 * i, i); };
+  NoProgress progress;
+  const FilmOptions options{.width = 640, .height = 240, .fps = 5};
+  EXPECT_EQ(render_film({{one, boxes, {0, 1}, first}, {other, slope, {0.5, 2}, second}}, options, folder / "two.mp4",
+                        progress),
+            11)
+      << "from the first moment of one to the last of the other";
+  const Decoded film = decode(folder / "two.mp4");
+  EXPECT_EQ(film.frames, 11);
+  EXPECT_EQ(film.width, 640);
+  EXPECT_EQ(one.pose().position, other.pose().position) << "seen from the same place";
 }
 
 /// Letters of ever other sizes, on both threads: fonts that VTK keeps are thrown away and read again all the time.
@@ -204,7 +244,7 @@ TEST_F(Film, IsWrittenWhileAnotherThreadDraws) {
     std::vector<double> times;
     for (int i = 0; i < pictures; ++i) times.push_back(0.2 * i);
     const FilmOptions options{.width = 320, .height = 200, .fps = 5};
-    render_film({scene, boxes, times, frame, options}, folder / "beside.mp4", progress);
+    render_film({{scene, boxes, times, frame}}, options, folder / "beside.mp4", progress);
     is_filmed = true;
   });
   Scene scene(boxes);
@@ -226,7 +266,7 @@ TEST_F(Film, CanBeCancelled) {
   const auto frame = [&](int i) { return slid(boxes, 0.01 * i, i); };
   const std::vector<double> times{0, 1, 2, 3, 4, 5, 6, 7, 8};
   const FilmOptions options{.width = 64, .height = 48, .fps = 5};
-  EXPECT_THROW(render_film({scene, boxes, times, frame, options}, folder / "a.gif", progress), Cancelled);
+  EXPECT_THROW(render_film({{scene, boxes, times, frame}}, options, folder / "a.gif", progress), Cancelled);
   EXPECT_EQ(progress.fractions.size(), 2u);
   EXPECT_TRUE(fs::is_empty(folder));
 }

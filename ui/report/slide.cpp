@@ -1,10 +1,10 @@
 #include "measures/slide.hpp"
 
-#include "measures/slipped_faces.hpp"
 #include "model/number_text.hpp"
 #include "orientation/attitude.hpp"
 #include "render/charts/slide_charts.hpp"
 #include "render/paint/numbers.hpp"
+#include "render/stereonet/slipped_joints.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
 #include "report/sections.hpp"
 #include "report/words.hpp"
@@ -17,12 +17,7 @@ namespace {
 void add_slipped_joints(const RunRecord& run, Section& section) {
   NoProgress nobody_waits;
   Stereonet net;
-  const std::vector<std::string>& names = run.system().joint_names;
-  for (const SlippedFace& face : slipped_faces(run.results, nobody_waits)) {
-    const auto joint = static_cast<std::size_t>(face.joint);
-    net.joints.push_back(
-        {attitude_of_normal(face.normal), face.joint >= 0 && joint < names.size() ? names[joint] : "no joint"});
-  }
+  net.joints = joints_that_slipped(slipped_faces(run.results, nobody_waits), run.system().joint_names);
   if (net.joints.empty()) return;
   section.parts.emplace_back(Chart{stereonet_painting(net, "Joints that slipped"), 700, 440, ""});
 }

@@ -1,45 +1,91 @@
 #include "session/compared_results.hpp"
 
+#include <algorithm>
+
+#include "results/folder.hpp"
 #include "session/messages.hpp"
 #include "session/playback.hpp"
 
 namespace talus {
 
-ComparedResults::ComparedResults(Playback& playback, Messages& messages) : playback_(playback) {
+ComparedRun::ComparedRun(const std::filesystem::path& folder, Playback& playback) : playback_(playback) {
   connect(&loader_, &ResultsLoader::opened, this, [this](const auto& index) {
     index_ = index;
-    emit changed();
+    emit opened();
     follow();
   });
   connect(&loader_, &ResultsLoader::frameReady, this, [this](const auto& frame) {
     frame_ = frame;
     emit frameChanged();
   });
-  connect(&loader_, &ResultsLoader::failed, this,
-          [&messages](const InputError& error) { messages.add(problemOf(error, Problem::Of::results)); });
-  connect(&playback, &Playback::frameChanged, this, &ComparedResults::follow);
+  connect(&loader_, &ResultsLoader::failed, this, &ComparedRun::failed);
+  connect(&playback, &Playback::frameChanged, this, &ComparedRun::follow);
+  loader_.open(folder);
+}
+
+void ComparedRun::follow() {
+  if (index_ && playback_.frame() && !index_->frame_times.empty())
+    loader_.requestFrame(nearestFrame(index_->frame_times, playback_.time()));
+}
+
+ComparedResults::ComparedResults(Playback& playback, Messages& messages) : playback_(playback), messages_(messages) {
   connect(&playback, &Playback::framesChanged, this, [this] {
-    if (playback_.times().empty()) close();
+    if (playback_.times().empty()) closeAll();
   });
 }
 
-void ComparedResults::open(const std::filesystem::path& folder) { loader_.open(folder); }
+void ComparedResults::open(const std::filesystem::path& folder) {
+  constexpr std::size_t most = 3;
+  if (runs_.size() + opening_.size() == most) {
+    messages_.add(problemOf(InputError(folder.string(), "three results are compared with those that are open at most",
+                                       "end one of the comparisons first"),
+                            Problem::Of::results));
+    return;
+  }
+  const auto run = std::make_shared<ComparedRun>(folder, playback_);
+  opening_.push_back(run);
+  // Queued: it is let go while it speaks.
+  connect(
+      run.get(), &ComparedRun::opened, this, [this, run = run.get()] { take(run); }, Qt::QueuedConnection);
+  connect(
+      run.get(), &ComparedRun::failed, this,
+      [this, run = run.get()](const InputError& error) {
+        messages_.add(problemOf(error, Problem::Of::results));
+        std::erase_if(opening_, [run](const auto& one) { return one.get() == run; });
+      },
+      Qt::QueuedConnection);
+}
 
-void ComparedResults::close() {
-  if (!index_) return;
-  loader_.close();
-  index_.reset();
-  frame_.reset();
+void ComparedResults::take(const ComparedRun* run) {
+  const auto found = std::ranges::find(opening_, run, &std::shared_ptr<ComparedRun>::get);
+  if (found == opening_.end()) return;
+  runs_.push_back(*found);
+  opening_.erase(found);
   emit changed();
 }
 
-QString ComparedResults::name() const {
-  return index_ ? QString::fromStdString(std::filesystem::weakly_canonical(index_->folder).stem().string()) : QString();
+void ComparedResults::close(const ComparedRun& run) {
+  const auto found = std::ranges::find(runs_, &run, &std::shared_ptr<ComparedRun>::get);
+  if (found == runs_.end()) return;
+  const std::shared_ptr<ComparedRun> kept = *found;  // until nobody shows it any more
+  runs_.erase(found);
+  emit changed();
 }
 
-void ComparedResults::follow() {
-  if (index_ && playback_.frame() && !index_->frame_times.empty())
-    loader_.requestFrame(nearestFrame(index_->frame_times, playback_.time()));
+void ComparedResults::closeAll() {
+  opening_.clear();
+  if (runs_.empty()) return;
+  const auto kept = std::exchange(runs_, {});
+  emit changed();
+}
+
+QString ComparedResults::nameOf(const ComparedRun& run) const {
+  std::vector<std::filesystem::path> folders{playback_.folder()};
+  for (const auto& one : runs_) folders.push_back(one->results()->folder);
+  const std::vector<std::string> names = names_of_results(folders);
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    if (runs_[i].get() == &run) return QString::fromStdString(names[i + 1]);
+  return {};
 }
 
 }  // namespace talus

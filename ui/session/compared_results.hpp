@@ -4,6 +4,7 @@
 #include <QString>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "jobs/results_loader.hpp"
 
@@ -13,23 +14,19 @@ class Messages;
 class Playback;
 
 /// Other results that are looked at beside those that are open, at the same moment: the frame nearest to it.
-class ComparedResults : public QObject {
+class ComparedRun : public QObject {
   Q_OBJECT
  public:
-  ComparedResults(Playback& playback, Messages& messages);
+  ComparedRun(const std::filesystem::path& folder, Playback& playback);
 
-  /// What cannot be read is said as a problem.
-  void open(const std::filesystem::path& folder);
-  void close();
-  /// Null while nothing is compared.
+  /// Null until they are open.
   const std::shared_ptr<const ResultsIndex>& results() const { return index_; }
   /// Null until it has been read.
   const std::shared_ptr<const Frame>& frame() const { return frame_; }
-  /// Of the folder: "phi20".
-  QString name() const;
 
  signals:
-  void changed();  ///< other results, or none
+  void opened();
+  void failed(const talus::InputError& error);
   void frameChanged();
 
  private:
@@ -39,6 +36,32 @@ class ComparedResults : public QObject {
   std::shared_ptr<const ResultsIndex> index_;
   std::shared_ptr<const Frame> frame_;
   ResultsLoader loader_;
+};
+
+/// All that is compared with the results that are open, up to three runs.
+class ComparedResults : public QObject {
+  Q_OBJECT
+ public:
+  ComparedResults(Playback& playback, Messages& messages);
+
+  /// What cannot be read is said as a problem, and so is a fourth.
+  void open(const std::filesystem::path& folder);
+  void close(const ComparedRun& run);
+  /// Those that are open, in the order in which they were.
+  const std::vector<std::shared_ptr<ComparedRun>>& runs() const { return runs_; }
+  /// What tells a run from the others: "phi20", or "wet/phi20" where there is another phi20.
+  QString nameOf(const ComparedRun& run) const;
+
+ signals:
+  void changed();  ///< which there are
+
+ private:
+  void take(const ComparedRun* run);
+  void closeAll();
+
+  Playback& playback_;
+  Messages& messages_;
+  std::vector<std::shared_ptr<ComparedRun>> runs_, opening_;
 };
 
 }  // namespace talus

@@ -24,8 +24,10 @@ class FieldLine : public QObject {
   bool isPossible() const;
   /// Asks for both ends in the view.
   void ask(const QString& prompt);
-  /// m; none: not chosen yet.
-  const std::optional<std::array<Vec3, 2>>& ends() const { return ends_; }
+  /// No line any more.
+  void remove();
+  /// m; none: not chosen yet. The view draws it.
+  const std::optional<std::array<Vec3, 2>>& ends() const;
   const Field& field() const;
   /// Empty without a line, and where it meets no rock.
   LineProbe probe() const;
@@ -38,11 +40,12 @@ class FieldLine : public QObject {
   void changed();
 
  private:
+  void draw(const std::optional<std::array<Vec3, 2>>& ends);
+
   CurrentProject& project_;
   Playback& playback_;
   Display& display_;
   Picking& picking_;
-  std::optional<std::array<Vec3, 2>> ends_;
 };
 
 }  // namespace talus

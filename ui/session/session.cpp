@@ -34,6 +34,8 @@ Session::Session(SolverParts parts)
       compared(playback, messages),
       study(project, run, messages),
       display(project, playback),
+      trails(playback, display),
+      slips(playback, display),
       line(project, playback, display, picking),
       survey(project),
       colouring(project, survey, display),

@@ -13,6 +13,7 @@
 #include "session/drawn_joints.hpp"
 #include "session/field_line.hpp"
 #include "session/measured_slide.hpp"
+#include "session/measured_trails.hpp"
 #include "session/messages.hpp"
 #include "session/picking.hpp"
 #include "session/playback.hpp"
@@ -51,6 +52,8 @@ struct Session {
   ComparedResults compared;
   ProjectStudy study;
   Display display;
+  MeasuredTrails trails;
+  SlippedJoints slips;
   Picking picking;
   FieldLine line;
   BlockSurvey survey;

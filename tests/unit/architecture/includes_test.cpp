@@ -73,7 +73,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"ui/render/paint", {"core/base"}},
     {"ui/render/gl", {"ui/render/paint"}},
     {"ui/render/fields", {"ui/render/gl", "core/fields"}},
-    {"ui/render/scene", {"ui/render/fields"}},
+    {"ui/render/scene", {"ui/render/fields", "core/measures"}},
     {"ui/render/charts", {"ui/render/gl", "core/measures"}},
     {"ui/render/stereonet", {"ui/render/charts", "core/orientation"}},
     {"ui/render/views", {"ui/render/scene", "core/io"}},

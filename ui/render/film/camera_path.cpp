@@ -42,6 +42,15 @@ std::vector<CameraKey> read_camera_keys(const std::filesystem::path& file) {
   return keys;
 }
 
+std::string camera_keys_csv(const std::vector<CameraKey>& keys) {
+  std::string table = "time [s],x [m],y [m],z [m],to x [m],to y [m],to z [m]\n";
+  for (const CameraKey& key : keys) {
+    const Vec3 &at = key.position, &to = key.focal_point;
+    table += csv_line({key.time, at.x(), at.y(), at.z(), to.x(), to.y(), to.z()}) + '\n';
+  }
+  return table;
+}
+
 CameraPath::CameraPath(const CameraMoves& moves, const BlockSystem& system, const CameraPose& held)
     : moves_(moves), held_(held) {
   if (!moves.follow) return;

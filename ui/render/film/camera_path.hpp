@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mesh/tet_mesh.hpp"
@@ -18,6 +19,9 @@ struct CameraKey {
 /// The keys of a table "time [s],x [m],y [m],z [m],to x [m],to y [m],to z [m]", where the camera stands and where it
 /// looks to. Throws InputError for one without rows, whose times do not grow, or that looks to where it stands.
 std::vector<CameraKey> read_camera_keys(const std::filesystem::path& file);
+
+/// Such a table.
+std::string camera_keys_csv(const std::vector<CameraKey>& keys);
 
 /// How the camera moves in a film; of nothing it stands still.
 struct CameraMoves {

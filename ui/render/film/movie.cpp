@@ -8,8 +8,9 @@
 #include "base/error.hpp"
 #include "render/film/film_pictures.hpp"
 #include "render/film/movie_encoder.hpp"
+#include "render/film/side_by_side.hpp"
 #include "render/paint/numbers.hpp"
-#include "render/scene/offscreen.hpp"
+#include "render/paint/picture_words.hpp"
 
 namespace talus {
 namespace {
@@ -77,64 +78,95 @@ std::string speed_text(double speed) {
   if (std::abs(speed - 1) < rounding) return {};
   const double parts = 1 / speed;
   if (speed < 1 && std::abs(parts - std::round(parts)) < rounding * parts)
-    return "1/" + format_decimals(parts, 0) + " of real time";
+    return "1/" + format_decimals(parts, 0) + " " + picture_word("of real time");
   return format_number(speed,
                        speed == std::round(speed) && speed < 1000 ? static_cast<int>(std::log10(speed)) + 1 : 3) +
-         " \u00d7 real time";
+         " \u00d7 " + picture_word("real time");
 }
 
 namespace {
 
 /// Far enough away that nothing leaves the picture while the camera turns.
-CameraPose pose_for_turning(Scene& scene, const CameraMoves& moves, const BlockSystem& system) {
+CameraPose pose_for_turning(const std::vector<Filmed>& films, const CameraMoves& moves) {
   constexpr int looks = 12;
-  CameraPose held = scene.pose();
+  CameraPose held = films.front().scene.pose();
   const Vec3 towards = (held.position - held.focal_point).normalized();
-  const CameraPath turning({.keys = {}, .turn = moves.turn, .follow = {}}, system, held);
+  const CameraPath turning({.keys = {}, .turn = moves.turn, .follow = {}}, films.front().system, held);
   double distance = 0, half_height = 0;
-  for (int i = 0; i <= looks; ++i) {
-    scene.set_pose(turning.pose({}, static_cast<double>(i) / looks));
-    scene.fit();
-    const CameraPose fitted = scene.pose();
-    distance = std::max(distance, (fitted.position - held.focal_point).norm());
-    half_height = std::max(half_height, fitted.parallel_scale);
-  }
+  for (const Filmed& film : films)
+    for (int i = 0; i <= looks; ++i) {
+      film.scene.set_pose(turning.pose({}, static_cast<double>(i) / looks));
+      film.scene.fit();
+      const CameraPose fitted = film.scene.pose();
+      distance = std::max(distance, (fitted.position - held.focal_point).norm());
+      half_height = std::max(half_height, fitted.parallel_scale);
+    }
   held.position = held.focal_point + distance * towards;
   held.parallel_scale = half_height;
   return held;
 }
 
+/// Of someone who outlives the film.
+std::shared_ptr<const BlockSystem> seen(const BlockSystem& system) {
+  return {std::shared_ptr<const BlockSystem>(), &system};
+}
+
+FilmClock clock_of(const std::vector<Filmed>& films, const FilmOptions& options) {
+  FilmClock clock{films.front().times.front(), films.front().times.back(), options.speed, options.fps};
+  for (const Filmed& film : films) {
+    clock.begin = std::min(clock.begin, film.times.front());
+    clock.end = std::max(clock.end, film.times.back());
+  }
+  return clock;
+}
+
 }  // namespace
 
-int render_film(const Filmed& film, const std::filesystem::path& path, Progress& progress) {
-  const FilmOptions& options = film.options;
-  const std::vector<int> pictures = frames_of_pictures(film.times, options.speed, options.fps);
-  if (pictures.empty()) throw InputError(path.string(), "there are no frames to film", "solve first");
-  Scene& scene = film.scene;
-  scene.include_in_view(*film.frame(0));
-  scene.include_in_view(*film.frame(pictures.back()));
+int render_film(const std::vector<Filmed>& films, const FilmOptions& options, const std::filesystem::path& path,
+                Progress& progress) {
+  for (const Filmed& film : films)
+    if (film.times.empty()) throw InputError(path.string(), "there are no frames to film", "solve first");
+  const int count = clock_of(films, options).pictures();
+  std::vector<std::vector<int>> frames;  // of each, which one a picture shows
+  std::vector<Scene*> scenes;
+  for (const Filmed& film : films) {
+    frames.push_back(frames_of_pictures(film.times, clock_of(films, options)));
+    if (scenes.empty() || !options.over) scenes.push_back(&film.scene);
+    film.scene.include_in_view(*film.frame(0));
+    film.scene.include_in_view(*film.frame(static_cast<int>(film.times.size()) - 1));
+  }
   MovieWriter writer(path, options.width, options.height, options.fps);
-  OffscreenView view(scene, options.width, options.height, Sampling::fast);
-  SceneSettings settings = scene.settings();
-  settings.remark = speed_text(options.speed);
-  scene.set_settings(settings);
-  scene.set_frame(film.frame(0));
+  SideBySideView view(scenes, options.width, options.height, Sampling::fast);
+  for (const Filmed& film : films) {
+    SceneSettings settings = film.scene.settings();
+    settings.remark = speed_text(options.speed);
+    film.scene.set_settings(settings);
+    film.scene.set_frame(film.frame(0));
+  }
   view.hold_camera();
   const bool turns_about_all = options.camera.turn != 0 && options.camera.keys.empty() && !options.camera.follow;
-  const CameraPath camera(options.camera, film.system,
-                          turns_about_all ? pose_for_turning(scene, options.camera, film.system) : scene.pose());
-  const int count = static_cast<int>(pictures.size());
+  const CameraPath camera(options.camera, films.front().system,
+                          turns_about_all ? pose_for_turning(films, options.camera) : view.pose());
   Image drawn;
-  for (int i = 0, shown = -1; i < count; ++i) {
+  std::vector<int> shown(films.size(), -1);
+  std::shared_ptr<const Frame> leading;
+  for (int i = 0; i < count; ++i) {
     if (progress.cancelled()) throw Cancelled{};
-    const int number = pictures[static_cast<std::size_t>(i)];
-    if (number != shown || !camera.stands_still()) {
-      const std::shared_ptr<const Frame> frame = film.frame(number);
-      if (number != shown) scene.set_frame(frame);
-      if (!camera.stands_still()) scene.set_pose(camera.pose(*frame, count > 1 ? i / (count - 1.0) : 0));
-      drawn = view.draw();
-      shown = number;
+    bool is_new = !camera.stands_still();
+    for (std::size_t k = 0; k < films.size(); ++k) {
+      const int number = frames[k][static_cast<std::size_t>(i)];
+      if (number == shown[k]) continue;
+      const std::shared_ptr<const Frame> frame = films[k].frame(number);
+      if (k == 0) leading = frame;
+      if (k > 0 && options.over)
+        films.front().scene.set_ghost({seen(films[k].system), frame, films[k].name});
+      else
+        films[k].scene.set_frame(frame);
+      shown[k] = number;
+      is_new = true;
     }
+    if (!camera.stands_still()) view.set_pose(camera.pose(*leading, count > 1 ? i / (count - 1.0) : 0));
+    if (is_new) drawn = view.draw();
     writer.add_frame(drawn);
     progress.report((i + 1.0) / count, "picture " + std::to_string(i + 1) + " of " + std::to_string(count));
   }

@@ -39,6 +39,7 @@ struct FilmOptions {
   int fps = 25;
   double speed = 1;  ///< seconds of the model in a second of film
   CameraMoves camera{};
+  bool over = false;  ///< results are drawn over the first ones, as outlines, and not beside them
 };
 
 /// What is filmed. The caller has set view, field and range.
@@ -47,13 +48,16 @@ struct Filmed {
   const BlockSystem& system;
   std::vector<double> times;                               ///< s, of the frames
   std::function<std::shared_ptr<const Frame>(int)> frame;  ///< by number
-  FilmOptions options{};
+  std::string name{};                                      ///< where it is drawn over others
 };
 
-/// Films all frames, and reports after each picture; each says how fast the film is, where that is not real time. The
-/// first frame and the last are included in the view here, so that the camera stands still where it is not to move.
-/// Throws Cancelled when `progress` says so; no file is left then. Returns the number of pictures.
-int render_film(const Filmed& film, const std::filesystem::path& path, Progress& progress);
+/// Films all frames of results, of several beside each other: each shows the frame that is nearest to the moment, from
+/// the same place. Reports after each picture; each says how fast the film is, where that is not real time. The first
+/// frame and the last are included in the view here, so that the camera stands still where it is not to move; one that
+/// follows a block goes along with that of the first results. Throws Cancelled when `progress` says so; no file is left
+/// then. Returns the number of pictures; none that would be as the one before is drawn again.
+int render_film(const std::vector<Filmed>& films, const FilmOptions& options, const std::filesystem::path& path,
+                Progress& progress);
 
 /// "4 × real time", "1/10 of real time"; empty for real time.
 std::string speed_text(double speed);

@@ -13,9 +13,7 @@ std::function<std::string(std::string_view)>& spoken() {
 
 }  // namespace
 
-void translate_pictures(std::function<std::string(std::string_view)> translation) {
-  spoken() = std::move(translation);
-}
+void translate_pictures(std::function<std::string(std::string_view)> translation) { spoken() = std::move(translation); }
 
 std::string picture_word(std::string_view english) {
   return spoken() && !english.empty() ? spoken()(english) : std::string(english);

@@ -192,6 +192,7 @@ void Scene::set_selected(std::vector<int> blocks) {
   if (state_->selected == blocks) return;
   state_->selected = std::move(blocks);
   state_->selection.mark(state_->selected);
+  if (state_->settings.trails == Trails::selected) state_->draw_trails();
 }
 
 void Scene::set_hovered(std::optional<int> block) {

@@ -22,12 +22,16 @@ class vtkRenderer;
 
 namespace talus {
 
+struct BlockTrails;
 struct PixelRect;
 
 enum class View { iso, front, back, left, right, top };
 enum class Edges { none, blocks, mesh };
 /// What arrows show of a frame: how blocks move, how they push each other, or the principal stresses in them.
 enum class Arrows { none, velocity, contact_force, principal_stress };
+
+/// Of which blocks the way of the centre up to the frame is drawn.
+enum class Trails { none, selected, all };
 
 /// "iso", "front", "back", "left", "right", "top"; throws InputError that lists them.
 View view_named(std::string_view name);
@@ -51,6 +55,10 @@ struct SceneSettings {
   /// drawn.
   std::optional<ValueRange> only{};
   Arrows arrows = Arrows::none;  ///< in front of everything, the longest of one length
+  Trails trails = Trails::none;  ///< as far as they were told
+  bool turning_axes = false;     ///< about which blocks turn in the frame
+  /// Both ends of a line that a field is followed along [m], drawn in front of everything.
+  std::optional<std::array<Vec3, 2>> probed_line{};
   Edges edges = Edges::blocks;
   double deformation_scale = 1;           ///< displacements are drawn this many times too large
   double explosion = 0;                   ///< blocks are drawn apart, by so much of their way from the middle of all
@@ -69,6 +77,13 @@ struct SceneSettings {
   std::string remark;  ///< beside the time: how fast a film goes
   bool legend = true, time_stamp = true, triad = true, scale_bar = true;
   double text_height = 0;  ///< pixels; 0: grows with the picture's height
+};
+
+/// Blocks of other results, at a moment, that are drawn over a scene's own as outlines.
+struct Ghost {
+  std::shared_ptr<const BlockSystem> system;  ///< null: none
+  std::shared_ptr<const Frame> frame;
+  std::string name;  ///< for the key
 };
 
 /// Where the camera stands; to carry a view from the window to a picture.
@@ -162,6 +177,11 @@ class Scene {
   void set_actions(std::vector<ActionGlyph> glyphs);
   /// The one of them under a pixel counted from the picture's upper left corner. Needs what `pick` needs.
   std::optional<ActionGlyph> action_at(double x, double y) const;
+
+  /// Draws the edges of movable blocks of other results in front of everything, moved as many times too far as its own.
+  void set_ghost(Ghost ghost);
+  /// The ways of the blocks' centres through all frames; null: not known.
+  void set_trails(std::shared_ptr<const BlockTrails> trails);
 
   /// Where something lies over the picture, pixels from its lower left corner: labels keep out of it, and
   /// so does rock that is fitted, where that is along the right edge.

@@ -9,6 +9,7 @@
 
 #include "base/units.hpp"
 #include "fields/pair_forces.hpp"
+#include "render/paint/picture_words.hpp"
 #include "render/paint/place_marks.hpp"
 #include "render/scene/contact_places.hpp"
 #include "render/scene/scene_state.hpp"
@@ -32,6 +33,9 @@ bool same_but_selected(ActionGlyph one, const ActionGlyph& other) {
   one.selected = other.selected;
   return one == other;
 }
+
+/// What the longest arrow of a kind stands for.
+std::string longest(const std::string& amount) { return ", " + picture_word("longest") + " " + amount; }
 
 double distance_to_segment(const PixelPoint& p, const PixelPoint& a, const PixelPoint& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy;
@@ -61,17 +65,17 @@ Rgb action_colour(Kind kind, Theme theme) {
 std::string action_meaning(Kind kind, double largest) {
   switch (kind) {
     case Kind::load:
-      return "load, longest " + amount_text(largest, "N");
+      return picture_word("load") + longest(amount_text(largest, "N"));
     case Kind::support:
-      return "support";
+      return picture_word("support");
     case Kind::velocity:
-      return "velocity" + (largest > 0 ? ", longest " + amount_text(largest, "m/s") : std::string());
+      return picture_word("velocity") + (largest > 0 ? longest(amount_text(largest, "m/s")) : std::string());
     case Kind::stress:
-      return "stress in situ, longest " + amount_text(largest, "Pa");
+      return picture_word("stress in situ") + longest(amount_text(largest, "Pa"));
     case Kind::monitor:
       break;
   }
-  return "monitor";
+  return picture_word("monitor");
 }
 
 void Scene::State::set_actions(std::vector<ActionGlyph> glyphs) {
@@ -117,8 +121,8 @@ std::array<Vec3, 2> Scene::State::arrow_of(std::size_t i) const {
   return glyph.pushes ? std::array<Vec3, 2>{at - along, at} : std::array<Vec3, 2>{at, at + along};
 }
 
-void Scene::State::add_arrow(const Vec3& from, const Vec3& to, int heads, Rgb colour) {
-  const double em = metres_per_pixel() * text_height();
+void Scene::State::add_arrow(const Vec3& from, const Vec3& to, int heads, Rgb colour, double size) {
+  const double em = size * metres_per_pixel() * text_height();
   const Vec3 along = (to - from).normalized();
   for (int k = 0; k < heads; ++k) {
     const Vec3 tip = to - k * 0.7 * head * em * along;
@@ -160,6 +164,8 @@ void Scene::State::shape_actions() {
     if (glyph.kind == Kind::stress) add_cross(at, glyph.cross, largest_of(actions, Kind::stress), colour, 1);
   }
   shape_frame_arrows();
+  add_axes();
+  add_probed_line();
   action_shapes.finish();
 }
 
@@ -263,11 +269,12 @@ double Scene::State::largest_value(const std::vector<FrameArrow>& arrows) {
 
 KeyEntry Scene::State::meaning_of_arrows() const {
   if (settings.arrows == Arrows::principal_stress)
-    return {colours(settings.theme).pick, "principal stresses, longest " + amount_text(largest_stress(), "Pa")};
+    return {colours(settings.theme).pick,
+            picture_word("principal stresses") + longest(amount_text(largest_stress(), "Pa"))};
   const std::vector<FrameArrow> arrows = frame_arrows();
   const bool of_velocity = settings.arrows == Arrows::velocity;
-  return {colours(settings.theme).pick, std::string(of_velocity ? "velocity" : "contact force") + ", longest " +
-                                            amount_text(largest_value(arrows), of_velocity ? "m/s" : "N")};
+  return {colours(settings.theme).pick, picture_word(of_velocity ? "velocity" : "contact force") +
+                                            longest(amount_text(largest_value(arrows), of_velocity ? "m/s" : "N"))};
 }
 
 void Scene::State::paint_actions(Painter& painter) const {

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/units.hpp"
 #include "render/paint/place_marks.hpp"
@@ -22,6 +23,16 @@ std::vector<int> Scene::State::blocks_of(const ConvergenceTrouble& trouble) cons
       found.push_back(static_cast<int>(b));
   return found;
 }
+
+void Scene::State::mark_troubles() {
+  std::set<int> troubled;
+  if (settings.troubles)
+    for (const ConvergenceTrouble& trouble : troubles)
+      for (const int block : blocks_of(trouble)) troubled.insert(block);
+  concern.mark(std::vector<int>(troubled.begin(), troubled.end()));
+}
+
+void Scene::State::mark_hovered() { hover.mark(hovered ? std::vector<int>{*hovered} : std::vector<int>{}); }
 
 Vec3 Scene::State::place_of(const ConvergenceTrouble& trouble) const {
   const BlockActors* const going = &movable;

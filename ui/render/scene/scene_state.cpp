@@ -13,13 +13,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <tuple>
 #include <utility>
 
 #include "base/units.hpp"
 #include "render/fields/field_classes.hpp"
 #include "render/paint/numbers.hpp"
+#include "render/paint/picture_words.hpp"
 #include "render/scene/contact_places.hpp"
 
 namespace talus {
@@ -126,6 +126,8 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
   face.add_to(*renderer);
   joints.add_to(*renderer);
   contacts.add_to(*renderer);
+  ways.add_to(*renderer);
+  ghost_edges.add_to(*renderer);
   action_shapes.add_to(*renderer);
   add_lights(*renderer);
 
@@ -175,6 +177,10 @@ void Scene::State::apply(SceneSettings wanted) {
   };
   if (colours_of(settings) != colours_of(before)) colour();
   if (settings.troubles != before.troubles) mark_troubles();
+  const auto ways_of = [](const SceneSettings& s) {
+    return std::tie(s.theme, s.trails, s.deformation_scale, s.explosion, s.turning_axes);
+  };
+  if (ways_of(settings) != ways_of(before)) draw_ways();
   if (settings.section != before.section || settings.explosion != before.explosion) cut_open();
   make_overlay();
 }
@@ -199,6 +205,7 @@ void Scene::State::take(std::shared_ptr<const Frame> shown) {
   style();
   move();
   colour();
+  draw_ways();
   make_overlay();
 }
 
@@ -253,17 +260,8 @@ void Scene::State::show() {
   selection.mark(selected);
   mark_hovered();
   mark_face();
+  draw_ways();
 }
-
-void Scene::State::mark_troubles() {
-  std::set<int> troubled;
-  if (settings.troubles)
-    for (const ConvergenceTrouble& trouble : troubles)
-      for (const int block : blocks_of(trouble)) troubled.insert(block);
-  concern.mark(std::vector<int>(troubled.begin(), troubled.end()));
-}
-
-void Scene::State::mark_hovered() { hover.mark(hovered ? std::vector<int>{*hovered} : std::vector<int>{}); }
 
 void Scene::State::mark_face() {
   if (!marked_face) return face.mark({});
@@ -292,6 +290,8 @@ void Scene::State::apply_lines() {
   selection.style(c.pick, 2 * unit, field_values.empty() ? tint_of_selection : 0, pixel);  // it would falsify a field
   hover.style(c.pick, unit, 0, pixel);
   joints.style(1.4 * unit);
+  ways.style(2.4 * unit);
+  ghost_edges.style(1.6 * unit);
   section.style(thin, edge, pixel);
   walls.style(pixel);
   face.style(c.pick, 2 * unit, 0.35, pixel);
@@ -322,14 +322,14 @@ void Scene::State::make_overlay() {
   }
   const bool whole = settings.deformation_scale == std::round(settings.deformation_scale);
   if (frame && settings.deformation_scale != 1)
-    overlay.remarks += (overlay.remarks.empty() ? "" : ", ") + std::string("displacements \u00d7 ") +
+    overlay.remarks += (overlay.remarks.empty() ? "" : ", ") + picture_word("displacements") + " \u00d7 " +
                        format_decimals(settings.deformation_scale, whole ? 0 : 2);
   if (frame && !settings.remark.empty()) overlay.remarks += (overlay.remarks.empty() ? "" : ", ") + settings.remark;
   if (settings.legend && settings.contacts && frame) {
-    overlay.key_title = "contacts";
-    overlay.key = {{state_colour(ContactState::open), "open"},
-                   {state_colour(ContactState::stick), "stick"},
-                   {state_colour(ContactState::slip), "slip"}};
+    overlay.key_title = picture_word("contacts");
+    overlay.key = {{state_colour(ContactState::open), picture_word("open")},
+                   {state_colour(ContactState::stick), picture_word("stick")},
+                   {state_colour(ContactState::slip), picture_word("slip")}};
   }
   if (const BlockColours* chosen = chosen_colours(); settings.legend && chosen && !chosen->key.empty())
     overlay.colour_key = ColourKey{chosen->title, chosen->key};
@@ -339,6 +339,8 @@ void Scene::State::make_overlay() {
       overlay.key.push_back({action_colour(kind, settings.theme), action_meaning(kind, largest_of(actions, kind))});
   if (!field_values.empty()) explain_field();
   if (settings.legend && frame && settings.arrows != Arrows::none) overlay.key.push_back(meaning_of_arrows());
+  if (settings.legend && !axes_of_frame.empty()) overlay.key.push_back(meaning_of_axes());
+  if (settings.legend && ghost_surface) overlay.key.push_back({colours(settings.theme).pick, ghost.name});
 }
 
 void Scene::State::reset_extent() {

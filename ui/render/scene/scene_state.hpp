@@ -6,7 +6,10 @@
 #include <vtkRenderer.h>
 
 #include "fields/field_values.hpp"
+#include "measures/turning_axes.hpp"
 #include "render/fields/wall_actor.hpp"
+#include "render/gl/solid_shapes.hpp"
+#include "render/gl/way_actor.hpp"
 #include "render/scene/backdrop.hpp"
 #include "render/scene/block_actors.hpp"
 #include "render/scene/camera_fit.hpp"
@@ -15,7 +18,6 @@
 #include "render/scene/overlay.hpp"
 #include "render/scene/scene.hpp"
 #include "render/scene/section_actor.hpp"
-#include "render/scene/solid_shapes.hpp"
 
 namespace talus {
 
@@ -68,7 +70,8 @@ struct Scene::State {
   /// From where to where its arrow goes [m from the origin]; twice its place for one without.
   std::array<Vec3, 2> arrow_of(std::size_t i) const;
   void shape_actions();
-  void add_arrow(const Vec3& from, const Vec3& to, int heads, Rgb colour);
+  /// `size`: of its head, of the usual.
+  void add_arrow(const Vec3& from, const Vec3& to, int heads, Rgb colour, double size = 1);
   /// Bars along principal stresses at a place [m from the origin]; the longest stands for `largest` [Pa]. `size`: of
   /// the usual.
   void add_cross(const Vec3& at, const std::array<ActionGlyph::Principal, 3>& cross, double largest, Rgb colour,
@@ -112,6 +115,14 @@ struct Scene::State {
   double largest_stress() const;
   void shape_frame_arrows();
   KeyEntry meaning_of_arrows() const;
+  /// Trails, and axes of rotation.
+  void draw_ways();
+  void draw_trails();
+  void find_axes();
+  void add_axes();
+  KeyEntry meaning_of_axes() const;
+  void add_probed_line();
+  void draw_ghost();
   /// What the colours of the field mean: a scale, or words.
   void explain_field();
   /// Corners are shaded: where nothing moves, and nothing is seen through.
@@ -160,6 +171,11 @@ struct Scene::State {
   };
   std::vector<Anchor> action_anchors;
   SolidShapes action_shapes;
+  std::shared_ptr<const BlockTrails> trails;
+  WayActor ways, ghost_edges;
+  Ghost ghost;
+  std::optional<BlockSurface> ghost_surface;  ///< of its movable blocks
+  std::vector<TurningAxis> axes_of_frame;
   std::vector<PixelRect> covered;  ///< pixels of the window that labels keep out of, and rock that is fitted
 
   std::shared_ptr<const Frame> frame;

@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array edges_words{"none", "blocks", "mesh"};
 constexpr std::array arrows_words{"none", "velocity", "force", "stress"};
+constexpr std::array trails_words{"none", "selected", "all"};
 
 /// What is on or off, by its key.
 struct SettingSwitch {
@@ -25,9 +26,13 @@ struct SettingSwitch {
   bool SceneSettings::*member;
 };
 constexpr SettingSwitch switches[] = {
-    {"contacts", &SceneSettings::contacts},     {"trouble", &SceneSettings::troubles},
-    {"monitors", &SceneSettings::actions},      {"legend", &SceneSettings::legend},
-    {"time_stamp", &SceneSettings::time_stamp}, {"axes", &SceneSettings::triad},
+    {"contacts", &SceneSettings::contacts},
+    {"trouble", &SceneSettings::troubles},
+    {"turning_axes", &SceneSettings::turning_axes},
+    {"monitors", &SceneSettings::actions},
+    {"legend", &SceneSettings::legend},
+    {"time_stamp", &SceneSettings::time_stamp},
+    {"axes", &SceneSettings::triad},
     {"scale_bar", &SceneSettings::scale_bar},
 };
 
@@ -103,6 +108,7 @@ SceneSettings settings_of(const Json& json) {
   };
   settings.edges = static_cast<Edges>(number_of(edges_words, json.value("edges", "blocks")));
   settings.arrows = static_cast<Arrows>(number_of(arrows_words, json.value("arrows", "none")));
+  settings.trails = static_cast<Trails>(number_of(trails_words, json.value("trails", "none")));
   settings.deformation_scale = json.value("deformation_scale", settings.deformation_scale);
   settings.explosion = json.value("explosion", settings.explosion);
   if (json.contains("section")) {
@@ -110,6 +116,8 @@ SceneSettings settings_of(const Json& json) {
     if (!(towards.norm() > 0)) throw InputError("section", "'towards' has no direction", "give a vector, not zero");
     settings.section = SectionPlane{vector_of(json["section"]["point"]), towards.normalized()};
   }
+  if (json.contains("probed_line"))
+    settings.probed_line = std::array{vector_of(json["probed_line"][0]), vector_of(json["probed_line"][1])};
   settings.rock_opacity = json.value("rock_opacity", settings.rock_opacity);
   if (json.contains("block_colours"))
     settings.block_colours = std::make_shared<const BlockColours>(block_colours_of(json["block_colours"]));
@@ -138,12 +146,15 @@ std::string view_text(const SavedView& view) {
   if (settings.range) json["range"] = {settings.range->low, settings.range->high};
   if (settings.only) json["only"] = {settings.only->low, settings.only->high};
   json["arrows"] = arrows_words[static_cast<std::size_t>(settings.arrows)];
+  json["trails"] = trails_words[static_cast<std::size_t>(settings.trails)];
   json["theme"] = settings.theme == Theme::dark ? "dark" : "light";
   json["edges"] = edges_words[static_cast<std::size_t>(settings.edges)];
   json["deformation_scale"] = settings.deformation_scale;
   json["explosion"] = settings.explosion;
   if (settings.section)
     json["section"] = {{"point", json_of(settings.section->point)}, {"towards", json_of(settings.section->towards)}};
+  if (settings.probed_line)
+    json["probed_line"] = {json_of((*settings.probed_line)[0]), json_of((*settings.probed_line)[1])};
   json["rock_opacity"] = settings.rock_opacity;
   if (!view.hidden.empty()) json["hidden"] = view.hidden;
   if (!view.selected.empty()) json["selected"] = view.selected;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "measures/block_trails.hpp"
 #include "render/scene/offscreen.hpp"
 
 namespace talus {
@@ -22,6 +23,10 @@ std::unique_ptr<Scene> scene_of_view(const SavedView& view, const ResultReader& 
   scene->set_actions(std::move(monitors));
   if (shown.settings.troubles)
     if (const auto report = results.report()) scene->set_troubles(report->troubles);
+  if (shown.settings.trails != Trails::none) {
+    NoProgress quiet;
+    scene->set_trails(std::make_shared<const BlockTrails>(block_trails(results, quiet)));
+  }
   show_view(shown, results.system(), *scene);
   return scene;
 }

@@ -78,6 +78,16 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
       tr("How fast blocks go where, the forces by which each two push each other, or the principal stresses: heads "
          "point inwards where rock is pressed"));
   overlays->addRow(tr("Arrows"), arrows_);
+  trails_ = makeCombo({tr("none"), tr("selected blocks"), tr("all blocks")}, tr("Trails"));
+  connect(trails_, &QComboBox::activated, this, [this](int index) {
+    SceneSettings settings = display_.settings();
+    settings.trails = static_cast<Trails>(index);
+    display_.set(settings);
+  });
+  trails_->setToolTip(tr("The ways that blocks' centres have gone up to the frame in view, as soon as a run is over"));
+  overlays->addRow(tr("Trails"), trails_);
+  addSwitch(overlays, tr("Axes of rotation"), &SceneSettings::turning_axes)
+      ->setToolTip(tr("About which blocks turn in the frame in view, by the right hand"));
   addSwitch(overlays, tr("Contact points"), &SceneSettings::contacts)
       ->setToolTip(tr("Open grey, stick blue, slip orange"));
   addSwitch(overlays, tr("Convergence trouble"), &SceneSettings::troubles)
@@ -139,6 +149,7 @@ void DisplayPanel::show() {
   colours_->setRowVisible(field_->componentBox(), settings.field.has_value());
   showRanges();
   arrows_->setCurrentIndex(static_cast<int>(settings.arrows));
+  trails_->setCurrentIndex(static_cast<int>(settings.trails));
   edges_->setCurrentIndex(static_cast<int>(settings.edges));
   for (int i = 0; i < 4; ++i)
     if (deformation_scales[i] == settings.deformation_scale) deformation_->setCurrentIndex(i);

@@ -30,7 +30,7 @@ class DisplayPanel : public QWidget {
   Display& display_;
   FieldChooser* field_;
   Section* colours_;
-  QComboBox *range_, *deformation_, *edges_, *arrows_;
+  QComboBox *range_, *deformation_, *edges_, *arrows_, *trails_;
   RangeFields *typed_, *only_;
   QCheckBox* onlySome_;
   std::vector<std::pair<QCheckBox*, bool SceneSettings::*>> switches_;

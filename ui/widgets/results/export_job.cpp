@@ -16,6 +16,9 @@ void draw(const ExportTask& task, Progress& progress) {
   scene.set_stage_names(task.stageNames);
   scene.set_hidden(task.hidden);
   scene.set_troubles(task.troubles);
+  scene.set_trails(task.trails);
+  scene.set_ghost(task.ghost);
+  if (task.settings.trails == Trails::selected) scene.set_selected(task.selected);
   scene.set_actions(task.actions);
   scene.set_joints(task.joints, task.chosenCuts);
   scene.set_pose(task.pose);
@@ -24,7 +27,7 @@ void draw(const ExportTask& task, Progress& progress) {
     render_png(scene, task.path, task.film.width, task.film.height);
     return;
   }
-  render_film({scene, *task.system, task.times, task.frame, task.film}, task.path, progress);
+  render_film({{scene, *task.system, task.times, task.frame}}, task.film, task.path, progress);
 }
 
 }  // namespace

@@ -21,7 +21,10 @@ struct ExportTask {
   SceneSettings settings;
   CameraPose pose;
   std::vector<int> hidden;
+  std::vector<int> selected{};  ///< whose trails are drawn, where those of all are not
   std::vector<ConvergenceTrouble> troubles;
+  std::shared_ptr<const BlockTrails> trails{};
+  Ghost ghost{};  ///< of a picture
   std::vector<ActionGlyph> actions;
   std::shared_ptr<const std::vector<JointFace>> joints{};  ///< null: none are drawn
   std::vector<int> chosenCuts{};                           ///< whose joints are drawn stronger

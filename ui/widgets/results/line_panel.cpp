@@ -16,6 +16,7 @@ LinePanel::LinePanel(FieldLine& line, Messages& messages)
       messages_(messages),
       words_(makeWrappedLabel({}, "muted")),
       save_(makeButton(tr("Save as CSV…"), "link")),
+      remove_(makeButton(tr("Take the line away"), "link")),
       chart_(new PaintingView(tr("The field along the line"))) {
   setProperty("plane", "surface");
   setAttribute(Qt::WA_StyledBackground);
@@ -28,6 +29,7 @@ LinePanel::LinePanel(FieldLine& line, Messages& messages)
   left->addWidget(choose);
   left->addWidget(words_);
   left->addWidget(save_);
+  left->addWidget(remove_);
   left->addStretch(1);
   row->addLayout(left, 1);
   row->addWidget(chart_, 3);
@@ -36,6 +38,7 @@ LinePanel::LinePanel(FieldLine& line, Messages& messages)
     saveTable(*this, messages_, tr("Save the field along the line"), QStringLiteral("line.csv"),
               [this] { return line_.table(); });
   });
+  connect(remove_, &QPushButton::clicked, &line_, &FieldLine::remove);
   connect(&line_, &FieldLine::changed, this, &LinePanel::refresh);
   refresh();
 }
@@ -46,6 +49,7 @@ void LinePanel::refresh() {
   if (!isVisible()) return;
   const LineProbe probe = line_.probe();
   const auto& ends = line_.ends();
+  remove_->setVisible(ends.has_value());
   save_->setVisible(!probe.pieces.empty());
   words_->setText(!line_.isPossible()    ? tr("Fields are followed along lines when there are results.")
                   : !ends                ? tr("Two points of the rock make a line, along which the field is shown.")

@@ -28,7 +28,7 @@ class LinePanel : public QWidget {
   FieldLine& line_;
   Messages& messages_;
   QLabel* words_;
-  QPushButton* save_;
+  QPushButton *save_, *remove_;
   PaintingView* chart_;
 };
 

@@ -1,10 +1,11 @@
 #include "widgets/view/compared_viewport.hpp"
 
+#include <QHBoxLayout>
 #include <QToolButton>
+#include <algorithm>
 
 #include <vtkRenderer.h>
 
-#include "session/compared_results.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/view/viewport.hpp"
@@ -17,44 +18,49 @@ constexpr int without_delay = 0;  // ms
 
 }  // namespace
 
-ComparedViewport::ComparedViewport(ComparedResults& results, Viewport& viewport)
-    : results_(results),
+ComparedViewport::ComparedViewport(ComparedResults& all, std::shared_ptr<ComparedRun> run, Viewport& viewport)
+    : all_(all),
+      run_(std::move(run)),
       viewport_(viewport),
       surface_(makeRenderSurface(this)),
       end_(makeTool(QStringLiteral("close"), tr("End comparing"))),
+      over_(makeTool(QStringLiteral("copy"), tr("Draw its blocks' edges over the view beside it"), true)),
       drawing_(without_delay) {
-  end_->setParent(this);
-  connect(end_, &QToolButton::clicked, &results, &ComparedResults::close);
-  end_->raise();
+  for (QToolButton* tool : {end_, over_}) {
+    tool->setParent(this);
+    tool->raise();
+  }
+  connect(end_, &QToolButton::clicked, this, [this] { all_.close(*run_); });
+  connect(over_, &QToolButton::toggled, this, &ComparedViewport::drawOver);
   surface_->widget()->setAccessibleName(tr("The results that are compared"));
   surface_->widget()->installEventFilter(this);
-  connect(&results, &ComparedResults::changed, this, &ComparedViewport::takeResults);
-  connect(&results, &ComparedResults::frameChanged, this, &ComparedViewport::follow);
+  connect(run_.get(), &ComparedRun::frameChanged, this, &ComparedViewport::follow);
+  connect(run_.get(), &ComparedRun::frameChanged, this, [this] {
+    if (over_->isChecked()) drawOver();
+  });
+  connect(&all_, &ComparedResults::changed, this, &ComparedViewport::follow);  // its name may be another
   connect(&viewport, &Viewport::redrawn, this, &ComparedViewport::follow);
-  hide();
+  make();
 }
 
-ComparedViewport::~ComparedViewport() { takeAway(); }
-
-void ComparedViewport::takeAway() {
+ComparedViewport::~ComparedViewport() {
   if (!scene_) return;
   surface_->makeContextCurrent();  // the card's memory is freed as the renderer leaves
   surface_->window().RemoveRenderer(scene_->renderer());
-  scene_.reset();
 }
 
-void ComparedViewport::takeResults() {
-  takeAway();
-  drawing_.cancel();
-  shown_ = results_.results();
-  setVisible(shown_ != nullptr);
-  if (!shown_) return;
-  const auto make = [index = shown_, settings = viewport_.screenSettings()](Progress&) {
+void ComparedViewport::end() {
+  over_->setChecked(false);
+  hide();
+  deleteLater();
+}
+
+void ComparedViewport::make() {
+  const auto work = [index = run_->results(), settings = viewport_.screenSettings()](Progress&) {
     return std::make_shared<Scene>(*index->system, settings);
   };
-  drawing_.begin(make, [this](const std::shared_ptr<Scene>& scene) {
+  drawing_.begin(work, [this](const std::shared_ptr<Scene>& scene) {
     scene_ = scene;
-    scene_->set_stage_names(shown_->stage_names);
     surface_->window().AddRenderer(scene_->renderer());
     follow();
   });
@@ -67,20 +73,26 @@ void ComparedViewport::follow() {
   SceneSettings settings = viewport_.screenSettings();
   if (!viewport_.showsField()) settings.field.reset();
   settings.parallel_projection = pose->parallel;
-  settings.title = results_.name().toStdString();
-  settings.legend = false;  // the view beside it has the same
-  settings.places.clear();  // those are of the other's blocks
+  settings.title = all_.nameOf(*run_).toStdString();
+  settings.legend = settings.triad = settings.scale_bar = false;  // the view beside it has the same
+  settings.places.clear();                                        // those are of the other's blocks
   settings.block_colours.reset();
   scene_->set_settings(settings);
-  if (results_.frame()) scene_->set_frame(results_.frame());
+  if (run_->frame()) scene_->set_frame(run_->frame());
   scene_->set_pose(*pose);
   surface_->requestRender();
 }
 
+void ComparedViewport::drawOver() {
+  if (!over_->isChecked()) return viewport_.setGhost({});
+  if (run_->frame()) viewport_.setGhost({run_->results()->system, run_->frame(), all_.nameOf(*run_).toStdString()});
+}
+
 void ComparedViewport::resizeEvent(QResizeEvent*) {
-  constexpr int away = 8;  // pixels, of the button
+  constexpr int away = 8;  // pixels, of the buttons
   surface_->widget()->setGeometry(rect());
   end_->move(width() - end_->sizeHint().width() - away, away);
+  over_->move(end_->x(), end_->y() + end_->sizeHint().height() + away / 2);
   follow();
 }
 
@@ -89,6 +101,25 @@ bool ComparedViewport::eventFilter(QObject* watched, QEvent* event) {
   if (watched != surface_->widget() || !scene_ || !pose) return QFrame::eventFilter(watched, event);
   if (mouse_.takes(*event, *pose, size(), [this](const CameraPose& to) { viewport_.moveTo(to); })) return true;
   return QFrame::eventFilter(watched, event);
+}
+
+ComparedViewports::ComparedViewports(ComparedResults& all, Viewport& viewport, QHBoxLayout& row)
+    : QObject(&viewport), all_(all), viewport_(viewport), row_(row) {
+  connect(&all, &ComparedResults::changed, this, &ComparedViewports::follow);
+}
+
+void ComparedViewports::follow() {
+  const auto& runs = all_.runs();
+  std::erase_if(views_, [&](ComparedViewport* view) {
+    const bool stays = std::ranges::any_of(runs, [view](const auto& run) { return run.get() == &view->run(); });
+    if (!stays) view->end();
+    return !stays;
+  });
+  for (const auto& run : runs) {
+    if (std::ranges::any_of(views_, [&](ComparedViewport* view) { return &view->run() == run.get(); })) continue;
+    views_.push_back(new ComparedViewport(all_, run, viewport_));
+    row_.addWidget(views_.back(), 1);
+  }
 }
 
 }  // namespace talus

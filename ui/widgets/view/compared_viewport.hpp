@@ -2,28 +2,33 @@
 
 #include <QFrame>
 #include <memory>
+#include <vector>
 
 #include "jobs/latest_job.hpp"
 #include "render/scene/scene.hpp"
+#include "session/compared_results.hpp"
 #include "widgets/view/camera_moves.hpp"
 
+class QHBoxLayout;
 class QToolButton;
 
 namespace talus {
 
-class ComparedResults;
 class RenderSurface;
 class Viewport;
 
-/// Beside the view: the results that are compared, at the same moment, from the same place and in the same colours.
-/// Either camera is moved by the other's: left drag turns, middle drag pans, the wheel zooms. Hidden while nothing is
-/// compared.
+/// Beside the view: results that are compared, at the same moment, from the same place and in the same colours. Either
+/// camera is moved by the other's: left drag turns, middle drag pans, the wheel zooms. Its blocks can be drawn over
+/// those of the view, as outlines.
 class ComparedViewport : public QFrame {
   Q_OBJECT
  public:
-  ComparedViewport(ComparedResults& results, Viewport& viewport);
+  ComparedViewport(ComparedResults& all, std::shared_ptr<ComparedRun> run, Viewport& viewport);
   ~ComparedViewport() override;
 
+  const ComparedRun& run() const { return *run_; }
+  /// Is seen no more, and goes when nothing of it is at work.
+  void end();
   /// Null until the blocks can be drawn.
   const Scene* scene() const { return scene_.get(); }
   RenderSurface& surface() { return *surface_; }
@@ -33,18 +38,33 @@ class ComparedViewport : public QFrame {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void takeResults();
+  void make();
   void follow();
-  void takeAway();
+  void drawOver();
 
-  ComparedResults& results_;
+  ComparedResults& all_;
+  std::shared_ptr<ComparedRun> run_;
   Viewport& viewport_;
   RenderSurface* surface_;
-  QToolButton* end_;
-  std::shared_ptr<const ResultsIndex> shown_;  ///< whose blocks scene_ draws
+  QToolButton *end_, *over_;
   std::shared_ptr<Scene> scene_;
   CameraMouse mouse_{0.35};  // as in the view beside it
   LatestJob drawing_;        ///< last: its thread ends before the others go
+};
+
+/// Keeps a view beside the others in a row for each run that is compared.
+class ComparedViewports : public QObject {
+  Q_OBJECT
+ public:
+  ComparedViewports(ComparedResults& all, Viewport& viewport, QHBoxLayout& row);
+
+ private:
+  void follow();
+
+  ComparedResults& all_;
+  Viewport& viewport_;
+  QHBoxLayout& row_;
+  std::vector<ComparedViewport*> views_;
 };
 
 }  // namespace talus

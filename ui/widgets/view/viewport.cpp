@@ -105,6 +105,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   });
 
   connect(&session_.run, &CurrentRun::troublesChanged, this, &Viewport::applyTroubles);
+  connect(&session_.trails, &MeasuredTrails::changed, this, &Viewport::applyTrails);
   connect(&session_.display, &Display::troubleWanted, this, [this](const ConvergenceTrouble& trouble) {
     if (scene_) flyTo(scene_->pose_at(trouble));
   });
@@ -225,6 +226,7 @@ void Viewport::showScene(const Drawn& next) {
   applySelection();
   applyJoints();
   applyTroubles();
+  applyTrails();
   applyActions();
   showFrame();
 }
@@ -285,6 +287,7 @@ void Viewport::applySettings() {
   settings.fine = still_ && drag_ == Drag::none && !computing;
   settings.parallel_projection = scene_->settings().parallel_projection;
   if (!showsField()) settings.field.reset();
+  if (session_.display.page() != WorkflowPage::results) settings.probed_line.reset();
   if (const auto* surfaces = session_.surfaces.current(); surfaces && showsSolids_)
     for (const SolidSurface& surface : *surfaces)
       std::ranges::copy(oddPlaces(surface), std::back_inserter(settings.places));
@@ -328,6 +331,14 @@ WorkflowPage Viewport::page() const { return session_.display.page(); }
 void Viewport::applyTroubles() {
   if (!scene_) return;
   scene_->set_troubles(session_.run.troubles());
+  render();
+}
+
+/// And blocks of other results.
+void Viewport::applyTrails() {
+  if (!scene_) return;
+  scene_->set_trails(session_.trails.trails());
+  scene_->set_ghost(showsSolids_ ? Ghost{} : ghost_);
   render();
 }
 

@@ -58,6 +58,9 @@ class Viewport : public QWidget {
   /// Shift and drag draw a lasso from now on, where they draw a box otherwise.
   void setLasso(bool lasso) { drawsLasso_ = lasso; }
 
+  /// Blocks of other results over its own; without a system none.
+  void setGhost(const Ghost& ghost);
+  const Ghost& ghost() const { return ghost_; }
   /// Empty until there are blocks.
   std::optional<CameraPose> pose() const;
   /// As if the user had moved the camera there.
@@ -153,6 +156,7 @@ class Viewport : public QWidget {
   void applySelection();
   void applyJoints();
   void applyTroubles();
+  void applyTrails();
   void applyActions();
   /// Selects the load, support or monitor whose glyph is there; false where there is none.
   bool selectActionAt(QPointF point);
@@ -209,6 +213,7 @@ class Viewport : public QWidget {
   void takeStanding(const Standing& standing);
   std::optional<Standing> standing_;  ///< where the camera stood last, of this project
   std::vector<int> hidden_;
+  Ghost ghost_;
   std::vector<ActionGlyph> actions_;  ///< that the scene was told of
 
   enum class Drag { none, turn, pan, box, lasso, tool };

@@ -55,6 +55,11 @@ void Viewport::warmUp() {
   for (const bool fine : {false, true}) QTimer::singleShot(0, this, [draw, fine] { draw(0.5, fine); });
 }
 
+void Viewport::setGhost(const Ghost& ghost) {
+  ghost_ = ghost;
+  applyTrails();
+}
+
 void Viewport::toggleSection() {
   if (!scene_) return;
   SceneSettings settings = session_.display.settings();

@@ -20,6 +20,7 @@
 #include "widgets/results/history_panel.hpp"
 #include "widgets/results/line_panel.hpp"
 #include "widgets/results/slide_panel.hpp"
+#include "widgets/results/slipped_joints_panel.hpp"
 #include "widgets/window/top_bar.hpp"
 
 namespace talus {
@@ -49,6 +50,7 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   histories_ = new HistoryPanel(session.run, session.playback, session.display);
   auto* histories = new BlockHistoryPanel(session.histories, session.playback, session.messages);
   auto* slide = new SlidePanel(session.slide, session.playback, session.display);
+  auto* slips = new SlippedJointsPanel(session.slips);
   auto* alongLine = new LinePanel(session.line, session.messages);
   problems_ = new ProblemList(session.project.problems(), session.messages, session.display);
   log_ = new QPlainTextEdit;
@@ -61,6 +63,7 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   addTab(histories_, tr("Histories"));
   addTab(histories, tr("Blocks' histories"));
   addTab(slide, tr("Run-out"));
+  addTab(slips, tr("Joints that slipped"));
   addTab(alongLine, tr("Along a line"));
   addTab(problems_, {});
   addTab(log_, tr("Log"));

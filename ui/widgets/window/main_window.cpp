@@ -120,7 +120,7 @@ void MainWindow::makeCentre() {
   auto* views = new QHBoxLayout;
   setMargins(views, 0, 1);
   views->addWidget(viewport_, 1);
-  views->addWidget(new ComparedViewport(session_.compared, *viewport_), 1);
+  new ComparedViewports(session_.compared, *viewport_, *views);
   column->addLayout(views, 1);
   column->addWidget(timeline_);
   centre_->addWidget(start_);
@@ -286,6 +286,8 @@ ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) 
   task.pose = *viewport_->pose();
   task.hidden = viewport_->hiddenBlocks();
   task.troubles = session_.run.troubles();
+  task.selected = session_.project.selection().blocks();
+  task.trails = session_.trails.trails();
   task.actions = viewport_->actions();
   if (viewport_->showsJoints()) {
     task.joints = session_.joints.faces();
@@ -304,15 +306,18 @@ void MainWindow::savePicture(const std::filesystem::path& path) {
   if (const auto frame = session_.playback.frame(); frame && !viewport_->showsSolids()) {
     task.frame = [frame](int) { return frame; };
     task.times = {frame->time};
+    task.ghost = viewport_->ghost();
   }
   task.what = tr("Picture");
   session_.messages.settle(Problem::Of::picture);
   exporter_.start(std::move(task));
 }
 
-void MainWindow::saveFilm(const std::filesystem::path& path) {
+void MainWindow::saveFilm(const std::filesystem::path& path, const FilmOptions& film) {
   if (session_.playback.times().empty()) return;
-  ExportTask task = exportTask(path, 1280);
+  ExportTask task = exportTask(path, film.width);
+  task.film.fps = film.fps;
+  task.film.camera = film.camera;
   task.settings.field = session_.display.settings().field;
   if (viewport_->showsSolids()) {  // a film is of the blocks
     task.system = session_.project.system();

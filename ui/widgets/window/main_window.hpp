@@ -15,6 +15,7 @@ namespace talus {
 
 class AccuracyPanel;
 class ExportStrip;
+class FilmDialog;
 class Guards;
 class PasteJoints;
 class ManualWindow;
@@ -54,7 +55,8 @@ class MainWindow : public QMainWindow {
   void offerRecovery();
   /// In the view's shape, 1920 pixels wide.
   void savePicture(const std::filesystem::path& path);
-  void saveFilm(const std::filesystem::path& path);
+  /// The height is that of the view's shape, the speed that of play.
+  void saveFilm(const std::filesystem::path& path, const FilmOptions& film = {});
   /// Of the results that are open: as HTML or PDF, by the file's ending; of STL the frame in view.
   void saveReport(const std::filesystem::path& path);
   void exportData(DataFormat format, const std::filesystem::path& path);
@@ -93,6 +95,7 @@ class MainWindow : public QMainWindow {
   void keepPictureOfProject();
   void askForPicture();
   void askForFilm();
+  void askForFilmFile();
   void askForReport();
   void askForView(bool save);
   void askForExport(DataFormat format);
@@ -133,6 +136,7 @@ class MainWindow : public QMainWindow {
   ManualWindow* manual_ = nullptr;        ///< once it has been asked for
   AccuracyPanel* accuracy_ = nullptr;     ///< once it has been asked for
   StereonetPanel* stereonet_ = nullptr;   ///< likewise
+  FilmDialog* film_ = nullptr;            ///< likewise
   PasteJoints* pasteJoints_ = nullptr;    ///< likewise
   QList<QToolBar*> bars_;
   QLabel *message_, *place_;

@@ -14,6 +14,7 @@
 #include "widgets/orientation/paste_joints.hpp"
 #include "widgets/orientation/stereonet_panel.hpp"
 #include "widgets/project/project_tree.hpp"
+#include "widgets/results/film_dialog.hpp"
 #include "widgets/study/accuracy_panel.hpp"
 #include "widgets/verification/verification.hpp"
 #include "widgets/view/viewport.hpp"
@@ -145,9 +146,17 @@ void MainWindow::askForPicture() {
 }
 
 void MainWindow::askForFilm() {
+  if (!film_) {
+    film_ = new FilmDialog(session_.playback, *viewport_, *timeline_, session_.messages, this);
+    connect(film_, &FilmDialog::filmWanted, this, &MainWindow::askForFilmFile);
+  }
+  film_->present(session_.project.selection().blocks());
+}
+
+void MainWindow::askForFilmFile() {
   const QString name = QFileDialog::getSaveFileName(this, tr("Save a film"), proposedFile(QStringLiteral(".mp4")),
                                                     tr("Films (*.mp4 *.gif)"));
-  if (!name.isEmpty()) saveFilm(withEnding(name, ".mp4"));
+  if (!name.isEmpty()) saveFilm(withEnding(name, ".mp4"), film_->options());
 }
 
 void MainWindow::askForReport() {

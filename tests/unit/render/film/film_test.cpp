@@ -16,26 +16,37 @@ namespace {
 using testing::ElementsAre;
 using testing::SizeIs;
 
+std::vector<int> frames_of(const std::vector<double>& times, double speed, int rate) {
+  if (times.empty()) return frames_of_pictures(times, {});
+  return frames_of_pictures(times, {times.front(), times.back(), speed, rate});
+}
+
 TEST(FilmPictures, LastAsLongAsTheMotionInRealTime) {
   const std::vector<double> times{0, 0.1, 0.2, 0.3, 0.4, 0.5};
-  EXPECT_THAT(frames_of_pictures(times, 1, 10), ElementsAre(0, 1, 2, 3, 4, 5));
-  EXPECT_THAT(frames_of_pictures(times, 1, 20), SizeIs(11)) << "half a second and the first";
-  EXPECT_THAT(frames_of_pictures(times, 2, 10), ElementsAre(0, 2, 4, 5));
-  EXPECT_THAT(frames_of_pictures(times, 0.5, 10), SizeIs(11));
+  EXPECT_THAT(frames_of(times, 1, 10), ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_THAT(frames_of(times, 1, 20), SizeIs(11)) << "half a second and the first";
+  EXPECT_THAT(frames_of(times, 2, 10), ElementsAre(0, 2, 4, 5));
+  EXPECT_THAT(frames_of(times, 0.5, 10), SizeIs(11));
 }
 
 TEST(FilmPictures, ShowTheFrameThatIsNearest) {
   const std::vector<double> times{0, 1, 1.1, 4};  // seconds are not as long as each other
-  EXPECT_THAT(frames_of_pictures(times, 1, 1), ElementsAre(0, 1, 2, 3, 3));
+  EXPECT_THAT(frames_of(times, 1, 1), ElementsAre(0, 1, 2, 3, 3));
   const std::vector<double> one{2};
-  EXPECT_THAT(frames_of_pictures(one, 1, 25), ElementsAre(0));
-  EXPECT_THAT(frames_of_pictures({}, 1, 25), SizeIs(0));
+  EXPECT_THAT(frames_of(one, 1, 25), ElementsAre(0));
+  EXPECT_THAT(frames_of({}, 1, 25), SizeIs(0));
+}
+
+TEST(FilmPictures, OfSeveralResultsHaveOneClock) {
+  const std::vector<double> longer{0, 1, 2, 3}, later{1, 2};
+  const FilmClock clock{0, 3, 1, 2};
+  EXPECT_THAT(frames_of_pictures(longer, clock), ElementsAre(0, 1, 1, 2, 2, 3, 3));
+  EXPECT_THAT(frames_of_pictures(later, clock), ElementsAre(0, 0, 0, 1, 1, 1, 1));
 }
 
 TEST(FilmPictures, RefuseASpeedThatIsNone) {
   const std::vector<double> times{0, 1};
-  for (const double speed : {0.0, -1.0, std::nan(""), 1e-9})
-    EXPECT_THROW(frames_of_pictures(times, speed, 25), InputError);
+  for (const double speed : {0.0, -1.0, std::nan(""), 1e-9}) EXPECT_THROW(frames_of(times, speed, 25), InputError);
 }
 
 BlockSystem one_box() {
@@ -106,6 +117,8 @@ TEST(CameraKeys, AreReadFromATable) {
   ASSERT_THAT(keys, SizeIs(2));
   EXPECT_EQ(keys[1].time, 2.5);
   EXPECT_EQ(keys[1].focal_point, Vec3(4, 5, 7));
+  write(camera_keys_csv(keys).substr(camera_keys_csv(keys).find('\n') + 1));
+  EXPECT_EQ(read_camera_keys(file)[1].focal_point, keys[1].focal_point) << "written back";
   for (const char* wrong : {"", "0,1,2,3\n", "1,0,0,0,1,1,1\n1,0,0,0,1,1,1\n", "0,1,1,1,1,1,1\n"}) {
     write(wrong);
     EXPECT_THROW(read_camera_keys(file), InputError) << wrong;

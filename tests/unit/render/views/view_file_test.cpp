@@ -18,6 +18,9 @@ SavedView full_view() {
   view.settings.range = ValueRange{-0.1, 1.0 / 3};
   view.settings.only = ValueRange{0.25, 0.75};
   view.settings.arrows = Arrows::contact_force;
+  view.settings.trails = Trails::selected;
+  view.settings.turning_axes = true;
+  view.settings.probed_line = std::array{Vec3(1, 2, 3), Vec3(4, 5, 6.5)};
   view.settings.edges = Edges::mesh;
   view.settings.deformation_scale = 10;
   view.settings.explosion = 0.6;
@@ -55,6 +58,9 @@ TEST(ViewFile, KeepsAllOfAViewToTheBit) {
   EXPECT_EQ(read.settings.edges, Edges::mesh);
   EXPECT_EQ(read.settings.only, written.settings.only);
   EXPECT_EQ(read.settings.arrows, Arrows::contact_force);
+  EXPECT_EQ(read.settings.trails, Trails::selected);
+  EXPECT_TRUE(read.settings.turning_axes);
+  EXPECT_EQ(read.settings.probed_line, written.settings.probed_line);
   EXPECT_EQ(read.settings.section, written.settings.section);
   EXPECT_EQ(read.settings.block_colours->colours, written.settings.block_colours->colours);
   EXPECT_EQ(read.settings.block_colours->key[0].meaning, "rock");

@@ -1,4 +1,4 @@
-#include "render/scene/solid_shapes.hpp"
+#include "render/gl/solid_shapes.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
