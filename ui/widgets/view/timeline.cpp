@@ -269,7 +269,8 @@ void Timeline::refresh() {
   speed_->setEnabled(any);
   if (!any) setPlaying(false);
   time_->setText(any ? tr("%1 s").arg(numbers::fixed(playback_.time(), 2)) : QStringLiteral("–"));
-  total_->setText(any ? tr("of %1 s").arg(numbers::figure(times.back(), 4)) : tr("no frames yet"));
+  total_->setText(any ? tr("of %1 s").arg(numbers::figure(std::max(times.back(), playback_.time()), 4))
+                      : tr("no frames yet"));
   track_->update();
 }
 
