@@ -99,10 +99,14 @@ void HandingOver::compare() {
   const auto other = folder / "other.results";
   std::filesystem::copy(session->playback.folder(), other, std::filesystem::copy_options::recursive);
   window->compareWith(other);
-  auto* beside = window->findChild<ComparedViewport*>();
-  ASSERT_TRUE(wait([&] { return beside->isVisible() && beside->scene() && session->compared.frame(); }));
-  EXPECT_EQ(session->compared.frame()->index, session->playback.frame()->index);
-  session->compared.close();
+  const auto& runs = session->compared.runs();
+  ASSERT_TRUE(wait([&] { return !runs.empty() && runs.front()->frame(); }));
+  EXPECT_EQ(runs.front()->frame()->index, session->playback.frame()->index);
+  ASSERT_TRUE(wait([&] {
+    const auto* beside = window->findChild<ComparedViewport*>();
+    return beside && beside->isVisible() && beside->scene();
+  }));
+  session->compared.close(*runs.front());
 }
 
 void HandingOver::write() {
