@@ -6,8 +6,8 @@
 
 namespace talus {
 
-/// Rows and columns of what two rigid bodies do to each other: centroids, the first's rotation, the second's. The second
-/// centroid has the blocks of the first with the other sign.
+/// Rows and columns of what two rigid bodies do to each other: centroids, the first's rotation, the second's. The
+/// second centroid has the blocks of the first with the other sign.
 using PairBlocks = std::array<std::array<Mat3, 3>, 3>;
 
 /// Springs at all places where two rigid bodies meet, Σ Bᵀ K B [N/m], with symmetric K and
@@ -34,7 +34,8 @@ class UnsymmetricPairSprings {
   UnsymmetricPairSprings() { clear(); }
   void clear();
   /// `force`: on the first body [N].
-  void add(const RigidPair::State& pair, const Meeting& place, const Vec3& force, const Mat3& spring, const Mat3& other);
+  void add(const RigidPair::State& pair, const Meeting& place, const Vec3& force, const Mat3& spring,
+           const Mat3& other);
   void find(const RigidPair& pair, const RigidPair::State& state, PairBlocks& blocks) const;
 
  private:

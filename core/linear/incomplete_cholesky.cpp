@@ -40,8 +40,7 @@ void IncompleteCholesky::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) con
   x = b;
   for (int j = 0; j < pattern_.nodes(); ++j) {
     const Vec3 solved = x.segment<3>(3 * j);
-    for (int slot = begin[j] + 1; slot < begin[j + 1]; ++slot)
-      x.segment<3>(3 * rows[slot]) -= values_[slot] * solved;
+    for (int slot = begin[j] + 1; slot < begin[j + 1]; ++slot) x.segment<3>(3 * rows[slot]) -= values_[slot] * solved;
   }
   for (int j = pattern_.nodes() - 1; j >= 0; --j) {
     Vec3 sum = inverse_[j] * x.segment<3>(3 * j);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "base/state_archive.hpp"
+#include "base/trials.hpp"
 #include "linear/coupled_parts.hpp"
 #include "linear/dense_solver.hpp"
 #include "linear/incomplete_cholesky.hpp"
@@ -26,18 +26,6 @@ namespace talus {
 ///   unsymmetric part, one solve with it suffices.
 class IndependentSystem {
  public:
-  /// When to try to do without a factor: after failures one by one less often.
-  struct Trials {
-    int left_out = 0, to_leave_out = 0;
-
-    bool is_due() { return left_out++ >= to_leave_out; }
-    void note(bool succeeded) {
-      left_out = 0;
-      to_leave_out = succeeded ? 0 : std::min(2 * to_leave_out + 1, 31);
-    }
-    void archive(auto& state) { state(left_out, to_leave_out); }
-  };
-
   /// `nodes`: ascending; `pattern`: of these nodes among themselves.
   IndependentSystem(std::vector<int> nodes, BlockPattern pattern);
 

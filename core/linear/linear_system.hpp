@@ -46,7 +46,7 @@ class LinearSystem {
   std::vector<int> system_of_, number_in_system_;  ///< of each node
   std::vector<IndependentSystem> systems_;         ///< by their first nodes
   std::vector<double> sizes_;                      ///< norm of each system's right-hand side
-  IndependentSystem::Trials trials_;
+  Trials trials_;                                  ///< of incomplete factors
   LinearWork work_;
 };
 

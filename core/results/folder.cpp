@@ -25,11 +25,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<std::string_view, 17> our_files = {
-    "results.h5",       "results.vtkhdf", "results.vtkhdf.new", "results.xdmf",
-    "frames.h5",        "history.csv",    "steps.csv",          "checkpoint.h5",
-    "log.txt",          "project.talus",  "summary.json",       "summary.json.new",
-    "results.xdmf.new", "frames.h5.new",  "checkpoint.h5.new",  "results.h5.new",
-    "background.txt"};
+    "results.h5",     "results.vtkhdf",   "results.vtkhdf.new", "results.xdmf",  "frames.h5",
+    "history.csv",    "steps.csv",        "checkpoint.h5",      "log.txt",       "project.talus",
+    "summary.json",   "summary.json.new", "results.xdmf.new",   "frames.h5.new", "checkpoint.h5.new",
+    "results.h5.new", "background.txt"};
 
 bool is_ours(const fs::path& entry) { return std::ranges::count(our_files, entry.filename().string()) > 0; }
 

@@ -50,6 +50,7 @@ void OpenClose::begin_stage(Composition& composition, double body_residual) {
   composition_ = &composition;
   body_residual_ = body_residual;
   interior_point_first_ = false;
+  trials_alone_ = {};
   residual_.begin_stage(composition);
 }
 
@@ -81,7 +82,7 @@ void OpenClose::archive(StateArchive& state, bool pattern_holds) {
     residual_.set_pattern(linear_.pattern());
     follow_pattern();
   }
-  state(residual_, interior_, interior_point_first_, pattern_seconds_, elimination_seconds_, alone_);
+  state(residual_, interior_, interior_point_first_, trials_alone_, pattern_seconds_, elimination_seconds_, alone_);
 }
 
 void OpenClose::begin_step(const StepContext& step) {
@@ -216,12 +217,14 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
 void OpenClose::balance_alone(Increment& d) {
   const Stopwatch watch(alone_.seconds);
   if (!elimination_.begin(*composition_, residual_)) return;
+  if (!trials_alone_.is_due()) return elimination_.end(*composition_, residual_);
   ++alone_.evaluations;
   before_alone_ = d;
   residual_.evaluate(d, Friction::coupled);
   const double unbalanced = residual_.norm();
   const OpenCloseResult alone = converge_within(elimination_limit_, false, d);
   if (!(alone.residual < unbalanced)) d = before_alone_;
+  trials_alone_.note(alone.residual < tolerances_.well_reduced * unbalanced);
   elimination_.end(*composition_, residual_);
   residual_.evaluate(d, Friction::coupled);
 }

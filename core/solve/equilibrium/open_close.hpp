@@ -154,6 +154,7 @@ class OpenClose {
   PartwiseLineSearch search_;
   NonlinearElimination elimination_;
   int elimination_limit_;
+  Trials trials_alone_;
   InteriorPoint interior_;
   bool interior_point_first_ = false;  ///< it led on when it was tried last
   DisjointSets together_;

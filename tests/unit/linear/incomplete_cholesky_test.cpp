@@ -51,15 +51,15 @@ TEST(IncompleteCholesky, SparesMostIterationsOfGmres) {
   const auto apply = [&](const Eigen::VectorXd& from, Eigen::VectorXd& to) { matrix.multiply(from, to); };
   Gmres gmres;
   Eigen::VectorXd x;
-  const int plain =
-      gmres.solve(apply, [](const Eigen::VectorXd& from, Eigen::VectorXd& to) { to = from; }, b, x, 1e-6, 200);
+  const int plain = gmres.solve(
+      apply, [](const Eigen::VectorXd& from, Eigen::VectorXd& to) { to = from; }, b, x, 1e-6, 200);
   const int with = gmres.solve(
       apply, [&](const Eigen::VectorXd& from, Eigen::VectorXd& to) { factor.solve(from, to); }, b, x, 1e-6, 200);
   EXPECT_LT(2 * with, plain);
 }
 
-/// A ring of springs that turn what they pull into its opposite is barely definite: what is left out of its factor makes
-/// it indefinite.
+/// A ring of springs that turn what they pull into its opposite is barely definite: what is left out of its factor
+/// makes it indefinite.
 TEST(IncompleteCholesky, EnlargesADiagonalThatIsTooSmallAndRefusesWhatIsIndefinite) {
   SymmetricBlocks ring;
   ring.set_pattern(4, {{1, 0}, {2, 0}, {3, 1}, {3, 2}});
