@@ -346,7 +346,7 @@ struct Grit {
 
 TEST(Simulation, CutsAStepBelowItsShortestWhereABodyFliesByManyOfItsSizes) {
   for (const BodyKind kind : {BodyKind::rigid, BodyKind::affine}) {
-    const Grit grit(kind, 1.9, 0.2, 25);
+    const Grit grit(kind, 1.9, 0.2, 30);
     Simulation simulation(grit.project, grit.system);
     int cuts = 0;
     while (!simulation.finished()) cuts += simulation.step().cuts;
