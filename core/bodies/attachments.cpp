@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <type_traits>
 
 #include "bodies/finite_rotation.hpp"
 
@@ -230,55 +231,46 @@ void Attachments::add_turning(int index, const Increment& d, const Vec3& force, 
   }
 }
 
-void Attachments::Springs::add(int index, const Mat3& spring) {
+template <class OfPair, class Blocks>
+void Attachments::PairSums<OfPair, Blocks>::add_met(int index, const auto&... what) {
   const Point& point = moves_.points_[index];
-  if (point.meeting < 0) return moves_.add_spring(index, d_, spring, sum_);
   if (first_ < 0 || moves_.points_[first_].pair != point.pair) {
     finish();
     first_ = index;
   }
-  springs_.add(moves_.pair_of(point).at(d_), moves_.meetings_[point.meeting], spring);
+  springs_.add(moves_.pair_of(point).at(d_), moves_.meetings_[point.meeting], what...);
 }
 
-void Attachments::Springs::finish() {
+template <class OfPair, class Blocks>
+void Attachments::PairSums<OfPair, Blocks>::finish() {
   if (first_ < 0) return;
   PairBlocks blocks;
   const RigidPair& pair = moves_.pair_of(moves_.points_[first_]);
   springs_.find(pair, pair.at(d_), blocks);
   const PairSlots slots(moves_, first_, sum_.pattern());
+  constexpr bool lower_alone = std::is_same_v<Blocks, SymmetricBlocks>;
   for (int a = 0; a < RigidPair::part_count; ++a)
-    for (int b = 0; b <= a; ++b)
+    for (int b = 0; b < (lower_alone ? a + 1 : RigidPair::part_count); ++b)
       sum_.add_at(slots.of(a, b), pair.dof_blocks()[a], pair.dof_blocks()[b], PairSlots::block(blocks, a, b));
   springs_.clear();
   first_ = -1;
+}
+
+template class Attachments::PairSums<PairSprings, SymmetricBlocks>;
+template class Attachments::PairSums<UnsymmetricPairSprings, UnsymmetricBlocks>;
+
+void Attachments::Springs::add(int index, const Mat3& spring) {
+  if (moves_.points_[index].meeting < 0) return moves_.add_spring(index, d_, spring, sum_);
+  add_met(index, spring);
 }
 
 void Attachments::Tangent::add(int index, const Vec3& force, const Mat3& spring, const Mat3& other) {
   const Point& point = moves_.points_[index];
-  if (point.meeting < 0) {
-    if (!other.isZero(0)) moves_.add_other_spring(index, d_, other, sum_);
-    if (point.turns() == 0) return;
-    moves_.add_turning(index, d_, force, arms_, sum_);
-    return moves_.add_lever_difference(index, d_, spring + other, arms_, sum_);
-  }
-  if (first_ < 0 || moves_.points_[first_].pair != point.pair) {
-    finish();
-    first_ = index;
-  }
-  springs_.add(moves_.pair_of(point).at(d_), moves_.meetings_[point.meeting], force, spring, other);
-}
-
-void Attachments::Tangent::finish() {
-  if (first_ < 0) return;
-  PairBlocks blocks;
-  const RigidPair& pair = moves_.pair_of(moves_.points_[first_]);
-  springs_.find(pair, pair.at(d_), blocks);
-  const PairSlots slots(moves_, first_, sum_.pattern());
-  for (int a = 0; a < RigidPair::part_count; ++a)
-    for (int b = 0; b < RigidPair::part_count; ++b)
-      sum_.add_at(slots.of(a, b), pair.dof_blocks()[a], pair.dof_blocks()[b], PairSlots::block(blocks, a, b));
-  springs_.clear();
-  first_ = -1;
+  if (point.meeting >= 0) return add_met(index, force, spring, other);
+  if (!other.isZero(0)) moves_.add_other_spring(index, d_, other, sum_);
+  if (point.turns() == 0) return;
+  moves_.add_turning(index, d_, force, arms_, sum_);
+  moves_.add_lever_difference(index, d_, spring + other, arms_, sum_);
 }
 
 }  // namespace talus

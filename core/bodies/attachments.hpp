@@ -47,6 +47,12 @@ class Attachments {
   void add_turning(int point, const Increment& d, const Vec3& force, Arms arms, UnsymmetricBlocks& sum) const;
   class Springs;
   class Tangent;
+
+ private:
+  template <class OfPair, class Blocks>
+  class PairSums;
+
+ public:
   /// Whether some point lies on a rigid body: else add_turning adds nothing.
   bool any_turns() const { return !turns_.empty(); }
   /// The most negative change of direction·u that there can be when each degree-of-freedom block goes on from D by a
@@ -138,47 +144,49 @@ class Attachments {
   mutable std::vector<int> slots_;
 };
 
-/// Adds springs at points, Σ Jᵀ spring J: of those that follow one upon the other between the same two bodies that
-/// meet, together. All are in the sum when it is destroyed.
-class Attachments::Springs {
+/// What is added up of points that follow one upon the other between the same two bodies that meet, before it goes into
+/// the sum: PairSprings into SymmetricBlocks, of which the lower triangle is added, UnsymmetricPairSprings into
+/// UnsymmetricBlocks. All is in the sum when it is destroyed; D and all else outlive it.
+template <class OfPair, class Blocks>
+class Attachments::PairSums {
  public:
-  /// At D; all outlive it.
-  Springs(const Attachments& moves, const Increment& d, SymmetricBlocks& sum) : moves_(moves), d_(d), sum_(sum) {}
-  ~Springs() { finish(); }
-  Springs(const Springs&) = delete;
-  Springs& operator=(const Springs&) = delete;
-  void add(int point, const Mat3& spring);
+  PairSums(const PairSums&) = delete;
+  PairSums& operator=(const PairSums&) = delete;
+
+ protected:
+  PairSums(const Attachments& moves, const Increment& d, Blocks& sum) : moves_(moves), d_(d), sum_(sum) {}
+  ~PairSums() { finish(); }
+  /// Adds what a point that meets has.
+  void add_met(int index, const auto&... what);
+
+  const Attachments& moves_;
+  const Increment& d_;
+  Blocks& sum_;
 
  private:
   void finish();
 
-  const Attachments& moves_;
-  const Increment& d_;
-  SymmetricBlocks& sum_;
-  int first_ = -1;  // point of the pair whose springs are added up; −1: none
-  PairSprings springs_;
+  int first_ = -1;  // point of the pair that is added up; −1: none
+  OfPair springs_;
 };
 
-/// Adds what the derivative of forces at points has beside their springs (UnsymmetricPairSprings), in the same way.
-class Attachments::Tangent {
+/// Adds springs at points, Σ Jᵀ spring J.
+class Attachments::Springs : PairSums<PairSprings, SymmetricBlocks> {
+ public:
+  Springs(const Attachments& moves, const Increment& d, SymmetricBlocks& sum) : PairSums(moves, d, sum) {}
+  void add(int point, const Mat3& spring);
+};
+
+/// Adds what the derivative of forces at points has beside their springs (UnsymmetricPairSprings).
+class Attachments::Tangent : PairSums<UnsymmetricPairSprings, UnsymmetricBlocks> {
  public:
   Tangent(const Attachments& moves, const Increment& d, Arms arms, UnsymmetricBlocks& sum)
-      : moves_(moves), d_(d), arms_(arms), sum_(sum) {}
-  ~Tangent() { finish(); }
-  Tangent(const Tangent&) = delete;
-  Tangent& operator=(const Tangent&) = delete;
+      : PairSums(moves, d, sum), arms_(arms) {}
   /// `force`: what add_force is given [N]; `spring`: what Springs is; `other`: by how much forces fall beside it.
   void add(int point, const Vec3& force, const Mat3& spring, const Mat3& other);
 
  private:
-  void finish();
-
-  const Attachments& moves_;
-  const Increment& d_;
   const Arms arms_;
-  UnsymmetricBlocks& sum_;
-  int first_ = -1;
-  UnsymmetricPairSprings springs_;
 };
 
 }  // namespace talus

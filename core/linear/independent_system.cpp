@@ -81,8 +81,10 @@ void IndependentSystem::archive(StateArchive& state) {
   if (sparse_) {
     bool analysed = sparse_->analysed;
     state(analysed);
-    if (analysed) analyse();
-    if (analysed) state(sparse_->factor);
+    if (analysed) {
+      analyse();
+      state(sparse_->factor);
+    }
     state(sparse_->iterations);
   } else if (state.reads() && current_ && symmetric_)
     dense_.factor(matrix_, {}, own_);
@@ -102,16 +104,12 @@ void IndependentSystem::solve_densely(LinearWork& work) {
 bool IndependentSystem::solve_without_factor(const LinearSettings& settings, Trials& trials, LinearWork& work) {
   if (size() < many_blocks || !trials.is_due()) return false;
   const Stopwatch watch(work.solve_seconds);
-  const auto apply = [this](const Eigen::VectorXd& from, Eigen::VectorXd& to) {
-    matrix_.multiply(from, to);
-    UnsymmetricBlocks::add_product(unsymmetric_, from, to);
-  };
   Sparse& s = *sparse_;
   const auto precondition = [&s](const Eigen::VectorXd& from, Eigen::VectorXd& to) { s.incomplete.solve(from, to); };
   int iterations = settings.incomplete_limit;
   if (s.incomplete.factor(matrix_)) {
-    iterations = s.gmres.solve(apply, precondition, right_, solution_, more_exact * settings.tolerance,
-                               settings.incomplete_limit);
+    iterations = solve_tangent(s.gmres, matrix_, unsymmetric_, precondition, right_, more_exact * settings.tolerance,
+                               settings.incomplete_limit, solution_);
     work.gmres_iterations += iterations;
   }
   const bool solved = iterations < settings.incomplete_limit;

@@ -16,11 +16,9 @@ namespace talus {
 
 /// Equations that share no unknown with the others, such as those of a block that can touch no other.
 /// - A small system is solved with a dense factor.
-/// - A large one without springs much stiffer than others is solved by GMRES without a factor, preconditioned with
-///   an incomplete factor. Where that fails it is left for some time.
-/// - Else a large one whose matrix has just changed is split where only open contacts join its parts: small parts are
-/// solved
-///   with dense factors, larger ones with a sparse factor of their own.
+/// - A large one is solved by GMRES with an incomplete factor. Where that fails it is left out for some time, and
+/// - one whose matrix has just changed is split where only open contacts join its parts: small parts are solved with
+///   dense factors, larger ones with a sparse factor of their own.
 /// - The rest is solved by GMRES, preconditioned with a Cholesky factor of the symmetric part of the whole system. An
 ///   old factor is kept while it converges fast enough. Where the factor belongs to the present matrix and there is no
 ///   unsymmetric part, one solve with it suffices.
@@ -67,7 +65,7 @@ class IndependentSystem {
   /// Orders the equations, once.
   void analyse();
   void solve_densely(LinearWork& work);
-  /// False: not within the limit.
+  /// With an incomplete one. False: it was not tried, or not within the limit.
   bool solve_without_factor(const LinearSettings& settings, Trials& trials, LinearWork& work);
   void solve_parts(const LinearSettings& settings, double negligible, LinearWork& work);
   void solve_sparsely(const LinearSettings& settings, LinearWork& work);
@@ -78,11 +76,11 @@ class IndependentSystem {
   SymmetricBlocks matrix_;
   std::vector<UnsymmetricBlocks::Pair> unsymmetric_;
   Eigen::VectorXd right_, solution_;
-  bool current_ = false;   ///< the factor belongs to the present symmetric matrix
-  int solved_before_ = 0;  ///< times that the present symmetric matrix was solved
-  bool outdated_ = true;   ///< the factor, if there is any, is no good preconditioner any more
-  bool needs_factor_ = false;
-  bool symmetric_ = true;  ///< the dense factor was made without an unsymmetric part
+  bool current_ = false;       ///< the factor belongs to the present symmetric matrix
+  int solved_before_ = 0;      ///< times that the present symmetric matrix was solved
+  bool outdated_ = true;       ///< the factor, if there is any, is no good preconditioner any more
+  bool needs_factor_ = false;  ///< a whole one, for the next solution
+  bool symmetric_ = true;      ///< the dense factor was made without an unsymmetric part
   DenseSolver dense_;
   std::unique_ptr<Sparse> sparse_;  ///< null: it is small
 };

@@ -44,14 +44,18 @@ void make_earlier(const std::filesystem::path& file) {
   H5Fclose(opened);
 }
 
+/// The example's results as they are written now.
+std::filesystem::path write_example(const std::filesystem::path& folder, const BlockSystem& system, int frames) {
+  const std::filesystem::path file = folder / "results.h5";
+  ResultFileWriter writer(file, example_project(), system);
+  for (int i = 0; i < frames; ++i) writer.add_frame(example_frame(system, i));
+  return file;
+}
+
 TEST(EarlierResults, OpenWithoutTheStrengthOfContacts) {
   const TemporaryFolder folder;
   const BlockSystem system = example_system();
-  const std::filesystem::path file = folder.path / "results.h5";
-  {
-    ResultFileWriter writer(file, example_project(), system);
-    for (int i = 0; i < 5; ++i) writer.add_frame(example_frame(system, i));
-  }
+  const std::filesystem::path file = write_example(folder.path, system, 5);
   make_earlier(file);
   const ResultFileReader reader(file);
   for (int i = 0; i < 5; ++i) {
@@ -74,11 +78,7 @@ TEST(EarlierResults, OpenWithoutTheStrengthOfContacts) {
 TEST(EarlierResults, OpenWithoutSleepersAndStrengths) {
   const TemporaryFolder folder;
   const BlockSystem system = example_system();
-  const std::filesystem::path file = folder.path / "results.h5";
-  {
-    ResultFileWriter writer(file, example_project(), system);
-    for (int i = 0; i < 3; ++i) writer.add_frame(example_frame(system, i));
-  }
+  const std::filesystem::path file = write_example(folder.path, system, 3);
   EXPECT_EQ(ResultFileReader(file).system.strengths, system.strengths);
   const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   ASSERT_GE(opened, 0);

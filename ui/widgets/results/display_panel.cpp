@@ -16,6 +16,15 @@ namespace {
 constexpr double deformation_scales[] = {1, 10, 100, 1000};
 }
 
+template <class Choice>
+void DisplayPanel::follow(QComboBox* box, Choice SceneSettings::*member) {
+  connect(box, &QComboBox::activated, this, [this, member](int index) {
+    SceneSettings settings = display_.settings();
+    settings.*member = static_cast<Choice>(index);
+    display_.set(settings);
+  });
+}
+
 DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
     : display_(display), field_(new FieldChooser(display, this)) {
   auto* column = new QVBoxLayout(this);
@@ -57,11 +66,7 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   deformation_->setToolTip(tr("Displacements are drawn this many times as large"));
   shape->addRow(tr("Deformation"), deformation_);
   edges_ = makeCombo({tr("none"), tr("block edges"), tr("mesh")}, tr("Edges"));
-  connect(edges_, &QComboBox::activated, this, [this](int index) {
-    SceneSettings settings = display_.settings();
-    settings.edges = static_cast<Edges>(index);
-    display_.set(settings);
-  });
+  follow(edges_, &SceneSettings::edges);
   edges_->setToolTip(tr("Lines along the edges of blocks, of all tetrahedra at the surface, or none"));
   shape->addRow(tr("Edges"), edges_);
   inner->addWidget(shape);
@@ -69,21 +74,13 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
 
   auto* overlays = new Section(tr("Overlays"));
   arrows_ = makeCombo({tr("none"), tr("velocity"), tr("contact force"), tr("principal stress")}, tr("Arrows"));
-  connect(arrows_, &QComboBox::activated, this, [this](int index) {
-    SceneSettings settings = display_.settings();
-    settings.arrows = static_cast<Arrows>(index);
-    display_.set(settings);
-  });
+  follow(arrows_, &SceneSettings::arrows);
   arrows_->setToolTip(
       tr("How fast blocks go where, the forces by which each two push each other, or the principal stresses: heads "
          "point inwards where rock is pressed"));
   overlays->addRow(tr("Arrows"), arrows_);
   trails_ = makeCombo({tr("none"), tr("selected blocks"), tr("all blocks")}, tr("Trails"));
-  connect(trails_, &QComboBox::activated, this, [this](int index) {
-    SceneSettings settings = display_.settings();
-    settings.trails = static_cast<Trails>(index);
-    display_.set(settings);
-  });
+  follow(trails_, &SceneSettings::trails);
   trails_->setToolTip(tr("The ways that blocks' centres have gone up to the frame in view, as soon as a run is over"));
   overlays->addRow(tr("Trails"), trails_);
   addSwitch(overlays, tr("Axes of rotation"), &SceneSettings::turning_axes)

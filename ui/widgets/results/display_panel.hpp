@@ -25,6 +25,9 @@ class DisplayPanel : public QWidget {
   void chooseRange(int index);
   void setOnly(const std::optional<ValueRange>& range);
   void showRanges();
+  /// The choices of a box are the values of a setting, in their order.
+  template <class Choice>
+  void follow(QComboBox* box, Choice SceneSettings::*member);
   QCheckBox* addSwitch(Section* section, const QString& name, bool SceneSettings::*member);
 
   Display& display_;
