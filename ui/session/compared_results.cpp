@@ -36,47 +36,41 @@ ComparedResults::ComparedResults(Playback& playback, Messages& messages) : playb
 
 void ComparedResults::open(const std::filesystem::path& folder) {
   constexpr std::size_t most = 3;
-  if (runs_.size() + opening_.size() == most) {
+  if (asked_.size() == most) {
     messages_.add(problemOf(InputError(folder.string(), "three results are compared with those that are open at most",
                                        "end one of the comparisons first"),
                             Problem::Of::results));
     return;
   }
   const auto run = std::make_shared<ComparedRun>(folder, playback_);
-  opening_.push_back(run);
-  // Queued: it is let go while it speaks.
-  connect(
-      run.get(), &ComparedRun::opened, this, [this, run = run.get()] { take(run); }, Qt::QueuedConnection);
+  asked_.push_back(run);
+  // Queued: it may be let go by what it says.
+  connect(run.get(), &ComparedRun::opened, this, &ComparedResults::update, Qt::QueuedConnection);
   connect(
       run.get(), &ComparedRun::failed, this,
-      [this, run = run.get()](const InputError& error) {
+      [this, run = std::weak_ptr(run)](const InputError& error) {
         messages_.add(problemOf(error, Problem::Of::results));
-        std::erase_if(opening_, [run](const auto& one) { return one.get() == run; });
+        if (const auto one = run.lock(); one && !one->results()) close(*one);
       },
       Qt::QueuedConnection);
 }
 
-void ComparedResults::take(const ComparedRun* run) {
-  const auto found = std::ranges::find(opening_, run, &std::shared_ptr<ComparedRun>::get);
-  if (found == opening_.end()) return;
-  runs_.push_back(*found);
-  opening_.erase(found);
+void ComparedResults::update() {
+  std::vector<std::shared_ptr<ComparedRun>> open;
+  std::ranges::copy_if(asked_, std::back_inserter(open), [](const auto& run) { return run->results() != nullptr; });
+  if (open == runs_) return;
+  const auto kept = std::exchange(runs_, std::move(open));  // until nobody shows one that went
   emit changed();
 }
 
 void ComparedResults::close(const ComparedRun& run) {
-  const auto found = std::ranges::find(runs_, &run, &std::shared_ptr<ComparedRun>::get);
-  if (found == runs_.end()) return;
-  const std::shared_ptr<ComparedRun> kept = *found;  // until nobody shows it any more
-  runs_.erase(found);
-  emit changed();
+  std::erase_if(asked_, [&run](const auto& one) { return one.get() == &run; });
+  update();
 }
 
 void ComparedResults::closeAll() {
-  opening_.clear();
-  if (runs_.empty()) return;
-  const auto kept = std::exchange(runs_, {});
-  emit changed();
+  asked_.clear();
+  update();
 }
 
 QString ComparedResults::nameOf(const ComparedRun& run) const {

@@ -47,7 +47,7 @@ class ComparedResults : public QObject {
   /// What cannot be read is said as a problem, and so is a fourth.
   void open(const std::filesystem::path& folder);
   void close(const ComparedRun& run);
-  /// Those that are open, in the order in which they were.
+  /// Those that are open, in the order in which they were asked for, whichever was read first.
   const std::vector<std::shared_ptr<ComparedRun>>& runs() const { return runs_; }
   /// What tells a run from the others: "phi20", or "wet/phi20" where there is another phi20.
   QString nameOf(const ComparedRun& run) const;
@@ -56,12 +56,13 @@ class ComparedResults : public QObject {
   void changed();  ///< which there are
 
  private:
-  void take(const ComparedRun* run);
+  /// Takes up those that have become open since.
+  void update();
   void closeAll();
 
   Playback& playback_;
   Messages& messages_;
-  std::vector<std::shared_ptr<ComparedRun>> runs_, opening_;
+  std::vector<std::shared_ptr<ComparedRun>> asked_, runs_;
 };
 
 }  // namespace talus
