@@ -279,8 +279,11 @@ ContactDetector::UpdatedNormal ContactDetector::updated_normal(int point, const 
                                                                const std::function<Vec3(int)>& end) const {
   const FoundPoint& found = state_->found.points[state_->origins[point]];
   const Vec3 normal = talus::updated_normal(state_->features, found, start, end);
-  if (found.is_of_end) return {normal, normal.dot(state_->found.difference(found, start))};
-  return {normal, normal.dot(found.normal) * found.gap};
+  const Vec3 apart = state_->found.difference(found, end);
+  if (found.is_of_end) return {normal, normal.dot(apart)};
+  // Of what lies between its places at the start, what lies along its normal is a gap.
+  const Vec3 beside = state_->found.difference(found, start) - found.gap * found.normal;
+  return {normal, normal.dot(apart - beside)};
 }
 
 /// Which of the points handed out has this key; −1: none.

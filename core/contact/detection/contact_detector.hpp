@@ -37,7 +37,7 @@ class ContactDetector {
   /// The normal of a contact once its features have turned.
   struct UpdatedNormal {
     Vec3 normal;
-    double gap;  ///< m, at the positions of detect(), along that normal; the initial interference is in it
+    double gap;  ///< m, along that normal at the end; the initial interference is in it
   };
   /// Of a point of what detect() gave last, found with nodes at `start` [m], when they will be at `end` [m].
   UpdatedNormal updated_normal(int point, const std::function<Vec3(int node)>& start,

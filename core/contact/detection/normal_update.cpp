@@ -38,13 +38,13 @@ bool update_normals(ContactSet& contacts, const ContactLinks& links,
     const Vec3 displacement = links.moves().increment(i, d);
     if (!slides(point, displacement.norm(), tolerances.noticeable_slide * limit)) continue;
     const ContactDetector::UpdatedNormal at_end = updated_normal(i);
-    const double depth = -at_end.gap - at_end.normal.dot(displacement),
-                 known = point.initial_interference - links.gap(i, d);
+    const double depth = -at_end.gap, known = point.initial_interference - links.gap(i, d);
     if (!(depth > limit && depth > known + tolerances.noticeable_deepening * limit)) continue;
+    const double gap = at_end.gap - at_end.normal.dot(displacement) + point.initial_interference;
     // What is new begins without force: a normal along which it was in before would push from the start.
-    if (point.is_new && at_end.gap + point.initial_interference < -limit) continue;
+    if (point.is_new && gap < -limit) continue;
     turn(point, at_end.normal);
-    point.gap = at_end.gap + point.initial_interference;
+    point.gap = gap;
     any = true;
   }
   return any;

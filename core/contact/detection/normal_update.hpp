@@ -15,9 +15,11 @@ void foresee_normals(ContactSet& contacts, const std::function<Vec3(const Contac
                      const std::function<Vec3(int point)>& middle_normal, const ContactTolerances& tolerances);
 
 /// Updates the normals of contacts that a converged step would let go too deep. A step holds the normal that was
-/// foreseen, which errs by how far a contact slides times the angle by which its features rotate otherwise. A point
-/// gets the normal that its features have at the increment `d`, as `updated_normal` tells, if along that one it is
-/// deeper than `tolerance` of its mesh size, and deeper than the step knows. Bonded points neither slide nor rotate.
+/// foreseen, which errs by how far a contact slides times the angle by which its features rotate otherwise; and it
+/// takes two rigid bodies that come from afar to turn about one place (Meeting), which errs by how far they were apart
+/// times the angle by which they turn. A point gets the normal that its features have at the increment `d`, and the gap
+/// that they have there, as `updated_normal` tells, if it is deeper so than `tolerance` of its mesh size, and deeper
+/// than the step knows. Bonded points neither slide nor rotate.
 /// `links` are those of `contacts`. Returns whether any normal was updated: then the step must converge again.
 bool update_normals(ContactSet& contacts, const ContactLinks& links,
                     const std::function<ContactDetector::UpdatedNormal(int point)>& updated_normal, const Increment& d,

@@ -32,11 +32,12 @@ class NormalUpdate : public ::testing::Test {
   /// The slab rotates by this angle about y meanwhile [rad].
   bool follows(double angle) {
     const Vec3 normal(-std::sin(angle), 0, std::cos(angle));
-    return update_normals(contacts_, links_,
-                          [&](int) {
-                            return ContactDetector::UpdatedNormal{normal, 1e-4 * std::cos(angle)};
-                          },
-                          increment_, 1e-3, {});
+    return update_normals(
+        contacts_, links_,
+        [&](int) {
+          return ContactDetector::UpdatedNormal{normal, 1e-4 * std::cos(angle) - 0.1 * std::sin(angle)};
+        },
+        increment_, 1e-3, {});
   }
   ContactPoint& point() { return contacts_.points[0]; }
 
@@ -107,7 +108,7 @@ TEST_F(NormalUpdate, WhatIsNewTakesNoNormalAlongWhichItWasInBefore) {
     point().normal = Vec3::UnitZ();
     point().gap = 3e-4;
     const Vec3 normal = Vec3(-0.1, 0, 1).normalized();
-    const auto updated = [&](int) { return ContactDetector::UpdatedNormal{normal, before}; };
+    const auto updated = [&](int) { return ContactDetector::UpdatedNormal{normal, before + 0.1 * normal.x()}; };
     EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), before > -1e-3 - 2e-4);
   }
 }
@@ -119,6 +120,38 @@ TEST_F(NormalUpdate, AContactThatKnowsHowDeepItIsKeepsItsNormal) {
     const auto updated = [&](int) { return ContactDetector::UpdatedNormal{Vec3::UnitZ(), -2e-3 - deeper}; };
     EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), deeper > 1e-6);
   }
+}
+
+/// Rigid bodies that come from afar turn about one place, which is that of one of them alone.
+TEST(GapsOfRigidBodies, AreThoseOfTheirPlacesAtTheEndThoughTheyTurnAboutOne) {
+  const BodySet set(test::rock_project(30, {}),
+                    test::block_system({test::box_block("lower", Vec3(0, 0, 0), Vec3(1, 1, 1), BodyKind::rigid),
+                                        test::box_block("upper", Vec3(0, 0, 1.1), Vec3(1, 1, 2.1), BodyKind::rigid)}));
+  const int upper = 8, lower = 4;  // the corner (0, 0, 1.1) above (0, 0, 1)
+  ContactPoint point{};
+  point.normal = Vec3::UnitZ();
+  point.gap = 0.1;
+  point.size = 1;
+  point.bodies[0] = 1;
+  point.stencil_end = 2;
+  ContactSet contacts;
+  contacts.points = {point};
+  contacts.nodes = {upper, lower};
+  contacts.weights = {1, -1};
+  contacts.sort_out();
+  ContactLinks links(set, contacts);
+  links.connect(Arms::mean);
+  Increment d = Increment::Zero(set.unknowns());
+  d.segment<3>(3 * set.nodes.dof_block[set.rigid[1].centre]) = Vec3(0, 0, -0.05);
+  d.segment<3>(3 * set.rigid[0].rotation_dof_block) = set.rigid[0].radius * Vec3(-0.1, 0, 0);
+  d.segment<3>(3 * set.rigid[1].rotation_dof_block) = set.rigid[1].radius * Vec3(0.2, -0.1, 0);
+  const Vec3 normal = Vec3(-0.1, -0.2, 1).normalized();
+  const double gap = normal.dot(Vec3(0, 0, 0.1) + set.node_increment(upper, d) - set.node_increment(lower, d));
+  ASSERT_LT(gap, -1e-2);
+  EXPECT_GT(std::abs(normal.dot(Vec3(0, 0, 0.1) + links.moves().increment(0, d)) - gap), 1e-3);
+  const auto updated = [&](int) { return ContactDetector::UpdatedNormal{normal, gap}; };
+  ASSERT_TRUE(update_normals(contacts, links, updated, d, 1e-3, {}));
+  EXPECT_NEAR(links.gap(0, d), gap, 1e-14);
 }
 
 }  // namespace
