@@ -8,6 +8,7 @@ namespace {
 
 constexpr double far = 0.5;       // of a thickness: who goes no further is found again by the next search
 constexpr int most_halvings = 6;  // what is thinner than 1/64 of the motion could be missed
+constexpr double shallow = 0.1;   // of a thickness: who goes through is deeper on the way
 
 }  // namespace
 
@@ -36,6 +37,7 @@ std::optional<DeepPair> PassageCheck::find(const Increment& d, double tolerance,
       motion_ = (displacements_[a] - displacements_[b]).norm() + rotations_[a] + rotations_[b];
       if (done[b] || !(size < std::numeric_limits<double>::infinity()) || motion_ <= far * thickness) continue;
       bend_ = bend(a) + bend(b);
+      between_ = std::min(bend_, shallow * thickness);
       if (!look(a, b, size, tolerance, 0)) continue;
       if (const auto deep = look(a, b, size, tolerance, known(a, b))) return deep;
     }
@@ -104,16 +106,16 @@ std::optional<DeepPair> PassageCheck::look(int a, int b, double size, double tol
   return std::nullopt;
 }
 
-/// Whether two pieces are no deeper in each other than the limit between two moments.
+/// Whether two pieces are no deeper in each other than the limits between two moments.
 bool PassageCheck::stay_apart(const ConvexPiece& a, const ConvexPiece& b, const Moment& from, const Moment& to,
                               int halvings) {
-  if (to.gap.width < -limit_) {
+  if (to.gap.width < -(to.time < 1 ? limit_ + between_ : limit_)) {
     deep_ = to;
     return false;
   }
   const double length = to.time - from.time;
   if (from.gap.width + to.gap.width > motion_ * length) return true;
-  const double enough = bend_ * length * length - limit_;
+  const double enough = bend_ * length * length - limit_ - between_;
   place(a, b, to.time);
   if (from.gap.width >= enough && gap_along(from.gap.direction, first_, second_) >= enough) return true;
   place(a, b, from.time);

@@ -23,7 +23,8 @@ struct DeepPair {
 /// pairs of bodies of which one goes further against the other than half their thickness. They have not touched if a
 /// plane parts them at both ends of a span of time: with nodes on straight lines its gap is never less in between.
 /// Where there is none the span is halved. So bodies that keep their shape are followed along the arcs that their
-/// steps are; what they deform meanwhile goes along straight lines.
+/// steps are; what they deform meanwhile goes along straight lines. Contacts hold bodies apart at the ends of a step:
+/// on the way they may be deeper by as much as their arcs leave their chords.
 class PassageCheck {
  public:
   PassageCheck(const BlockSystem& system, const BodySet& set, std::span<const Surface> surfaces);
@@ -60,8 +61,9 @@ class PassageCheck {
   std::vector<int> far_;                         // bodies that go far
   std::unordered_map<double, Increment> parts_;  // of the increment, at times in between
   PlacedPiece first_, second_;
-  // Of the pair that is looked at [m]: how deep it may be, how it moves, and how far arcs leave their chords.
-  double limit_ = 0, motion_ = 0, bend_ = 0;
+  // Of the pair that is looked at [m]: how deep it may be at the end, and how much deeper on the way, how it moves, and
+  // how far arcs leave their chords.
+  double limit_ = 0, between_ = 0, motion_ = 0, bend_ = 0;
   Moment deep_;  // when it was first seen to be deeper
 };
 

@@ -116,6 +116,24 @@ TEST_F(Passage, OfABodyThatGoesLessThanHalfItsThicknessIsNotLookedFor) {
   EXPECT_TRUE(find());
 }
 
+/// Contacts hold it at the ends of a step.
+TEST_F(Passage, ABladeThatTurnsPastTheWallMayBeInAsDeepAsItsArcLeavesItsChord) {
+  constexpr double angle = 0.2, arm = 1;  // its tip swings from one side of the normal to the other
+  Block blade = test::box_block("blade", {-2 * arm, -0.05, -0.5}, {0, 0.05, 0.5}, BodyKind::rigid);
+  const auto turned = Eigen::AngleAxisd(-angle / 2, Vec3::UnitZ());
+  for (Vec3& node : blade.mesh.nodes) node = turned * (node + Vec3(arm, 0, 0));
+  double tip = 0;
+  for (const Vec3& node : blade.mesh.nodes) tip = std::max(tip, node.x());
+  for (Vec3& node : blade.mesh.nodes) node.x() -= tip;
+  build(std::move(blade));
+  turn({0, 0, angle});
+  EXPECT_FALSE(find());
+  move({2e-3, 0, 0});
+  const auto pair = find();
+  ASSERT_TRUE(pair) << "in too deep at the end";
+  EXPECT_NEAR(pair->depth, 2e-3, 1e-9);
+}
+
 TEST_F(Passage, BodiesInEachOtherAreSeenWhereverTheyCameFrom) {
   for (const BodyKind kind : {BodyKind::rigid, BodyKind::affine, BodyKind::tetrahedra}) {
     build_plate(kind);
