@@ -99,6 +99,34 @@ void follow_couplings(SimulationState& s) {
   s.open_close.set_pattern(s.bodies.nodes.movable, couplings_of_contacts(s));
 }
 
+/// Those that go on as they are when the missed ones are taken in, by key.
+std::vector<ContactPoint> corrected_so_far(const ContactSet& contacts,
+                                           std::span<const ContactDetector::MissedContact> missed) {
+  std::vector<char> begins_anew(contacts.points.size(), 0);
+  for (const auto& contact : missed)
+    if (contact.given >= 0) begins_anew[contact.given] = 1;
+  std::vector<ContactPoint> corrected;
+  for (std::size_t i = 0; i < contacts.points.size(); ++i)
+    if (!begins_anew[i]) corrected.push_back(contacts.points[i]);
+  return corrected;
+}
+
+/// The normals and springs that a step has come to so far: it would only come to them again.
+void keep_corrections(const std::vector<ContactPoint>& corrected, ContactSet& contacts) {
+  for (ContactPoint& point : contacts.points) {
+    const auto same = std::ranges::lower_bound(corrected, point.key, {}, &ContactPoint::key);
+    if (same == corrected.end() || same->key != point.key) continue;
+    point.normal = same->normal;
+    point.gap = same->gap;
+    point.initial_interference = same->initial_interference;
+    point.shear_start = same->shear_start;
+    point.normal_stiffness = same->normal_stiffness;
+    point.shear_stiffness = same->shear_stiffness;
+    point.penalty_scaling = same->penalty_scaling;
+    point.stiffened = same->stiffened;
+  }
+}
+
 }  // namespace
 
 void look_for_company(SimulationState& s, double reach) {
@@ -148,9 +176,11 @@ bool take_in(SimulationState& s, std::span<const ContactDetector::MissedContact>
   if (std::any_of(missed.begin(), missed.end(),
                   [&](const auto& contact) { return sleeps(contact.bodies[0]) || sleeps(contact.bodies[1]); }))
     return false;
+  const std::vector<ContactPoint> corrected = corrected_so_far(s.contacts, missed);
   s.detector.take_in(missed, s.bodies.nodes.position, s.reach, s.contacts);
   connect(s);
   limit_springs(s, s.context.length);
+  keep_corrections(corrected, s.contacts);
   follow_couplings(s);
   s.open_close.begin_step(s.context);
   return true;

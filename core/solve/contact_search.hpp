@@ -21,7 +21,8 @@ void seek_contacts(SimulationState& s, double length);
 /// somebody awake may touch, and sets the pattern of the equations where couplings have changed.
 void detect_contacts(SimulationState& s, double length);
 
-/// Takes contacts that a converged step has missed into it, so that it can converge with them. Not where one of their
+/// Takes contacts that a converged step has missed into it, so that it can converge with them; the others keep what the
+/// step has corrected. Not where one of their
 /// bodies sleeps, which has to wake first: whether it did.
 bool take_in(SimulationState& s, std::span<const ContactDetector::MissedContact> missed);
 
