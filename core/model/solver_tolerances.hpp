@@ -99,21 +99,19 @@ struct ConvergenceTolerances {
   /// such a step goes on with springs that its steps can follow. Chosen. Larger: static stages of crowds stay slow for
   /// longer. Smaller: contacts that do not need it get softer, and sink by up to the allowed penetration.
   int hard_step = 25;
-  /// Newton iterations since the residual last came down to `stalled_fraction`, after which friction strengths are
-  /// frozen. Chosen from the hard cases, as are the next four. Larger: circles are left later. Smaller: quick steps
-  /// take the slow way.
-  int newton_iterations = 6;
+  /// Newton iterations since the residual last came down to `stalled_fraction`, after which the interior-point method
+  /// begins anew. Chosen from the hard cases and from pours, as are the next three. Larger: circles are left later.
+  /// Smaller: quick steps take the slow way.
+  int newton_iterations = 4;
   /// The first iterations, which may close contacts together. Later ones mostly go round in circles.
   int closing_iterations = 2;
-  /// Iterations of a step after which the interior-point method tries. Smaller: its dear factors are paid for sooner.
-  int interior_point_after = 20;
   /// Unknowns up to which it tries: its factors are those of an unsymmetric matrix. Larger: more memory and time.
   int interior_point_unknowns = 20000;
   /// Iterations that it may take.
   int interior_point_limit = 50;
   /// Residual over the largest force, at which it leaves the rest to Newton's method. Chosen. Larger: the guess is
   /// worse. Smaller: more dear iterations.
-  double interior_point_residual = 1e-3;
+  double interior_point_residual = 1e-4;
   /// The same: if it leaves more, with more contacts than iterations left, the step is cut. Frozen friction tells
   /// contacts apart one by one. Chosen. Larger: time is spent in vain. Smaller: steps are cut that might converge.
   double hopeless_residual = 0.05;

@@ -143,7 +143,6 @@ std::vector<Entry> entries() {
             {"hard_step", &G::hard_step},
             {"newton_iterations", &G::newton_iterations},
             {"closing_iterations", &G::closing_iterations},
-            {"interior_point_after", &G::interior_point_after},
             {"interior_point_unknowns", &G::interior_point_unknowns},
             {"interior_point_limit", &G::interior_point_limit},
             {"interior_point_residual", &G::interior_point_residual},

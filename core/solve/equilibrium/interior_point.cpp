@@ -31,7 +31,8 @@ bool InteriorPoint::begin(const Problem& problem, const Increment& d) {
   if (!factor()) return false;
   right_ = -gradient_;
   lu_.solve(right_, direction_);
-  contacts_.begin(problem.links, d, direction_, gradient_.cwiseAbs().maxCoeff());
+  problem.bodies.advance(d, direction_, end_);
+  contacts_.begin(problem.links, d, direction_, end_, gradient_.cwiseAbs().maxCoeff());
   return true;
 }
 

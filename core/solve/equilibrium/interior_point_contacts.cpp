@@ -10,11 +10,11 @@
 namespace talus {
 
 void InteriorPointContacts::begin(const ContactLinks& links, const Increment& d, const Eigen::VectorXd& flight,
-                                  double force) {
+                                  const Increment& landed, double force) {
   links_ = &links;
   const ContactSet& contacts = links.contacts();
   double deepest = 0, sum = 0;
-  for (const int i : contacts.loose) deepest = std::max(deepest, -links.gap(i, d));
+  for (const int i : contacts.loose) deepest = std::max({deepest, -links.gap(i, d), -links.gap(i, landed)});
   points_.clear();
   double fastest = 0;
   for (Eigen::Index n = 0; n < flight.size(); n += 3) fastest = std::max(fastest, flight.segment<3>(n).norm());
@@ -99,7 +99,7 @@ void InteriorPointContacts::add_forces(const Increment& d, Arms arms, Eigen::Vec
 void InteriorPointContacts::add_tangent(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
   Attachments::Tangent tangent(links_->moves(), d, arms, sum);
   for (const Point& point : points_)
-    tangent.add(point.index, -point.directions * point.x, Mat3::Zero(),
+    tangent.add(point.index, Vec3::Zero(), Mat3::Zero(),
                 point.directions * point.tangent * point.directions.transpose());
 }
 

@@ -23,10 +23,12 @@ class InteriorPointContacts {
   explicit InteriorPointContacts(const InteriorPointTolerances& tolerances = {}) : tolerances_(tolerances) {}
 
   void clear() { points_.clear(); }
-  /// Takes the points that may come to bear when without contacts the bodies would go on from D by `flight` [m], and
-  /// push others on. All begin with one complementarity: the depth of the deepest times `force` [N], which is about
-  /// what contacts may have to bear. The links must outlive what is asked of it from here on.
-  void begin(const ContactLinks& links, const Increment& d, const Eigen::VectorXd& flight, double force);
+  /// Takes the points that may come to bear when without contacts the bodies would go on from D by `flight` [m], to
+  /// `landed`, and push others on. All begin with one complementarity: the depth of the deepest, at D or there, times
+  /// `force` [N], which is about what contacts may have to bear. The links must outlive what is asked of it from here
+  /// on.
+  void begin(const ContactLinks& links, const Increment& d, const Eigen::VectorXd& flight, const Increment& landed,
+             double force);
   /// The law's linearisation at D, which the next changes are found with.
   void linearise(const Increment& d);
   /// The next changes shall bring all complementarity to zero, to first order.
@@ -37,7 +39,8 @@ class InteriorPointContacts {
 
   /// sum += Jᵀ of the forces, to first order, if D does not change [N].
   void add_forces(const Increment& d, Arms arms, Eigen::VectorXd& sum) const;
-  /// The linearisation's derivative of these forces by D, Jᵀ(…)J [N/m].
+  /// The linearisation's derivative of these forces by D, Jᵀ(…)J [N/m], as if forces did not turn with the bodies: at
+  /// first they are far larger than those to come, and what they turned would leave nothing of a direction.
   void add_tangent(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const;
 
   /// Changes of forces and displacements while D goes from `from` to `to`.

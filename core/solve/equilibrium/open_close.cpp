@@ -49,7 +49,6 @@ class Progress {
 void OpenClose::begin_stage(Composition& composition, double body_residual) {
   composition_ = &composition;
   body_residual_ = body_residual;
-  interior_point_first_ = false;
   trials_alone_ = {};
   residual_.begin_stage(composition);
 }
@@ -82,7 +81,7 @@ void OpenClose::archive(StateArchive& state, bool pattern_holds) {
     residual_.set_pattern(linear_.pattern());
     follow_pattern();
   }
-  state(residual_, interior_, interior_point_first_, trials_alone_, pattern_seconds_, elimination_seconds_, alone_);
+  state(residual_, interior_, trials_alone_, pattern_seconds_, elimination_seconds_, alone_);
 }
 
 void OpenClose::begin_step(const StepContext& step) {
@@ -178,10 +177,6 @@ OpenCloseResult OpenClose::converge(Increment& d, double enough) {
 OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, Increment& d) {
   OpenCloseResult result;
   Progress progress(tolerances_);
-  const bool may_try_interior_point = interior_point_left;
-  const auto forget_interior_point_in_vain = [&] {
-    if (may_try_interior_point && !interior_point_left) interior_point_first_ = false;
-  };
   int newton_iterations = 0;  // since the start, or since the last fallback
   for (;; ++result.iterations) {
     result.residual = residual_.norm();
@@ -196,7 +191,7 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
     if (progress.goes_in_circles()) {
       progress.begin_anew();
       newton_iterations = 0;
-      forget_interior_point_in_vain();
+      if (elimination_.is_active()) break;
       if (!converge_with_fallbacks(d, limit, result.iterations, interior_point_left)) break;
     } else {
       assemble(d, result.iterations == 0 ? tolerances_.first_closing : 0);
@@ -208,7 +203,6 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
         balance_alone(d);
     }
   }
-  forget_interior_point_in_vain();
   result.residual = residual_.norm();
   result.worst_dof_block = worst_dof_block();
   return result;
@@ -353,16 +347,13 @@ void OpenClose::find_negligible() {
 
 bool OpenClose::converge_with_fallbacks(Increment& d, int limit, int& iterations, bool& interior_point_left) {
   const int left = limit - iterations - 1;
-  int frozen_limit = left;
-  if (interior_point_left)
-    frozen_limit = interior_point_first_ ? 0 : std::min(left, tolerances_.interior_point_after - iterations);
-  const int count = frozen_limit > 0 ? converge_with_frozen_friction(d, frozen_limit) : 0;
-  iterations += count;
-  if (!interior_point_left || count < frozen_limit) return true;
+  if (!interior_point_left) {
+    iterations += converge_with_frozen_friction(d, left);
+    return true;
+  }
   interior_point_left = false;
-  interior_point_first_ = true;
   d = first_guess_;
-  iterations += approach_by_interior_point(d, left - count);
+  iterations += approach_by_interior_point(d, left);
   return !is_hopeless(limit - iterations);
 }
 

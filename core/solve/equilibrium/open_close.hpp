@@ -33,7 +33,8 @@ struct OpenCloseResult {
 ///   2. try the full increment, and keep it where it reduces the residual;
 ///   3. elsewhere freeze friction, so that there is a potential, and search for its minimum along the direction.
 /// Bodies that are left far out of balance by an iteration that balances nearly all others are balanced by themselves.
-/// Where a few iterations do not converge, frozen friction alone is tried for a while, then the interior-point method.
+/// Where a few iterations do not converge, the interior-point method begins anew; what it does not apply to, frozen
+/// friction alone brings on.
 class OpenClose {
  public:
   explicit OpenClose(const SolverTolerances& tolerances = {}, int iteration_limit = SolverSettings{}.open_close_limit,
@@ -121,9 +122,8 @@ class OpenClose {
   /// A full increment that closes contacts may leave a far larger residual, and the next one nearly none.
   bool another_iteration_leads_on(Increment& d);
 
-  /// What is tried where Newton's method goes round in circles: frozen friction; then once the interior-point method;
-  /// then frozen friction again. The interior-point method goes first where it led on the last time. Adds its
-  /// iterations. False: a shorter step is the better way.
+  /// What is tried where Newton's method goes round in circles: once the interior-point method, then frozen friction.
+  /// Adds its iterations. False: a shorter step is the better way.
   bool converge_with_fallbacks(Increment& d, int limit, int& iterations, bool& interior_point_left);
   /// Friction stays frozen while the potential that there is then falls to its minimum, which it does from anywhere;
   /// then it is taken anew, until a coupled iteration leads on. Returns the number of iterations.
@@ -156,7 +156,6 @@ class OpenClose {
   int elimination_limit_;
   Trials trials_alone_;
   InteriorPoint interior_;
-  bool interior_point_first_ = false;  ///< it led on when it was tried last
   DisjointSets together_;
   Eigen::VectorXd part_, direction_, zero_;
   Increment scaled_, start_, second_start_, first_guess_, before_alone_;

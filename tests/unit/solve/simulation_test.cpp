@@ -359,7 +359,7 @@ TEST(Simulation, CutsAStepBelowItsShortestWhereABodyFliesByManyOfItsSizes) {
     coarse.solver.step.shortest_way = 1e9;
     Simulation given_up(grit.project, grit.system, coarse);
     while (!given_up.finished()) given_up.step();
-    EXPECT_FALSE(given_up.converged()) << "a hundredth of the step is too long";
+    EXPECT_EQ(given_up.converged(), kind == BodyKind::rigid) << "a hundredth of the step is too long where it deforms";
   }
 }
 

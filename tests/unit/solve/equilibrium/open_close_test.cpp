@@ -92,7 +92,6 @@ OpenCloseResult convergence_of_a_cube_that_lands(int iteration_limit) {
   SolverTolerances tolerances;
   tolerances.convergence.stalled_fraction = 0;  // no iteration gains
   tolerances.convergence.newton_iterations = 2;
-  tolerances.convergence.interior_point_after = 1;
   tolerances.convergence.interior_point_limit = 0;
   OpenClose open_close(tolerances, iteration_limit);
   open_close.begin_stage(composition);
