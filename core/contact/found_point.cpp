@@ -49,13 +49,14 @@ void FoundPoints::close_stencil(FoundPoint& point, const ContactFeatures& featur
 void FoundPoints::add_vertex(FoundPoint p, const std::array<int, 3>& facet_nodes, const std::array<double, 3>& at,
                              bool node_is_first, const ContactFeatures& features, std::span<const Vec3> x) {
   p.stencil_begin = static_cast<int>(nodes.size());
-  const auto put = [&](int node, double weight) {
-    nodes.push_back(node);
-    weights.push_back(weight);
-  };
-  if (node_is_first) put(p.node, 1);
-  for (int k = 0; k < 3; ++k) put(facet_nodes[k], node_is_first ? -at[k] : at[k]);
-  if (!node_is_first) put(p.node, -1);
+  const auto& [a, b, c] = facet_nodes;
+  if (node_is_first) {
+    nodes.insert(nodes.end(), {p.node, a, b, c});
+    weights.insert(weights.end(), {1, -at[0], -at[1], -at[2]});
+  } else {
+    nodes.insert(nodes.end(), {a, b, c, p.node});
+    weights.insert(weights.end(), {at[0], at[1], at[2], -1});
+  }
   close_stencil(p, features, x, node_is_first ? 1 : 3);
   points.push_back(p);
 }

@@ -203,6 +203,7 @@ void BroadPhase::filter_due(std::span<const Vec3> x, const std::function<double(
 
 std::span<const FacePair> BroadPhase::find(std::span<const Vec3> x, double reach,
                                            const std::function<double(int, int)>& nearer) {
+  faces_.forget(odometers_.moved());
   if (neighbours_.follow(x, reach, odometers_, faces_)) list_neighbours();
   due_.clear();
   for (int p : listed_) {

@@ -6,7 +6,7 @@ FaceBoxes::FaceBoxes(const ContactFeatures& features, const Odometers& odometers
     : features_(features),
       odometers_(odometers),
       boxes_(features.faces.size()),
-      refreshed_at_(features.faces.size()),
+      refreshed_(features.faces.size()),
       trees_(features.face_begin.size() - 1),
       refitted_at_(trees_.size()) {}
 
@@ -19,6 +19,13 @@ Box FaceBoxes::measure(int face, std::span<const Vec3> x) const {
   Box box;
   for (int k : features_.outline(face)) box.add(x[k]);
   return box;
+}
+
+void FaceBoxes::forget(std::span<const int> bodies) {
+  for (const int body : bodies) {
+    const int begin = features_.face_begin[body], end = features_.face_begin[body + 1];
+    MeasuredOnce::forget(std::span(refreshed_).subspan(begin, end - begin));
+  }
 }
 
 void FaceBoxes::refit(int body, std::span<const Vec3> x) {
@@ -40,8 +47,7 @@ double FaceBoxes::farthest_coordinate(int body) const {
 }
 
 void FaceBoxes::refresh(int face, std::span<const Vec3> x) {
-  const std::uint64_t moves = odometers_.moves(features_.faces[face].body);
-  refreshed_at_[face].bring_to(moves, [&] { boxes_[face] = measure(face, x); });
+  refreshed_[face].bring_about([&] { boxes_[face] = measure(face, x); });
 }
 
 void FaceBoxes::pairs_within(int a, int b, double distance, std::vector<std::pair<int, int>>& pairs) {

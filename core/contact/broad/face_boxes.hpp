@@ -18,6 +18,8 @@ class FaceBoxes {
   /// Both outlive this.
   FaceBoxes(const ContactFeatures& features, const Odometers& odometers);
 
+  /// The boxes of these bodies' faces are to be measured anew, once they are asked for.
+  void forget(std::span<const int> bodies);
   /// Brings all boxes of a body and its tree up to date at the positions x.
   void refit(int body, std::span<const Vec3> x);
   /// Brings the box of one face up to date; on several threads at once if need be.
@@ -46,10 +48,10 @@ class FaceBoxes {
 
   const ContactFeatures& features_;
   const Odometers& odometers_;
-  std::vector<Box> boxes_;                  // a face
-  std::vector<MeasuredOnce> refreshed_at_;  // a face
-  std::vector<BoxTree> trees_;              // a body
-  std::vector<Reading> refitted_at_;        // a body
+  std::vector<Box> boxes_;               // a face
+  std::vector<MeasuredOnce> refreshed_;  // a face
+  std::vector<BoxTree> trees_;           // a body
+  std::vector<Reading> refitted_at_;     // a body
   std::vector<std::pair<int, int>> stack_;
 };
 

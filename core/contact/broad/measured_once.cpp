@@ -4,11 +4,10 @@
 
 namespace talus {
 
-bool MeasuredOnce::begin(std::uint64_t now) {
-  std::uint64_t then = moves_.load(std::memory_order_relaxed);
-  if (then != now && then != under_way && moves_.compare_exchange_strong(then, under_way, std::memory_order_acquire))
-    return true;
-  while (moves_.load(std::memory_order_acquire) != now) std::this_thread::yield();
+bool MeasuredOnce::begin() {
+  State before = State::due;
+  if (state_.compare_exchange_strong(before, State::under_way, std::memory_order_acquire)) return true;
+  while (!is_done()) std::this_thread::yield();
   return false;
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include "base/units.hpp"
 #include "contact/contact_law.hpp"
 
 namespace talus {
@@ -136,14 +135,17 @@ ContactMemory::Hold ContactMemory::hold_of(const History& history, int body) {
 }
 
 double ContactMemory::depth_along(int body, const Vec3& direction, int but) const {
-  const double flush = std::cos(radians(tolerances_.flush_angle));
   double deepest = 0;
   const auto look = [&](const Hold& hold) {
-    if (hold.by != but && hold.normal.dot(direction) > flush) deepest = std::max(deepest, hold.depth);
+    if (hold.depth > deepest && hold.by != but && hold.normal.dot(direction) > flush_cosine_) deepest = hold.depth;
   };
-  for (int i = of_body_begin_[body]; i < of_body_begin_[body + 1]; ++i) look(holds_[i]);
+  for (const Hold& hold : holds(body)) look(hold);
   resting_.visit(body, [&](const History& history) { look(hold_of(history, body)); });
   return deepest;
+}
+
+std::span<const ContactMemory::Hold> ContactMemory::holds(int body) const {
+  return std::span(holds_).subspan(holds_begin_[body], holds_begin_[body + 1] - holds_begin_[body]);
 }
 
 /// Those of the one that has fewer.
@@ -163,21 +165,18 @@ void ContactMemory::visit_between(const std::array<int, 2>& bodies,
 
 double ContactMemory::depth_between(int body_a, int body_b) const {
   double deepest = 0;
-  for (const int m : histories_of_either(body_a, body_b)) {
-    const History& history = histories_[m];
-    const auto& [p, q] = history.bodies;
-    if ((p == body_a && q == body_b) || (p == body_b && q == body_a))
-      deepest = std::max(deepest, history.initial_interference - history.gap);
-  }
+  const bool a_has_fewer = holds(body_a).size() < holds(body_b).size();
+  const int other = a_has_fewer ? body_b : body_a;
+  for (const Hold& hold : holds(a_has_fewer ? body_a : body_b))
+    if (hold.by == other) deepest = std::max(deepest, hold.depth);
   return deepest;
 }
 
 double ContactMemory::known_compression(const FoundPoint& point, double stiffness) const {
-  const double flush = std::cos(radians(tolerances_.flush_angle));
   double most = 0;
   for (const int m : histories_of_either(point.bodies[0], point.bodies[1])) {
     const History& history = histories_[m];
-    if (history.bodies != point.bodies || !(history.normal.dot(point.normal) > flush)) continue;
+    if (history.bodies != point.bodies || !(history.normal.dot(point.normal) > flush_cosine_)) continue;
     most = std::max(most, std::min(-history.gap, (history.normal_force - history.multiplier) / stiffness));
   }
   return most;
@@ -251,13 +250,28 @@ void ContactMemory::sort_by_body() {
     for (const int body : history.bodies) ++of_body_begin_[body];
   std::partial_sum(of_body_begin_.begin(), of_body_begin_.end(), of_body_begin_.begin());  // where each body's end
   of_body_.resize(2 * histories_.size());
-  holds_.resize(of_body_.size());
   for (int m = static_cast<int>(histories_.size()) - 1; m >= 0; --m)
-    for (const int body : histories_[m].bodies) {
-      const int place = --of_body_begin_[body];
-      of_body_[place] = m;
-      holds_[place] = hold_of(histories_[m], body);
+    for (const int body : histories_[m].bodies) of_body_[--of_body_begin_[body]] = m;
+  list_holds();
+}
+
+/// The contacts of a face on another have one normal, to the bit: together they are one hold.
+void ContactMemory::list_holds() {
+  holds_.clear();
+  for (int body = 0; body + 1 < static_cast<int>(holds_begin_.size()); ++body) {
+    const auto begin = static_cast<std::ptrdiff_t>(holds_.size());
+    for (int i = of_body_begin_[body]; i < of_body_begin_[body + 1]; ++i) {
+      const Hold hold = hold_of(histories_[of_body_[i]], body);
+      const auto same = std::find_if(holds_.begin() + begin, holds_.end(), [&](const Hold& other) {
+        return other.by == hold.by && other.normal == hold.normal;
+      });
+      if (same == holds_.end())
+        holds_.push_back(hold);
+      else
+        same->depth = std::max(same->depth, hold.depth);
     }
+    holds_begin_[body + 1] = static_cast<int>(holds_.size());
+  }
 }
 
 void ContactMemory::rest(std::span<const int> changed, const std::function<bool(int)>& rests) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/units.hpp"
 #include "contact/found_point.hpp"
 #include "contact/history/resting_contacts.hpp"
 #include "contact/points_by_bodies.hpp"
@@ -34,7 +36,12 @@ class ContactMemory {
 
   /// `by_key_alone`: the facet-wise model knows nothing of the features around.
   ContactMemory(std::size_t bodies, bool by_key_alone, const ContactTolerances& tolerances)
-      : by_key_alone_(by_key_alone), tolerances_(tolerances), resting_(bodies), of_body_begin_(bodies + 1, 0) {}
+      : by_key_alone_(by_key_alone),
+        tolerances_(tolerances),
+        flush_cosine_(std::cos(radians(tolerances.flush_angle))),
+        resting_(bodies),
+        of_body_begin_(bodies + 1, 0),
+        holds_begin_(bodies + 1, 0) {}
 
   /// Must precede transferred_to(), and the points stay until then: gives every former contact to the one with its key.
   /// The force of one that lost its key is transferred, once: of a face–face contact to nobody while the same smooth
@@ -90,13 +97,14 @@ class ContactMemory {
 
  private:
   using History = ContactHistory;
-  /// What a body was held by: all that is asked of it in every search, side by side.
+  /// What a body was held by, one for all contacts of a normal: all that is asked of it in every search, side by side.
   struct Hold {
     Vec3 normal;   // towards the body
-    double depth;  // m
+    double depth;  // m, the deepest
     int by;        // the other body
   };
   std::span<const int> histories_of_either(int body_a, int body_b) const;
+  std::span<const Hold> holds(int body) const;
   static Hold hold_of(const History& history, int body);
   const History* with_key(std::uint64_t key) const;
   const History* nearest_face_face(const FoundPoint& point, double distance) const;
@@ -105,9 +113,11 @@ class ContactMemory {
   void add_forces(const History& history, const FoundPoint& point, TransferredHistory& sum) const;
   void sort_by_family();
   void sort_by_body();
+  void list_holds();
 
   bool by_key_alone_;
   ContactTolerances tolerances_;
+  double flush_cosine_;  // of the largest angle between normals that are along one direction
   bool any_bonded_ = false;
   RestingContacts resting_;
   std::vector<History> histories_;      // sorted by key
@@ -117,8 +127,9 @@ class ContactMemory {
   std::vector<int> by_family_;      // once they are asked for: numbers of histories_, sorted by family and then along x
   std::vector<int> of_body_;        // numbers of histories_: those of body b from …
   std::vector<int> of_body_begin_;  // … of_body_begin_[b] to of_body_begin_[b + 1]
-  std::vector<Hold> holds_;         // as of_body_
-  PointsByBodies by_bodies_;        // those that histories may go on in
+  std::vector<Hold> holds_;         // those of body b from holds_begin_[b] to holds_begin_[b + 1]
+  std::vector<int> holds_begin_;
+  PointsByBodies by_bodies_;                              // those that histories may go on in
   std::vector<std::uint64_t> face_face_families_;         // families with an area, sorted
   std::vector<std::pair<std::uint64_t, int>> transfers_;  // key of a point, number of a history; sorted
   std::vector<std::uint64_t> broken_;                     // families, sorted

@@ -187,18 +187,21 @@ void EdgeEdgeSearch::find(const StepGeometry& step, const NearFeatures& near, co
   vertices_.sort(found.points, [](const FoundPoint& p) { return p.kind != PointKind::face_face; });
   near.visit_bodies([&](const NearFeatures::OfBodies& of_bodies) {
     first_ = found.points.size();
-    for (const auto& [a, b] : of_bodies.crossing) cross(step, a, b, vertices, axis, found);
+    for (const NearFeatures::EdgeAtEdge& edges : of_bodies.crossing)
+      cross(step, edges, of_bodies.depth, vertices, axis, found);
   });
 }
 
-void EdgeEdgeSearch::cross(const StepGeometry& step, int edge_a, int edge_b, const VertexFaceSearch& vertices,
-                           SeparatingAxis& axis, FoundPoints& found) {
+/// `depth`: how deep the two bodies can lie in each other. [m]
+void EdgeEdgeSearch::cross(const StepGeometry& step, const NearFeatures::EdgeAtEdge& near_edges, double depth,
+                           const VertexFaceSearch& vertices, SeparatingAxis& axis, FoundPoints& found) {
+  const auto& [edge_a, edge_b] = near_edges;
   const std::optional<Crossing> crossing = crossing_of(step, edge_a, edge_b);
   if (!crossing) return;
   const Crossing& c = *crossing;
   const auto &of_a = c.from_ends_of_a, &of_b = c.from_ends_of_b;
   const int body_a = step.features.facets[c.a.facets[0]].body, body_b = step.features.facets[c.b.facets[0]].body;
-  if (!(c.gap <= step.reach) || (c.gap < 0 && c.gap < -step.depth(body_a, body_b))) return;
+  if (!(c.gap <= step.reach) || (c.gap < 0 && c.gap < -depth)) return;
   if (lies_between_faces(step, c.a, c.b, c.normal)) return;
   const std::uint64_t key = edge_key(edge_a, edge_b);
   const double edge_tolerance = step.edge_tolerance(body_a, body_b);

@@ -17,8 +17,8 @@ class EdgeEdgeSearch {
             FoundPoints& found);
 
  private:
-  void cross(const StepGeometry& step, int edge_a, int edge_b, const VertexFaceSearch& vertices, SeparatingAxis& axis,
-             FoundPoints& found);
+  void cross(const StepGeometry& step, const NearFeatures::EdgeAtEdge& near, double depth,
+             const VertexFaceSearch& vertices, SeparatingAxis& axis, FoundPoints& found);
   bool found_before(const FoundPoint& p, double near, const StepGeometry& step, const FoundPoints& found) const;
 
   PointsByBodies vertices_;  // of the vertices on faces

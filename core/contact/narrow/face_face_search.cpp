@@ -118,6 +118,16 @@ bool ProjectedFace::has_area(double least) const {
   return twice_area > least * longest;
 }
 
+double ProjectedFace::most_overlap(const ProjectedFace& other) const {
+  const auto box_of = [](const ProjectedFace& face) {
+    Eigen::AlignedBox2d box;
+    for (const Vec2& p : face.points) box.extend(p);
+    return box;
+  };
+  const Vec2 sides = box_of(*this).intersection(box_of(other)).sizes();
+  return sides.minCoeff() > 0 ? sides.prod() : 0;
+}
+
 double ProjectedFace::distance(const Vec2& p, std::size_t side) const {
   const Vec2 &from = points[side], along = points[(side + 1) % points.size()] - from;
   return cross(along, p - from) / lengths[side];
@@ -193,13 +203,15 @@ void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, Sep
   ProjectedFace &a = flat_[0], &b = flat_[1];
   a.project(step, pair.a, plane, true);
   b.project(step, pair.b, plane, false);
+  const double size = step.broad.size(fa.body, fb.body),
+               least_overlap = step.tolerances.least_overlap_area * size * size;
+  if (2 * a.most_overlap(b) < least_overlap) return;  // clearly
   const double least_face = step.tolerances.least_facet_area;
   if (!a.has_area(least_face) || !b.has_area(least_face)) return;
   const OverlapPolygon& polygon = polygon_;
   talus::overlap(a.points, b.points, step.tolerances, polygon_);
   if (polygon.corners.empty()) return;
-  const double size = step.broad.size(fa.body, fb.body);
-  if (!(polygon.area > step.tolerances.least_overlap_area * size * size)) return;
+  if (!(polygon.area > least_overlap)) return;
 
   a.measure_sides();
   b.measure_sides();

@@ -36,6 +36,8 @@ struct ProjectedFace {
   void measure_sides();
   void project_facets(const StepGeometry& step, int face, const FlatPlane& plane);
   bool has_area(double least) const;
+  /// No overlap with another face has more than this area. [m²]
+  double most_overlap(const ProjectedFace& other) const;
   double distance(const Vec2& p, std::size_t side) const;  ///< m, inwards
   /// The node that p is nearer to than this fraction of the shorter side there; or −1.
   int node_at(const Vec2& p, double at_vertex) const;

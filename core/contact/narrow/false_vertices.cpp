@@ -30,10 +30,14 @@ bool any_across_sharp_edges(const StepGeometry& step, int face, const Vec3& p, d
   };
   for (const int edge : features.sides(face)) {
     const Vec3 &from = step.x[features.edges[edge].nodes[0]], &along = step.shapes.edge(edge).along, r = p - from;
-    if (convex_and_holds(features.across(edge, face), from, (r - along * along.dot(r)).norm())) return true;
+    const double squared = (r - along * along.dot(r)).squaredNorm();
+    if (squared > 2 * near * near) continue;  // clearly
+    if (convex_and_holds(features.across(edge, face), from, std::sqrt(squared))) return true;
   }
   for (const int node : features.outline(face)) {
-    const double from_node = (p - step.x[node]).norm();
+    const double squared = (p - step.x[node]).squaredNorm();
+    if (squared > 2 * near * near) continue;  // clearly
+    const double from_node = std::sqrt(squared);
     if (!(from_node < near)) continue;
     for (const int other : features.facets_at(node))
       if (convex_and_holds(other, step.x[node], from_node)) return true;
@@ -75,9 +79,9 @@ bool FalseVertices::past_sharp_edge(const StepGeometry& step, const Held& h) con
   const FoundPoint& p = *h.point;
   const int face = face_below(step, p), own = step.features.body_of(p.node);
   const Vec3 projection = step.x[p.node] - p.gap * h.normal;
-  const bool points_at_it = rise(step, p.node, h.normal) > step.cone_tolerance;
+  const auto points_at_it = [&] { return rise(step, p.node, h.normal) > step.cone_tolerance; };
   const auto is_past = [&](const Vec3& across, double distance) {
-    const bool passes = !points_at_it && is_in_cone(step, p.node, across);
+    const bool passes = is_in_cone(step, p.node, across) && !points_at_it();
     if (passes && step.within_edge_tolerance(distance, h.body, own, across)) return true;
     if (!(distance < step.edge_tolerance(h.body, own))) return false;
     return held_.any_of(h.node, [&](const Held& other) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/broad/box.hpp"
 #include "contact/broad/measured_once.hpp"
 #include "contact/broad/odometers.hpp"
 #include "contact/contact_features.hpp"
@@ -19,36 +20,33 @@ class FeatureShapes {
   /// All outlive this.
   FeatureShapes(const ContactFeatures& features, const Odometers& odometers, const ContactTolerances& tolerances);
 
-  /// The nodes are at x [m], which must last as long as something is asked; the odometers have been told of the motion.
-  void look(std::span<const Vec3> x) { x_ = x; }
+  /// The nodes are at x [m], which must last as long as something is asked; the odometers have been told of the motion
+  /// since the last look.
+  void look(std::span<const Vec3> x);
 
   /// Unit, outwards.
-  const Vec3& normal(int face) {
-    normal_at_[face].bring_to(odometers_.moves(body_of_face_[face]), [&] { measure_normal(face); });
-    return normals_[face];
-  }
+  const Vec3& normal(int face) { return has_normal_[face].is_done() ? normals_[face] : measure_normal(face); }
   /// From a node to its core, for an edge tolerance of 1: all facets around, moved inwards by 1, meet there as nearly
   /// as they can.
-  const Vec3& towards_core(int node) {
-    core_at_[node].bring_to(odometers_.moves(features_.body_of(node)), [&] { measure_core(node); });
-    return towards_core_[node];
-  }
+  const Vec3& towards_core(int node) { return has_core_[node].is_done() ? towards_core_[node] : measure_core(node); }
 
   struct Edge {
+    Box box;  ///< about it
     bool is_convex;
     bool is_clearly_convex;    ///< by more than an angle as good as flat
     Vec3 along;                ///< unit, from its first node to the second
     std::array<Vec3, 2> into;  ///< unit vectors in each facet, square to the edge, away from it
   };
-  const Edge& edge(int number) {
-    edge_at_[number].bring_to(odometers_.moves(body_of_edge_[number]), [&] { measure_edge(number); });
-    return edges_[number];
-  }
+  const Edge& edge(int number) { return has_edge_[number].is_done() ? edges_[number] : measure_edge(number); }
 
  private:
-  void measure_normal(int face);
-  void measure_core(int node);
-  void measure_edge(int number);
+  // Not inlined, so that asking for what was measured is.
+  [[gnu::noinline]] const Vec3& measure_normal(int face);
+  [[gnu::noinline]] const Vec3& measure_core(int node);
+  [[gnu::noinline]] const Edge& measure_edge(int number);
+  Vec3 normal_of(int face) const;
+  Vec3 core_of(int node);
+  Edge edge_of(int number);
 
   const ContactFeatures& features_;
   const Odometers& odometers_;
@@ -56,8 +54,8 @@ class FeatureShapes {
   std::span<const Vec3> x_;
   std::vector<Vec3> normals_, towards_core_;
   std::vector<Edge> edges_;
-  std::vector<int> body_of_face_, body_of_edge_;  // side by side: they are asked for all the time
-  std::vector<MeasuredOnce> normal_at_, core_at_, edge_at_;
+  std::vector<int> node_begin_, edge_begin_;  // of body b: node_begin_[b] … node_begin_[b + 1]
+  std::vector<MeasuredOnce> has_normal_, has_core_, has_edge_;
 };
 
 }  // namespace talus

@@ -19,16 +19,6 @@ bool apart(const StepGeometry& step, int face, int from, double distance) {
   return true;
 }
 
-/// Whether the boxes about two segments are farther apart than `distance`: most are.
-bool apart(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1, double distance) {
-  for (int k = 0; k < 3; ++k) {
-    const double between =
-        std::max(std::min(a0[k], a1[k]) - std::max(b0[k], b1[k]), std::min(b0[k], b1[k]) - std::max(a0[k], a1[k]));
-    if (between > distance) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 void NearFeatures::clear() {
@@ -51,7 +41,9 @@ void NearFeatures::add(const StepGeometry& step, const std::array<int, 2>& bodie
     if (step.face_normal(pair.a).dot(step.face_normal(pair.b)) < most_cosine) facing_.push_back(pair);
     add_features(step, pair, distance);
   }
-  if (faces_.size() > first) ends_.push_back({bodies, crossing_.size(), parallel_.size(), corners_.size()});
+  if (faces_.size() == first) return;
+  ends_.push_back({bodies, step.depth(bodies[0], bodies[1]), vertices_.size(), crossing_.size(), parallel_.size(),
+                   corners_.size()});
 }
 
 void NearFeatures::add_features(const StepGeometry& step, const FacePair& pair, double distance) {
@@ -62,22 +54,20 @@ void NearFeatures::add_features(const StepGeometry& step, const FacePair& pair, 
     const Box& box = step.broad.box(other);
     for (const int node : features.owned_nodes(faces[side])) {
       const Vec3& p = step.x[node];
-      if (!box.within({p, p}, distance)) continue;
+      const Box at{p, p};
+      if (!box.within(at, distance)) continue;
       vertices_.push_back({node, other, side == 0});
       if (!features.corner[node]) continue;
       for (const int edge : features.owned_edges(other)) {
-        const ContactEdge& e = features.edges[edge];
-        if (e.is_sharp && !apart(p, p, step.x[e.nodes[0]], step.x[e.nodes[1]], distance))
+        if (features.edges[edge].is_sharp && at.within(step.shapes.edge(edge).box, distance))
           corners_.push_back({node, edge, side == 0});
       }
     }
   }
   for (const int a : features.owned_edges(pair.a)) {
-    const Vec3 &a0 = step.x[features.edges[a].nodes[0]], &a1 = step.x[features.edges[a].nodes[1]];
-    for (const int b : features.owned_edges(pair.b)) {
-      const auto& nodes = features.edges[b].nodes;
-      if (!apart(a0, a1, step.x[nodes[0]], step.x[nodes[1]], distance)) add_edges(step, a, b);
-    }
+    const Box& box = step.shapes.edge(a).box;
+    for (const int b : features.owned_edges(pair.b))
+      if (box.within(step.shapes.edge(b).box, distance)) add_edges(step, a, b);
   }
 }
 

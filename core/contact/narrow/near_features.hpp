@@ -26,6 +26,8 @@ class NearFeatures {
   /// Of two bodies.
   struct OfBodies {
     std::array<int, 2> bodies;
+    double depth;  ///< m, how deep they can lie in each other
+    std::span<const VertexAtFace> vertices;
     std::span<const EdgeAtEdge> crossing, parallel;
     std::span<const VertexAtEdge> corners;
   };
@@ -43,13 +45,13 @@ class NearFeatures {
   std::span<const FacePair> faces() const { return faces_; }
   /// Those of them that look at each other, to within the angle of face–face contact.
   std::span<const FacePair> facing() const { return facing_; }
-  std::span<const VertexAtFace> vertices() const { return vertices_; }
   /// Calls `visit` with what is near of two bodies each that have near faces.
   template <class Visit>
   void visit_bodies(const Visit& visit) const {
     Ends begin{};
     for (const Ends& end : ends_) {
-      visit(OfBodies{end.bodies, std::span(crossing_).subspan(begin.crossing, end.crossing - begin.crossing),
+      visit(OfBodies{end.bodies, end.depth, std::span(vertices_).subspan(begin.vertices, end.vertices - begin.vertices),
+                     std::span(crossing_).subspan(begin.crossing, end.crossing - begin.crossing),
                      std::span(parallel_).subspan(begin.parallel, end.parallel - begin.parallel),
                      std::span(corners_).subspan(begin.corners, end.corners - begin.corners)});
       begin = end;
@@ -59,7 +61,8 @@ class NearFeatures {
  private:
   struct Ends {
     std::array<int, 2> bodies;
-    std::size_t crossing, parallel, corners;
+    double depth;  // m
+    std::size_t vertices, crossing, parallel, corners;
   };
   void clear();
   void add(const StepGeometry& step, const std::array<int, 2>& bodies, std::span<const FacePair> pairs,

@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace talus {
+namespace {
+
+constexpr double clearly_less = 0.999;  // – than another one, whatever rounding did to both
+
+}  // namespace
 
 double rise(const StepGeometry& step, int node, const Vec3& normal) {
   double least = 1;
@@ -20,7 +25,10 @@ bool is_in_cone(const StepGeometry& step, int node, const Vec3& normal) {
   return std::none_of(ring.begin(), ring.end(), [&](int q) {
     const Vec3 along = step.x[q] - step.x[node];
     const double rises = along.dot(normal);
-    return rises < 0 && rises / along.norm() < -step.cone_tolerance;
+    if (!(rises < 0)) return false;
+    const double squared = rises * rises, most = step.cone_tolerance * step.cone_tolerance * along.squaredNorm();
+    if (squared < clearly_less * most || clearly_less * squared > most) return squared > most;
+    return rises / along.norm() < -step.cone_tolerance;
   });
 }
 

@@ -105,7 +105,7 @@ void PointSearch::search_features(const StepGeometry& step) {
     part.found.clear();
     part.axis.begin();
     part.face_face.find(step, part.near.facing(), part.axis, part.found);
-    part.vertex_face.find(step, part.near.vertices(), part.axis, part.found);
+    part.vertex_face.find(step, part.near, part.axis, part.found);
   });
   false_vertices_.clear();
   for (int i = 0; i < part_count_; ++i) false_vertices_.add(step, parts_[i].found);

@@ -31,7 +31,9 @@ bool StepGeometry::within_edge_tolerance(double distance, int body, int other, c
 
 double StepGeometry::sunk_past_edge(int other, int body, const Vec3& across) const {
   if (!moved[other]) return 0;
-  const double deeper = memory.depth_along(other, -across, body) - memory.depth_along(other, across);
+  const double pushed_back = memory.depth_along(other, -across, body);
+  if (!(pushed_back > 0)) return 0;
+  const double deeper = pushed_back - memory.depth_along(other, across);
   return tolerances.edge_tolerance_per_penetration * std::max(0.0, deeper);
 }
 

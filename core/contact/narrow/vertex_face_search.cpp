@@ -91,15 +91,17 @@ OwnSide own_side(const StepGeometry& step, int node, int facet, const Vec3& norm
 
 }  // namespace
 
-void VertexFaceSearch::find(const StepGeometry& step, std::span<const NearFeatures::VertexAtFace> near,
-                            SeparatingAxis& axis, FoundPoints& found) {
+void VertexFaceSearch::find(const StepGeometry& step, const NearFeatures& near, SeparatingAxis& axis,
+                            FoundPoints& found) {
   taken_.clear();
   for (const FoundPoint& p : found.points) taken_.push_back(p.key);
   for (const FoundPoints::Covered& c : found.covered) taken_.push_back(c.key);
   std::sort(taken_.begin(), taken_.end());
 
   touches_.clear();
-  for (const auto& [node, face, node_is_first] : near) touch(step, node, face, node_is_first, axis);
+  near.visit_bodies([&](const NearFeatures::OfBodies& of_bodies) {
+    for (const NearFeatures::VertexAtFace& vertex : of_bodies.vertices) touch(step, vertex, of_bodies.depth, axis);
+  });
   std::sort(touches_.begin(), touches_.end(), [](const Touch& p, const Touch& q) {
     if (p.key != q.key) return p.key < q.key;
     return p.inside != q.inside ? p.inside > q.inside : p.facet < q.facet;
@@ -115,13 +117,16 @@ bool VertexFaceSearch::has(int node, int smooth_face) const {
   return std::binary_search(taken_.begin(), taken_.end(), vertex_key(node, smooth_face));
 }
 
-void VertexFaceSearch::touch(const StepGeometry& step, int node, int face, bool node_is_first, SeparatingAxis& axis) {
+/// `depth`: how deep the two bodies can lie in each other. [m]
+void VertexFaceSearch::touch(const StepGeometry& step, const NearFeatures::VertexAtFace& near, double depth,
+                             SeparatingAxis& axis) {
+  const auto& [node, face, node_is_first] = near;
   const ContactFace& f = step.features.faces[face];
   const Vec3& n = step.face_normal(face);
   const double gap = n.dot(step.x[node] - step.x[step.features.facets[f.facet].nodes[0]]);
   if (!(gap <= step.reach)) return;
   const int other = step.features.body_of(node);
-  if (gap < 0 && gap < -step.depth(f.body, other)) return;
+  if (gap < 0 && gap < -depth) return;
   if (!may_touch(step, node, n) || !looks_against(step, node, n)) return;  // most do not
   Touch t{vertex_key(node, f.smooth_face), node, -1, node_is_first, {}, -step.tolerances.outside_facet};
   if (std::binary_search(taken_.begin(), taken_.end(), t.key)) return;

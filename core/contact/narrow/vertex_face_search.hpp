@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "contact/narrow/near_features.hpp"
@@ -14,8 +13,7 @@ namespace talus {
 /// is seen when those of all bodies are there (FalseVertices).
 class VertexFaceSearch {
  public:
-  void find(const StepGeometry& step, std::span<const NearFeatures::VertexAtFace> near, SeparatingAxis& axis,
-            FoundPoints& found);
+  void find(const StepGeometry& step, const NearFeatures& near, SeparatingAxis& axis, FoundPoints& found);
   /// Whether the last search, or the face–face search before it, found the vertex on the smooth face; even if the
   /// contact was false.
   bool has(int node, int smooth_face) const;
@@ -28,7 +26,7 @@ class VertexFaceSearch {
     std::array<double, 3> at;  // barycentric coordinates on the facet
     double inside;             // the smallest of them: of a smooth face's facets the one where it is largest is taken
   };
-  void touch(const StepGeometry& step, int node, int face, bool node_is_first, SeparatingAxis& axis);
+  void touch(const StepGeometry& step, const NearFeatures::VertexAtFace& near, double depth, SeparatingAxis& axis);
   static void locate(const StepGeometry& step, int facet, const Vec3& place, Touch& touch);
   void add(const StepGeometry& step, const Touch& touch, FoundPoints& found);
 

@@ -65,6 +65,7 @@ void VertexVertexSearch::find(const StepGeometry& step, const NearFeatures& near
 /// All of two bodies.
 void VertexVertexSearch::find_candidates(const StepGeometry& step, const NearFeatures::OfBodies& near) {
   candidates_.clear();
+  depth_ = near.depth;
   edge_tolerance_ = step.edge_tolerance(near.bodies[0], near.bodies[1]);
   far_ = step.farthest_cores(near.bodies[0], near.bodies[1]);
   for (const auto& [node, edge, node_is_first] : near.corners) add_vertex_at_edge(step, node, edge, node_is_first);
@@ -180,7 +181,7 @@ void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m, Separ
   if (!normal) return;
   const Vec3& n = *normal;
   const double gap = n.dot(own_.place - other_.place);
-  if (!(gap <= step.reach) || gap < -step.depth(own, other)) return;
+  if (!(gap <= step.reach) || gap < -depth_) return;
   if (m.own_is_first ? axis.refutes(step, own, other, gap) : axis.refutes(step, other, own, gap)) return;
   if (lies_flush(step, own_, other_) || lies_flush(step, other_, own_)) return;
   if (passes(step, m.key)) return;

@@ -91,6 +91,7 @@ class VertexVertexSearch {
   // Of the two bodies that are looked at:
   std::vector<std::uint64_t> face_face_families_;  // sorted
   std::vector<Candidate> candidates_;
+  double depth_ = 0;           // m, how deep they can lie in each other
   double edge_tolerance_ = 0;  // m
   double far_ = 0;             // m, between a corner and an edge
   std::size_t first_ = 0;      // vertex–vertex contact that was found

@@ -22,6 +22,7 @@ class OfACube : public ::testing::Test {
   void turn_by_a_quarter() {
     for (Vec3& p : scene_.x) p = Vec3(-p.y(), p.x(), p.z());
     odometers_.add(0, 2);
+    shapes_->look(scene_.x);
   }
   int edge(bool sharp) const {
     int number = 0;
@@ -76,8 +77,10 @@ TEST_F(OfACube, BesideAnEdgeAFacetLiesSquareToIt) {
 TEST_F(OfACube, WhatDidNotMoveIsNotMeasuredAgain) {
   const Vec3 before = shapes_->normal(0);
   for (Vec3& p : scene_.x) p = Vec3(-p.y(), p.x(), p.z());
+  shapes_->look(scene_.x);
   EXPECT_EQ(shapes_->normal(0), before);  // nobody has told of the motion
   odometers_.add(0, 2);
+  shapes_->look(scene_.x);
   EXPECT_NE(shapes_->normal(0), before);
 }
 
