@@ -255,14 +255,17 @@ void ContactMemory::sort_by_body() {
   list_holds();
 }
 
-/// The contacts of a face on another have one normal, to the bit: together they are one hold.
+/// The contacts of a face on another have one normal, to the bit: together they are one hold, if they follow each other
+/// closely.
 void ContactMemory::list_holds() {
+  constexpr std::ptrdiff_t look_back = 8;  // holds: a body may have thousands
   holds_.clear();
   for (int body = 0; body + 1 < static_cast<int>(holds_begin_.size()); ++body) {
     const auto begin = static_cast<std::ptrdiff_t>(holds_.size());
     for (int i = of_body_begin_[body]; i < of_body_begin_[body + 1]; ++i) {
       const Hold hold = hold_of(histories_[of_body_[i]], body);
-      const auto same = std::find_if(holds_.begin() + begin, holds_.end(), [&](const Hold& other) {
+      const auto last = std::max(begin, static_cast<std::ptrdiff_t>(holds_.size()) - look_back);
+      const auto same = std::find_if(holds_.begin() + last, holds_.end(), [&](const Hold& other) {
         return other.by == hold.by && other.normal == hold.normal;
       });
       if (same == holds_.end())

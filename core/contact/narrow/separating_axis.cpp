@@ -78,10 +78,10 @@ void SeparatingAxis::look_across_edges(const StepGeometry& step, double enough) 
       const std::array<Vec3, 2>& into_b = step.shapes.edge(edge_b).into;
       const Vec3 w = step.x[b.nodes[1]] - step.x[b.nodes[0]];
       Vec3 across = u.cross(w);
-      const double squared = across.squaredNorm();
-      if (!(squared > step.tolerances.parallel_edges * u.squaredNorm() * w.squaredNorm())) return;
       if (across.dot(into_a[0]) < 0) across = -across;
       if (across.dot(into_a[1]) < 0 || across.dot(into_b[0]) > 0 || across.dot(into_b[1]) > 0) return;
+      const double squared = across.squaredNorm();
+      if (!(squared > step.tolerances.parallel_edges * u.squaredNorm() * w.squaredNorm())) return;
       widest_ = std::max(widest_, across.dot(origin - step.x[b.nodes[0]]) / std::sqrt(squared));
     });
   });
