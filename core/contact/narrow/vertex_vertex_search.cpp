@@ -123,16 +123,28 @@ void VertexVertexSearch::add_edge_along_edge(const StepGeometry& step, int edge_
   candidates_.push_back({edge_key(edge_a, edge_b), {-1, edge_a, s}, {-1, edge_b, t}, apart, true});
 }
 
+namespace {
+
+template <class Number>
+void sort_once(std::vector<Number>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+}  // namespace
+
 void VertexVertexSearch::list_face_face(const std::array<int, 2>& of_bodies, const FoundPoints& found) {
   face_face_families_.clear();
+  for (std::vector<int>& faces : in_face_face_) faces.clear();
   for (const auto& [bodies, number] : others_.of(of_bodies)) {
     const FoundPoint& p = found.points[number];
-    if (p.kind == PointKind::face_face && (face_face_families_.empty() || face_face_families_.back() != p.family))
-      face_face_families_.push_back(p.family);
+    if (p.kind != PointKind::face_face || (!face_face_families_.empty() && face_face_families_.back() == p.family))
+      continue;
+    face_face_families_.push_back(p.family);
+    for (int k = 0; k < 2; ++k) in_face_face_[k].push_back(p.smooth_faces[k]);
   }
-  std::sort(face_face_families_.begin(), face_face_families_.end());
-  face_face_families_.erase(std::unique(face_face_families_.begin(), face_face_families_.end()),
-                            face_face_families_.end());
+  sort_once(face_face_families_);
+  for (std::vector<int>& faces : in_face_face_) sort_once(faces);
 }
 
 std::span<const int> VertexVertexSearch::facets_at(const ContactFeatures& features, const Place& place) {
@@ -235,9 +247,12 @@ bool VertexVertexSearch::face_face_holds(const StepGeometry& step, std::span<con
                                          std::span<const int> others, bool are_first) {
   if (face_face_families_.empty()) return false;
   adjacent_faces_.clear();
+  const std::vector<int>& touching = in_face_face_[are_first ? 0 : 1];
   for (const int f : facets) {
+    const int a = step.features.facets[f].smooth_face;
+    if (!std::binary_search(touching.begin(), touching.end(), a)) continue;
     for (const int g : others) {
-      const int a = step.features.facets[f].smooth_face, b = step.features.facets[g].smooth_face;
+      const int b = step.features.facets[g].smooth_face;
       const std::uint64_t family = are_first ? face_family(a, b) : face_family(b, a);
       if (std::binary_search(face_face_families_.begin(), face_face_families_.end(), family))
         adjacent_faces_.push_back({family, step.normal(f)});

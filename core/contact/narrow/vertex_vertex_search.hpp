@@ -90,6 +90,7 @@ class VertexVertexSearch {
 
   // Of the two bodies that are looked at:
   std::vector<std::uint64_t> face_face_families_;  // sorted
+  std::array<std::vector<int>, 2> in_face_face_;   // smooth faces of each in such contact, sorted
   std::vector<Candidate> candidates_;
   double depth_ = 0;           // m, how deep they can lie in each other
   double edge_tolerance_ = 0;  // m
