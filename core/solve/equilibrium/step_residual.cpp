@@ -214,9 +214,9 @@ void StepResidual::evaluate(const Increment& d, Friction friction) {
     system.work = system.works_together = 0;
   }
   body_forces_ = body_momenta_;
+  Laps laps;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
-    const Stopwatch of_effect(effect_work_[i].seconds);
     part_.setZero();
     effect.add_gradient(effect.smooth() ? scaled_ : d, arms, part_);
     leave_out_others(part_);
@@ -231,6 +231,7 @@ void StepResidual::evaluate(const Increment& d, Friction friction) {
     for (System& system : systems_) system.scale = std::max(system.scale, counts * system.of_effect);
     norms_by_body(part_, body_norms_);
     body_forces_ = body_forces_.cwiseMax(counts * body_norms_);
+    laps.add_to(effect_work_[i].seconds);
   }
   measure_systems(gradient_, &System::norm);
 }
