@@ -1,7 +1,8 @@
 #!/bin/sh
 # Brings resources/translations up to the texts of the window: new ones are added as unfinished, those that are gone are
 # dropped. Titles, descriptions and choices of the schema of project files are texts of the window too, and so are the
-# words of pictures: what picture_word is given, titles of fields and of blocks' quantities, and how blocks move.
+# words of pictures: what picture_word is given, titles of fields and of blocks' quantities, how blocks move and fail, and
+# what the density of poles is told in.
 set -e
 cd "$(dirname "$0")/.."
 PATH=/usr/lib/qt6/bin:$PATH
@@ -44,7 +45,9 @@ for source in sorted(pathlib.Path("ui/render").rglob("*.[ch]pp")):
         said.update(dict.fromkeys(re.findall(r'"([^"]+)"', call)))
 for file, pattern in (("core/results/field.cpp", r'Field\{"[^"]*", "([^"]+)"'),
                       ("core/measures/block_history.cpp", r'BlockQuantity\{"[^"]*", "([^"]+)"'),
-                      ("core/fields/field_values.cpp", r'return "([^"]+)";')):
+                      ("core/fields/field_values.cpp", r'return "([^"]+)";'),
+                      ("core/orientation/critical_zone.hpp", r'return "([^"]+)";'),
+                      ("core/orientation/pole_density.hpp", r'"(% per 1 % area)"')):
     said.update(dict.fromkeys(re.findall(pattern, pathlib.Path(file).read_text(encoding="utf-8"))))
 motions = pathlib.Path("core/results/motion_class.cpp").read_text(encoding="utf-8")
 words = re.search(r"string_view words\[\] = \{(.*?)\}", motions, re.S).group(1)

@@ -1653,45 +1653,6 @@
     </message>
 </context>
 <context>
-    <name>net</name>
-    <message>
-        <source>face</source>
-        <translation>Böschung</translation>
-    </message>
-    <message>
-        <source>daylight envelope of its poles</source>
-        <translation>Daylight-Hüllkurve ihrer Pole</translation>
-    </message>
-    <message>
-        <source>friction cone φ</source>
-        <translation>Reibungskegel φ</translation>
-    </message>
-    <message>
-        <source>slip limit, face dip − φ</source>
-        <translation>Gleitgrenze, Böschungsfallen − φ</translation>
-    </message>
-    <message>
-        <source>lateral limits</source>
-        <translation>seitliche Grenzen</translation>
-    </message>
-    <message>
-        <source>critical intersections</source>
-        <translation>kritische Schnittlinien</translation>
-    </message>
-    <message>
-        <source>critical poles</source>
-        <translation>kritische Pole</translation>
-    </message>
-    <message>
-        <source>intersections of mean planes</source>
-        <translation>Schnitte der mittleren Flächen</translation>
-    </message>
-    <message>
-        <source>intersections of joints</source>
-        <translation>Schnitte der Klüfte</translation>
-    </message>
-</context>
-<context>
     <name>pages</name>
     <message>
         <source>Geometry</source>
@@ -2267,6 +2228,30 @@
     <message>
         <source>poles</source>
         <translation>Pole</translation>
+    </message>
+    <message>
+        <source>critical intersections</source>
+        <translation>kritische Schnittlinien</translation>
+    </message>
+    <message>
+        <source>critical poles</source>
+        <translation>kritische Pole</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>densest</source>
+        <translation>dichteste Stelle</translation>
+    </message>
+    <message>
+        <source>too many intersections of single joints to be drawn</source>
+        <translation>zu viele Schnitte einzelner Klüfte für eine Zeichnung</translation>
+    </message>
+    <message>
+        <source>% per 1 % area</source>
+        <translation>% je 1 % der Fläche</translation>
     </message>
 </context>
 <context>
@@ -4791,16 +4776,16 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
         <translation>Bahnen</translation>
     </message>
     <message>
-        <source>The ways that blocks&apos; centres have gone up to the frame in view, as soon as a run is over</source>
-        <translation>Die Wege der Blockmitten bis zum gezeigten Bild, sobald eine Rechnung vorbei ist</translation>
-    </message>
-    <message>
         <source>Axes of rotation</source>
         <translation>Drehachsen</translation>
     </message>
     <message>
         <source>About which blocks turn in the frame in view, by the right hand</source>
         <translation>Um die sich Blöcke im gezeigten Bild drehen, nach der rechten Hand</translation>
+    </message>
+    <message>
+        <source>The ways that blocks&apos; centres have gone up to the frame in view</source>
+        <translation>Die Wege der Blockmitten bis zum Bild in der Ansicht</translation>
     </message>
 </context>
 <context>
@@ -5049,6 +5034,22 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
     <message>
         <source>Rate</source>
         <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>beside the view</source>
+        <translation>neben der Ansicht</translation>
+    </message>
+    <message>
+        <source>over the view, as outlines</source>
+        <translation>über der Ansicht, als Umrisse</translation>
+    </message>
+    <message>
+        <source>Compared results</source>
+        <translation>Verglichene Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Over the view those that were opened first for comparing are drawn</source>
+        <translation>Über der Ansicht werden die gezeichnet, die zuerst zum Vergleichen geöffnet wurden</translation>
     </message>
 </context>
 <context>

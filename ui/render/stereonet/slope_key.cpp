@@ -21,7 +21,8 @@ std::vector<SlopeKeyRow> slope_key(const Stereonet& net) {
   if (net.mode != FailureMode::wedge)
     rows.push_back(
         {Sample::dashes, face, 0.8, picture_word("lateral limits"), "±" + number_text(slope.lateral_limit) + "°"});
-  const std::string critical = picture_word(judges_lines(net.mode) ? "critical intersections" : "critical poles");
+  const std::string critical =
+      judges_lines(net.mode) ? picture_word("critical intersections") : picture_word("critical poles");
   rows.push_back({Sample::area, zone_colour(net.theme), 1, critical, {}});
   if (judges_lines(net.mode)) {
     rows.push_back({Sample::cross, colours(net.theme).muted, 1, picture_word("intersections of mean planes"), {}});

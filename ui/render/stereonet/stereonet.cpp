@@ -6,6 +6,7 @@
 
 #include "orientation/net_curves.hpp"
 #include "render/paint/colour_map.hpp"
+#include "render/paint/picture_words.hpp"
 #include "render/stereonet/contour_bands.hpp"
 
 namespace talus {
@@ -217,7 +218,7 @@ class Drawing {
       line({ray, (azimuth % 30 == 0 ? 1.03 : 1.015) * ray}, colours_.text, 1);
       const char* const main[] = {"N", "E", "S", "W"};
       if (azimuth % 90 == 0)
-        drawn_.shapes.push_back(NetWord{1.085 * ray, main[azimuth / 90], colours_.text, true});
+        drawn_.shapes.push_back(NetWord{1.085 * ray, picture_word(main[azimuth / 90]), colours_.text, true});
       else if (azimuth % 30 == 0)
         drawn_.shapes.push_back(NetWord{1.085 * ray, std::to_string(azimuth), colours_.muted, false});
     }

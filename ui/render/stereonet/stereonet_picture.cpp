@@ -142,7 +142,7 @@ class Key {
 
   void paint_density(const DrawnNet& drawn) {
     const PoleDensity density({}, *net_.density);
-    heading("Density, " + std::string(to_string(*net_.density)), std::string(density.unit()));
+    heading(picture_word("Density") + ", " + std::string(to_string(*net_.density)), picture_word(density.unit()));
     const std::size_t count = drawn.levels.size();
     const std::vector<std::string> labels = tick_labels(drawn.levels);
     const double box = std::min(width_ / static_cast<double>(count), 3.2 * em_);
@@ -154,20 +154,20 @@ class Key {
     }
     at_.y -= 2.7 * em_;
     const PlaneAttitude densest = attitude_of_normal(drawn.densest_at);
-    note("densest " + format_number(drawn.densest, 3) + " at " + format_decimals(densest.dip, 0) + "° / " +
-         format_decimals(densest.dip_direction, 0) + "°");
+    note(picture_word("densest") + " " + format_number(drawn.densest, 3) + ": " + format_decimals(densest.dip, 0) +
+         "° / " + format_decimals(densest.dip_direction, 0) + "°");
   }
 
   void paint_slope(const DrawnNet& drawn) {
-    heading(picture_word("Slope"), std::string(to_string(net_.mode)));
+    heading(picture_word("Slope"), picture_word(to_string(net_.mode)));
     for (const SlopeKeyRow& entry : slope_key(net_)) paint_sample(entry, row(entry.words, entry.value));
     if (judges_lines(net_.mode) && drawn.intersections > most_intersections)
-      note("too many intersections of single joints to be drawn");
+      note(picture_word("too many intersections of single joints to be drawn"));
   }
 
   void count(const std::string& words, const KinematicCount& count) {
     row(words,
-        std::to_string(count.count) + " of " + std::to_string(count.total) + "  ·  " +
+        std::to_string(count.count) + " / " + std::to_string(count.total) + "  ·  " +
             format_decimals(count.percent(), 1) + " %",
         0);
   }

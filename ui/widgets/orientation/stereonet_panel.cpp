@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "render/paint/picture_words.hpp"
 #include "render/stereonet/stereonet_picture.hpp"
 #include "session/current_project.hpp"
 #include "session/display.hpp"
@@ -70,7 +71,7 @@ QString legendOf(const DrawnNet& drawn, DensityMethod method, Theme theme) {
     legend +=
         QStringLiteral("<span style='color:%1'>■</span> %2&nbsp; ")
             .arg(colourOf(band_colour(i, drawn.levels.size(), theme)).name(), numbers::figure(drawn.levels[i], 3));
-  return legend + text(PoleDensity({}, method).unit()) +
+  return legend + text(picture_word(PoleDensity({}, method).unit())) +
          QObject::tr("; densest %1").arg(numbers::significant(drawn.densest));
 }
 

@@ -154,22 +154,6 @@ void StereonetView::resizeEvent(QResizeEvent*) { picture_ = {}; }
 
 namespace {
 
-/// In the user's language.
-QString keyWords(const std::string& words) {
-  static const char* const known[] = {
-      QT_TRANSLATE_NOOP("net", "face"),
-      QT_TRANSLATE_NOOP("net", "daylight envelope of its poles"),
-      QT_TRANSLATE_NOOP("net", "friction cone φ"),
-      QT_TRANSLATE_NOOP("net", "slip limit, face dip − φ"),
-      QT_TRANSLATE_NOOP("net", "lateral limits"),
-      QT_TRANSLATE_NOOP("net", "critical intersections"),
-      QT_TRANSLATE_NOOP("net", "critical poles"),
-      QT_TRANSLATE_NOOP("net", "intersections of mean planes"),
-      QT_TRANSLATE_NOOP("net", "intersections of joints")};  // where translators find them
-  static_cast<void>(known);
-  return QCoreApplication::translate("net", words.c_str());
-}
-
 void paintSample(QPainter& painter, const SlopeKeyRow& row, const QRectF& place) {
   using Sample = SlopeKeyRow::Sample;
   QColor colour = colourOf(row.colour);
@@ -199,7 +183,7 @@ void StereonetView::paintKey(QPainter& painter) const {
     paintSample(painter, row, {0, y, key_sample, key_line});
     painter.setPen(theme::colours().textMuted);
     painter.drawText(QRectF(key_sample + 8, y, width(), key_line), Qt::AlignVCenter,
-                     keyWords(row.words) + u' ' + text(row.value));
+                     text(row.words) + u' ' + text(row.value));
     y += key_line;
   }
 }
