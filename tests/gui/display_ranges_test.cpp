@@ -70,6 +70,10 @@ TEST_F(DrivenWindow, RangeOfTheLegendIsTypedAndStaysWhateverIsLookedAt) {
   session->display.set(settings);
   EXPECT_FALSE(session->display.typedRange()) << "it was of another field";
   EXPECT_FALSE(session->display.settings().only);
+  settings.field = field_named("displacement");
+  session->display.set(settings);
+  EXPECT_EQ(session->display.settings().range, (ValueRange{0, 0.025})) << "each field keeps what was typed of it";
+  EXPECT_EQ(range->currentIndex(), 2);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ Display::Display(CurrentProject& project, Playback& playback)
   whole_.follow(settings_.field);
   connect(&playback_, &Playback::frameChanged, this, &Display::takeFrame);
   connect(&project_, &CurrentProject::systemChanged, this, [this] { mark({}); });  // they are places of other blocks
+  connect(&project_, &CurrentProject::opened, this, [this] { typedRanges_.clear(); });
   connect(&whole_, &RunRange::changed, this, [this] {
     const auto before = settings_.range;
     takeFrame();
@@ -29,7 +30,8 @@ void Display::takeFrame() { settings_.range = legendRange(); }
 
 std::optional<ValueRange> Display::legendRange() const {
   const auto frame = playback_.frame();
-  if (frame && settings_.field && typedRange_) return typedRange_;
+  const auto typed = typedRange();
+  if (frame && typed) return typed;
   if (!frame || !settings_.field || !project_.system() || !rangeFollowsRun_) return std::nullopt;
   ValueRange range = whole_.known();
   if (range.empty()) range = whole_.rangeOf(*frame);  // until the others are read
@@ -40,7 +42,6 @@ void Display::set(const SceneSettings& settings) {
   const bool anotherField = settings.field != settings_.field, sameOnly = settings.only == settings_.only;
   settings_ = settings;
   if (anotherField) {
-    typedRange_.reset();
     if (sameOnly) settings_.only.reset();  // it was of the other field
     whole_.follow(settings_.field);
     takeFrame();
@@ -60,8 +61,17 @@ ValueRange Display::spannedRange() const {
   return legend_range(*settings_.field, whole_.rangeOf(*frame));
 }
 
+std::optional<ValueRange> Display::typedRange() const {
+  const auto found = settings_.field ? typedRanges_.find(settings_.field->name) : typedRanges_.end();
+  return found == typedRanges_.end() ? std::nullopt : std::optional<ValueRange>(found->second);
+}
+
 void Display::setTypedRange(const std::optional<ValueRange>& range) {
-  typedRange_ = range;
+  if (!settings_.field) return;
+  if (range)
+    typedRanges_.insert_or_assign(settings_.field->name, *range);
+  else
+    typedRanges_.erase(settings_.field->name);
   takeFrame();
   emit changed();
 }

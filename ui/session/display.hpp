@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QObject>
+#include <map>
+#include <string_view>
 
 #include "render/scene/scene.hpp"
 #include "session/run_range.hpp"
@@ -29,7 +31,8 @@ class Display : public QObject {
   bool rangeFollowsRun() const { return rangeFollowsRun_; }
   void setRangeFollowsRun(bool follows);
   /// What the legend spans of the field that is shown, whichever frames are looked at; empty: of the run or the frame.
-  const std::optional<ValueRange>& typedRange() const { return typedRange_; }
+  /// Each field keeps its own, whichever are shown in between.
+  std::optional<ValueRange> typedRange() const;
   void setTypedRange(const std::optional<ValueRange>& range);
   /// What the legend spans now, SI.
   ValueRange spannedRange() const;
@@ -63,7 +66,7 @@ class Display : public QObject {
   WorkflowPage page_ = WorkflowPage::geometry;
   SceneSettings settings_;
   bool rangeFollowsRun_ = true;
-  std::optional<ValueRange> typedRange_;
+  std::map<std::string_view, ValueRange> typedRanges_;  ///< by the field's name
   RunRange whole_;
 };
 

@@ -81,7 +81,7 @@ DisplayPanel::DisplayPanel(Display& display, CurrentRun& run)
   overlays->addRow(tr("Arrows"), arrows_);
   trails_ = makeCombo({tr("none"), tr("selected blocks"), tr("all blocks")}, tr("Trails"));
   follow(trails_, &SceneSettings::trails);
-  trails_->setToolTip(tr("The ways that blocks' centres have gone up to the frame in view, as soon as a run is over"));
+  trails_->setToolTip(tr("The ways that blocks' centres have gone up to the frame in view"));
   overlays->addRow(tr("Trails"), trails_);
   addSwitch(overlays, tr("Axes of rotation"), &SceneSettings::turning_axes)
       ->setToolTip(tr("About which blocks turn in the frame in view, by the right hand"));
@@ -117,7 +117,7 @@ void DisplayPanel::setOnly(const std::optional<ValueRange>& range) {
 void DisplayPanel::showRanges() {
   const SceneSettings& settings = display_.settings();
   const bool hasScale = settings.field && !settings.field->is_class();
-  const auto& typed = display_.typedRange();
+  const auto typed = display_.typedRange();
   range_->setCurrentIndex(typed ? 2 : display_.rangeFollowsRun() ? 0 : 1);
   colours_->setRowVisible(range_, hasScale);
   colours_->setRowVisible(typed_, hasScale && typed);
