@@ -180,21 +180,40 @@ void paint_scale_bar(Painter& painter, const Overlay& overlay, const OverlayView
   painter.text({left + length, y + 1.3 * tick}, label, style);
 }
 
-/// Pixels that time and remarks take at the right end.
-double width_of_time(const Overlay& overlay) {
+/// Where what is written along the bottom begins: right of the scale bar's place.
+double left_of_words(const Overlay& overlay, double width) {
   const double em = overlay.text_height;
-  double width = text_width(overlay.time, em, FontWeight::semibold) + text_width(overlay.remarks, em);
-  for (const std::string* part : {&overlay.time, &overlay.remarks}) width += part->empty() ? 0 : em;
-  return width;
+  return (2 * margin + 1.5) * em + std::min(0.2 * width, 11 * em);
+}
+
+/// Pixels that the time takes at the right end, with the gap before it, whatever its figures: they change from frame to
+/// frame, and its place should not.
+double width_of_time(const Overlay& overlay) {
+  std::string widest = overlay.time;
+  for (char& c : widest)
+    if (c >= '1' && c <= '9') c = '0';
+  const double em = overlay.text_height;
+  return widest.empty() ? 0 : text_width(widest, em, FontWeight::semibold) + em;
+}
+
+/// Lines of remarks above the time, right of the axes, where they do not fit beside it; none where they do.
+std::vector<std::string> remarks_above(const Overlay& overlay, double width) {
+  if (overlay.remarks.empty()) return {};
+  const double em = overlay.text_height, right = width - margin * em;
+  const double needed = text_width(overlay.remarks, em) + width_of_time(overlay);
+  if (left_of_words(overlay, width) + needed <= right) return {};
+  return wrapped(overlay.remarks, right - (margin + triad_size) * em, em, FontWeight::regular);
 }
 
 /// Right of the scale bar's place: "contacts ● open ● stick ● slip"; in several lines where there is no room in one,
-/// and above the time where not even one entry fits beside it.
-void paint_key(Painter& painter, const Overlay& overlay, const OverlayView& view) {
+/// and above the time where not even one entry fits beside it. Returns how many lines from the bottom it takes.
+int paint_key(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   const double em = overlay.text_height;
   const TextStyle words{.height = 0.9 * em, .colour = colours(overlay.theme).muted};
-  const double left = (2 * margin + 1.5) * em + std::min(0.2 * view.width, 11 * em);
+  const double left = left_of_words(overlay, view.width);
   double right = view.width - margin * em - width_of_time(overlay);
+  if (!overlay.remarks.empty() && remarks_above(overlay, view.width).empty())
+    right -= text_width(overlay.remarks, em) + em;
   const auto width_of = [&](const KeyEntry* entry, const std::string& meaning) {
     return (entry ? 0.85 * em : 0) + text_width(meaning, 0.9 * em);
   };
@@ -228,18 +247,21 @@ void paint_key(Painter& painter, const Overlay& overlay, const OverlayView& view
     painter.text({part.x + (part.entry ? 0.85 * em : 0), y}, part.entry ? part.entry->meaning : overlay.key_title,
                  words);
   }
+  return lowest + line + 1;
 }
 
-void paint_time(Painter& painter, const Overlay& overlay, const OverlayView& view) {
-  const double em = overlay.text_height, y = margin * em - 0.2 * em;
+/// The time at the lower right; remarks left of it, or above it and `rows` of other words.
+void paint_time(Painter& painter, const Overlay& overlay, const OverlayView& view, int rows) {
+  const double em = overlay.text_height, y = margin * em - 0.2 * em, right = view.width - margin * em;
   const ThemeColours& colour = colours(overlay.theme);
-  std::string widest = overlay.time;  // the figures change from frame to frame: their place should not
-  for (char& c : widest)
-    if (c >= '1' && c <= '9') c = '0';
-  double left = view.width - margin * em - text_width(widest, em, FontWeight::semibold);
-  painter.text({left, y}, overlay.time, {.height = em, .colour = colour.text, .weight = FontWeight::semibold});
-  if (!overlay.time.empty()) left -= em;
-  painter.text({left, y}, overlay.remarks, {.height = em, .colour = colour.muted, .x = AlignX::right});
+  const double left = right - width_of_time(overlay);
+  painter.text({left + (overlay.time.empty() ? 0 : em), y}, overlay.time,
+               {.height = em, .colour = colour.text, .weight = FontWeight::semibold});
+  const TextStyle muted{.height = em, .colour = colour.muted, .x = AlignX::right};
+  const std::vector<std::string> above = remarks_above(overlay, view.width);
+  if (above.empty()) painter.text({left, y}, overlay.remarks, muted);
+  for (std::size_t i = 0; i < above.size(); ++i)
+    painter.text({right, y + (rows + static_cast<double>(above.size() - 1 - i)) * line_height * em}, above[i], muted);
 }
 
 }  // namespace
@@ -256,7 +278,8 @@ PixelRect free_area(const Overlay& overlay, double width, double height) {
   if (overlay.colour_key) left = std::max(left, 2 * margin * em + width_of(*overlay.colour_key, em));
   const bool has_bottom =
       overlay.scale_bar || !overlay.key.empty() || !overlay.time.empty() || !overlay.remarks.empty();
-  const double bottom = (margin + (has_bottom ? bottom_row : 0)) * em;
+  const double above = static_cast<double>(remarks_above(overlay, width).size()) * line_height;
+  const double bottom = (margin + (has_bottom ? bottom_row : 0) + above) * em;
   PixelRect area{left, bottom, width - margin * em, height - margin * em - title_row(overlay)};
   // A picture too small for its writing: the rock matters more.
   if (area.width() < 0.4 * width) area.left = area.right - 0.4 * width;
@@ -274,8 +297,8 @@ void paint(Painter& painter, const Overlay& overlay, const OverlayView& view) {
   if (overlay.colour_key && !overlay.legend) paint_colour_key(painter, overlay, view);
   if (overlay.triad) paint_triad(painter, overlay, view);
   if (overlay.scale_bar) paint_scale_bar(painter, overlay, view);
-  if (!overlay.key.empty()) paint_key(painter, overlay, view);
-  paint_time(painter, overlay, view);
+  const int rows = overlay.key.empty() ? 1 : paint_key(painter, overlay, view);
+  paint_time(painter, overlay, view, rows);
 }
 
 }  // namespace talus
