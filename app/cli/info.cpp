@@ -28,11 +28,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Material& material) {
-  return {{"name", material.name},
-          {"density", material.density},
-          {"young", material.young},
-          {"poisson", material.poisson},
-          {"law", to_string(material.law)}};
+  Json json = {{"name", material.name},
+               {"density", material.density},
+               {"young", material.young},
+               {"poisson", material.poisson},
+               {"law", to_string(material.law)}};
+  if (const auto& strength = material.strength) {
+    json["strength"] = {{"friction_angle", strength->friction_angle}, {"cohesion", strength->cohesion}};
+    if (strength->tensile_strength) json["strength"]["tensile_strength"] = *strength->tensile_strength;
+  }
+  return json;
 }
 
 Json json_of(const Joint& joint) {
@@ -132,6 +137,21 @@ Json json_of_project(const Project& project, const BlockSystem& system, const st
           {"warnings", list_of(problems_of_switched_effects(project))}};
 }
 
+/// Of the materials that have a strength, with an empty line after it; nothing where none has.
+std::string strengths_text(const Json& materials) {
+  Table table({"Strength of", "Friction angle [°]", "Cohesion [Pa]", "Tensile strength [Pa]"}, "lrrr");
+  bool any = false;
+  for (const Json& material : materials)
+    if (material.contains("strength")) {
+      const Json& strength = material["strength"];
+      const bool is_cut_off = strength.contains("tensile_strength");
+      table.add({material["name"], number(strength["friction_angle"]), number(strength["cohesion"]),
+                 is_cut_off ? number(strength["tensile_strength"]) : "to the envelope's apex"});
+      any = true;
+    }
+  return any ? table.text() + '\n' : std::string();
+}
+
 void print_project(const Json& info, const Project& project, const BlockSystem& system,
                    const std::vector<EffectCost>& costs) {
   std::cout << info["project"].get<std::string>() << "\n\n";
@@ -147,7 +167,7 @@ void print_project(const Json& info, const Project& project, const BlockSystem& 
     stages.add({s["name"], s["type"], number(s["time_step"]), number(s["duration"])});
   std::cout << '\n'
             << materials.text() << '\n'
-            << joints.text() << '\n'
+            << strengths_text(info["materials"]) << joints.text() << '\n'
             << stages.text() << '\n'
             << costs_text(costs) << switched_effects_text(project) << '\n'
             << info["monitors"].size() << " monitors, " << info["expectations"] << " expectations\n";

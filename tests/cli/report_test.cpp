@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -69,6 +70,24 @@ TEST_F(Report, OfAKilledRunWithoutItsProjectSaysSo) {
   EXPECT_THAT(html, HasSubstr("Materials and joints are not known here: "));
   EXPECT_THAT(html, HasSubstr("P1: displacement"));
   EXPECT_THAT(html, Not(HasSubstr("How it was solved")));
+}
+
+TEST_F(Report, ListsTheStrengthOfMaterials) {
+  const std::string strong = place("strong.results"), project = strong + "/project.talus";
+  std::filesystem::copy(results(), strong);
+  EXPECT_THAT(report_of(strong), Not(HasSubstr("Materials: strength")));
+  std::string text = text_of(project);
+  text.insert(text.find("\"density\""), R"("strength": {"cohesion": 2.5e6, "friction_angle": 38}, )");
+  std::ofstream(project) << text;
+  const std::string html = report_of(strong);
+  for (const char* of : {"Materials: strength after Mohr and Coulomb", "<td class=\"r\">38</td>",
+                         "<td class=\"r\">2.5</td>", "to the envelope’s apex"})
+    EXPECT_THAT(html, HasSubstr(of));
+  const Ending info = talus_cli({"info", project, "--json", "--no-forecast"});
+  ASSERT_EQ(info.exit_code, 0) << info.err;
+  const auto strength = nlohmann::json::parse(info.out)["materials"][0]["strength"];
+  EXPECT_EQ(strength, nlohmann::json({{"cohesion", 2.5e6}, {"friction_angle", 38}}));
+  EXPECT_THAT(talus_cli({"info", project, "--no-forecast"}).out, HasSubstr("Strength of"));
 }
 
 TEST_F(Report, IsRefusedWithOneLineThatSaysWhatToDo) {

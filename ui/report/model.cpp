@@ -63,7 +63,21 @@ Table materials(const Project& project) {
   return table;
 }
 
-Table strengths(const Project& project) {
+/// Of the materials that have a strength.
+Table rock_strengths(const Project& project) {
+  Table table{"Materials: strength after Mohr and Coulomb",
+              {"Material", "Friction angle (°)", "Cohesion (MPa)", "Tensile strength (MPa)"},
+              "lrrr",
+              {}};
+  for (const Material& material : project.materials)
+    if (const auto& strength = material.strength)
+      table.rows.push_back(
+          {material.name, given(strength->friction_angle), given(strength->cohesion / 1e6),
+           strength->tensile_strength ? given(*strength->tensile_strength / 1e6) : "to the envelope’s apex"});
+  return table;
+}
+
+Table joint_strengths(const Project& project) {
   Table table{
       "Joints: strength",
       {"Joint", "Friction angle (°)", "Residual (°)", "Cohesion (kPa)", "Tensile strength (kPa)", "Restitution"},
@@ -207,7 +221,9 @@ Section model(const RunRecord& run) {
   Section section{"The model", {blocks_in_sum(run)}};
   if (run.project) {
     section.parts.emplace_back(materials(*run.project));
-    if (!run.project->joints.empty()) section.parts.emplace_back(strengths(*run.project));
+    if (const Table strengths = rock_strengths(*run.project); !strengths.rows.empty())
+      section.parts.emplace_back(strengths);
+    if (!run.project->joints.empty()) section.parts.emplace_back(joint_strengths(*run.project));
     if (!run.project->cuts.empty())
       add_cuts(*run.project, section);
     else
