@@ -1,28 +1,33 @@
 #include "measures/block_trails.hpp"
 
-#include "bodies/block_pose.hpp"
 #include "measures/node_places.hpp"
 
 namespace talus {
 
+TrailTracer::TrailTracer(std::shared_ptr<const BlockSystem> system)
+    : system_(std::move(system)), fit_(*system_), first_(first_nodes(*system_)) {
+  for (std::size_t b = 0; b < system_->blocks.size(); ++b)
+    trails_.rest.push_back(fit_.mean(static_cast<int>(b), system_->blocks[b].mesh.nodes.data()));
+}
+
+void TrailTracer::add(const Frame& frame) {
+  std::vector<Vec3> centroids = trails_.rest;
+  for (std::size_t b = 0; b < centroids.size(); ++b)
+    if (!system_->blocks[b].mesh.nodes.empty())
+      centroids[b] += fit_.mean(static_cast<int>(b), &frame.displacement[first_[b]]);
+  trails_.times.push_back(frame.time);
+  trails_.centroids.push_back(std::make_shared<const std::vector<Vec3>>(std::move(centroids)));
+}
+
 BlockTrails block_trails(const ResultReader& results, Progress& progress) {
-  const BlockSystem& system = results.system();
-  const PoseFit fit(system);
-  const std::vector<std::size_t> first = first_nodes(system);
-  BlockTrails trails;
-  for (std::size_t b = 0; b < system.blocks.size(); ++b)
-    trails.rest.push_back(fit.mean(static_cast<int>(b), system.blocks[b].mesh.nodes.data()));
-  trails.times = results.frame_times();
-  for (std::size_t number = 0; number < trails.times.size(); ++number) {
+  TrailTracer tracer(std::shared_ptr<const BlockSystem>(std::shared_ptr<void>(), &results.system()));
+  const std::size_t count = results.frame_times().size();
+  for (std::size_t number = 0; number < count; ++number) {
     if (progress.cancelled()) throw Cancelled{};
-    progress.report(static_cast<double>(number) / static_cast<double>(trails.times.size()), "following the blocks");
-    const Frame frame = results.frame(static_cast<int>(number));
-    std::vector<Vec3>& centroid = trails.centroid.emplace_back(trails.rest);
-    for (std::size_t b = 0; b < centroid.size(); ++b)
-      if (!system.blocks[b].mesh.nodes.empty())
-        centroid[b] += fit.mean(static_cast<int>(b), &frame.displacement[first[b]]);
+    progress.report(static_cast<double>(number) / static_cast<double>(count), "following the blocks");
+    tracer.add(results.frame(static_cast<int>(number)));
   }
-  return trails;
+  return tracer.trails();
 }
 
 }  // namespace talus

@@ -75,6 +75,33 @@ TEST_F(Watching, TrailsOfAllOrOfSelectedBlocksAreDrawn) {
   EXPECT_EQ(seen(), without);
 }
 
+TEST_F(Watching, TrailsGrowWhileARunGoesOnAndStayWhenItEnds) {
+  openAndMesh(slidingCube(2000));
+  session->solve();
+  ASSERT_TRUE(wait([&] { return session->playback.times().size() >= 5; }));
+  session->run.job().pause();
+  session->display.goTo(WorkflowPage::results);
+  choose(named<QComboBox>(*window->findChild<DisplayPanel*>(), QStringLiteral("Trails")), QStringLiteral("all blocks"));
+  ASSERT_TRUE(session->playback.isLive());
+  ASSERT_TRUE(session->trails.trails());
+  const std::size_t first = session->trails.trails()->times.size();
+  EXPECT_GE(first, 5u);
+  rest(300);
+  keepPicture(*window, "live_trails.png");
+  session->run.job().resume();
+  ASSERT_TRUE(wait([&] { return session->trails.trails()->times.size() > first + 3; }));
+  session->run.job().stop();
+  while (!session->trails.isBusy() && session->run.job().isBusy()) {
+    EXPECT_TRUE(session->trails.trails()) << "as it ends";
+    rest(5);
+  }
+  ASSERT_TRUE(wait([&] { return !session->run.job().isBusy() && !session->playback.folder().empty(); }));
+  ASSERT_TRUE(wait([&] {
+    return session->trails.trails() && session->trails.trails()->times == session->playback.times() &&
+           !session->trails.isBusy();
+  }));
+}
+
 TEST_F(Watching, AxesOfRotationAreSwitchedOn) {
   solveSlide();
   auto& box = named<QCheckBox>(*window->findChild<DisplayPanel*>(), QStringLiteral("Axes of rotation"));

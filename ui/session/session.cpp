@@ -34,7 +34,7 @@ Session::Session(SolverParts parts)
       compared(playback, messages),
       study(project, run, messages),
       display(project, playback),
-      trails(playback, display),
+      trails(project, playback, display),
       slips(playback, display),
       line(project, playback, display, picking),
       survey(project),

@@ -23,8 +23,9 @@ TEST(BlockTrails, AreTheCentroidsOfAllFrames) {
   ASSERT_EQ(trails.times, (std::vector<double>{0, 0.5, 1}));
   EXPECT_NEAR((trails.rest[1] - Vec3(1, 1, 10.5)).norm(), 0, 1e-12);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR((trails.centroid[static_cast<std::size_t>(i)][1] - Vec3(1 + 2.0 * i, 1, 10.5 - i)).norm(), 0, 1e-12);
-    EXPECT_NEAR((trails.centroid[static_cast<std::size_t>(i)][2] - Vec3(-3.5, 0.5, 21.5)).norm(), 0, 1e-12);
+    EXPECT_NEAR(((*trails.centroids[static_cast<std::size_t>(i)])[1] - Vec3(1 + 2.0 * i, 1, 10.5 - i)).norm(), 0,
+                1e-12);
+    EXPECT_NEAR(((*trails.centroids[static_cast<std::size_t>(i)])[2] - Vec3(-3.5, 0.5, 21.5)).norm(), 0, 1e-12);
   }
 }
 

@@ -32,7 +32,7 @@ void Scene::State::draw_trails() {
     const Vec3& rest = trails->rest[b];
     for (std::size_t i = 0; i < trails->times.size(); ++i) {
       if (trails->times[i] > frame->time * (1 + same_moment)) break;
-      way.points.push_back(rest + settings.deformation_scale * (trails->centroid[i][b] - rest) - origin);
+      way.points.push_back(rest + settings.deformation_scale * ((*trails->centroids[i])[b] - rest) - origin);
     }
     if (way.points.size() > 1) drawn.push_back(std::move(way));
   }
