@@ -2,6 +2,7 @@
 
 #include <QToolButton>
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 
 #include "driven_window.hpp"
@@ -86,6 +87,21 @@ TEST_F(DrivenWindow, SeveralResultsAreComparedAndDrawnOverEachOther) {
   EXPECT_EQ(window->viewport().ghost().name, "a/cube");
   EXPECT_NE(window->viewport().picture().toImage(), alone);
   keepPicture(*window, "over.png");
+
+  constexpr int width = 640;
+  const auto heightOfFilm = [&](bool over) {
+    const auto file = folder / (over ? "over.mp4" : "beside.mp4");
+    window->saveFilm(file, {.width = width, .over = over});
+    EXPECT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
+    std::ifstream film(file, std::ios::binary);
+    const std::string data(std::istreambuf_iterator<char>(film), {});
+    const auto entry = data.find("avc1", data.find("stsd"));  // 28 bytes behind it: width and height, two bytes each
+    if (entry == std::string::npos) return -1;
+    return 256 * static_cast<unsigned char>(data[entry + 30]) + static_cast<unsigned char>(data[entry + 31]);
+  };
+  const QSize view = window->viewport().size();
+  EXPECT_NEAR(heightOfFilm(true), width * view.height() / view.width(), 2) << "in the view's shape";
+  EXPECT_NEAR(heightOfFilm(false), width / 4 * view.height() / view.width(), 2) << "four beside each other";
   session->compared.close(*runs[0]);
   EXPECT_EQ(shownBeside(*window), 2);
   EXPECT_FALSE(window->viewport().ghost().system) << "it goes with its view";

@@ -17,6 +17,14 @@ int nearestFrame(const std::vector<double>& times, double time) {
   return static_cast<int>((time - *before < *after - time ? before : after) - times.begin());
 }
 
+std::function<std::shared_ptr<const Frame>(int)> framesOf(const std::filesystem::path& folder) {
+  const auto reader = std::make_shared<std::unique_ptr<ResultReader>>();
+  return [reader, folder](int number) {
+    if (!*reader) *reader = std::make_unique<ResultReader>(folder);
+    return std::make_shared<const Frame>((*reader)->frame(number));
+  };
+}
+
 Playback::Playback(Document& document, Messages& messages)
     : document_(document), loader_(std::make_unique<ResultsLoader>()) {
   connect(loader_.get(), &ResultsLoader::opened, this, [this](const auto& index) { takeIndex(*index); });
@@ -124,11 +132,7 @@ void Playback::showTime(double seconds) {
 
 std::function<std::shared_ptr<const Frame>(int)> Playback::source() const {
   if (live_) return [frames = liveFrames_.frames()](int number) { return frames.at(static_cast<size_t>(number)); };
-  const auto reader = std::make_shared<std::unique_ptr<ResultReader>>();  // opened on the thread that reads
-  return [reader, folder = folder_](int number) {
-    if (!*reader) *reader = std::make_unique<ResultReader>(folder);
-    return std::make_shared<const Frame>((*reader)->frame(number));
-  };
+  return framesOf(folder_);
 }
 
 void Playback::setExporting(bool exporting) {

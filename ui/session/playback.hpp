@@ -20,6 +20,9 @@ struct ResultsIndex;
 /// Of ascending times [s], not none, the number of the one that is nearest to `time`.
 int nearestFrame(const std::vector<double>& times, double time);
 
+/// Reads frames of results by their number; the results are opened on the thread that first asks.
+std::function<std::shared_ptr<const Frame>(int)> framesOf(const std::filesystem::path& folder);
+
 /// The frames of the run that goes on, or of the results that are open, and the one of them that is in view.
 class Playback : public QObject {
   Q_OBJECT

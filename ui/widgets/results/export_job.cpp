@@ -2,6 +2,7 @@
 
 #include "render/scene/offscreen.hpp"
 #include "widgets/kit/text.hpp"
+#include "widgets/view/compared_viewport.hpp"
 
 namespace talus {
 
@@ -27,7 +28,14 @@ void draw(const ExportTask& task, Progress& progress) {
     render_png(scene, task.path, task.film.width, task.film.height);
     return;
   }
-  render_film({{scene, *task.system, task.times, task.frame}}, task.film, task.path, progress);
+  std::vector<Filmed> films{{scene, *task.system, task.times, task.frame}};
+  std::vector<std::unique_ptr<Scene>> others;
+  for (const ComparedFilm& other : task.compared) {
+    others.push_back(std::make_unique<Scene>(*other.system, settingsBeside(settings, other.name)));
+    others.back()->set_pose(task.pose);
+    films.push_back({*others.back(), *other.system, other.times, other.frame, other.name});
+  }
+  render_film(films, task.film, task.path, progress);
 }
 
 }  // namespace

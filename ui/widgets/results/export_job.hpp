@@ -14,6 +14,14 @@
 
 namespace talus {
 
+/// Results that are filmed beside those of the view, or over them.
+struct ComparedFilm {
+  std::shared_ptr<const BlockSystem> system;
+  std::vector<double> times;                               ///< s, of the frames
+  std::function<std::shared_ptr<const Frame>(int)> frame;  ///< by number, called on the exporting thread
+  std::string name;
+};
+
 /// What a picture or film shows: the window's view, by value.
 struct ExportTask {
   QString what;  ///< "Film"
@@ -34,6 +42,7 @@ struct ExportTask {
   std::vector<double> times;   ///< s, of the frames: one for a picture, or none for the rock as set up
   std::filesystem::path path;  ///< .png, .mp4, .gif
   FilmOptions film;            ///< width and height of a picture too
+  std::vector<ComparedFilm> compared{};
 };
 
 /// Writes pictures, films, data and reports on a thread of its own; what is drawn has a GL context of its own.

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "session/compared_results.hpp"
 #include "session/messages.hpp"
 #include "session/playback.hpp"
 #include "widgets/kit/number_field.hpp"
@@ -34,15 +35,18 @@ QString placeText(const Vec3& place) {
 
 }  // namespace
 
-FilmDialog::FilmDialog(Playback& playback, Viewport& viewport, Timeline& timeline, Messages& messages, QWidget* parent)
+FilmDialog::FilmDialog(Playback& playback, ComparedResults& compared, Viewport& viewport, Timeline& timeline,
+                       Messages& messages, QWidget* parent)
     : QDialog(parent),
       playback_(playback),
+      compared_(compared),
       viewport_(viewport),
       timeline_(timeline),
       messages_(messages),
       width_(makeCombo({}, tr("Width"))),
       rate_(makeCombo({}, tr("Pictures a second"))),
       block_(makeCombo({}, tr("Block that is followed"))),
+      others_(makeCombo({tr("beside the view"), tr("over the view, as outlines")}, tr("Compared results"))),
       turns_(new QCheckBox(tr("Turns about the rock by"))),
       follows_(new QCheckBox(tr("Goes along with"))),
       goes_(new QCheckBox(tr("Goes from key to key"))),
@@ -52,12 +56,15 @@ FilmDialog::FilmDialog(Playback& playback, Viewport& viewport, Timeline& timelin
   setWindowTitle(tr("Film"));
   auto* column = new QVBoxLayout(this);
   setMargins(column, 12, 10);
-  auto* size = new Section(tr("Pictures"));
+  auto* size = pictures_ = new Section(tr("Pictures"));
   for (const int width : widths) width_->addItem(tr("%1 pixels wide").arg(width), width);
   for (const int rate : rates) rate_->addItem(tr("%1 a second").arg(rate), rate);
   size->addRow(tr("Size"), width_, tr("In the view's shape"));
   size->addRow(tr("Rate"), rate_);
   size->addRow(tr("Speed"), speed_, tr("That of play, which the timeline chooses"));
+  others_->setToolTip(tr("Over the view those that were opened first for comparing are drawn"));
+  size->addRow(tr("Compared results"), others_);
+  connect(&compared_, &ComparedResults::changed, this, &FilmDialog::refresh);
   column->addWidget(size);
   column->addWidget(makeLine(Qt::Horizontal));
 
@@ -151,6 +158,7 @@ FilmOptions FilmDialog::options() const {
   film.width = width_->currentData().toInt();
   film.fps = rate_->currentData().toInt();
   film.speed = timeline_.speed();
+  film.over = !compared_.runs().empty() && others_->currentIndex() == 1;
   if (turns_->isChecked()) film.camera.turn = turn_;
   if (follows_->isChecked() && block_->currentIndex() >= 0) film.camera.follow = block_->currentData().toInt();
   if (goes_->isChecked()) film.camera.keys = keys_;
@@ -213,6 +221,7 @@ void FilmDialog::fillBlocks() {
 }
 
 void FilmDialog::refresh() {
+  pictures_->setRowVisible(others_, !compared_.runs().empty());
   degrees_->setEnabled(turns_->isChecked());
   follows_->setEnabled(block_->count() > 0);
   block_->setEnabled(follows_->isChecked() && block_->count() > 0);

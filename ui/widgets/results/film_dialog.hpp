@@ -11,9 +11,11 @@ class QPushButton;
 
 namespace talus {
 
+class ComparedResults;
 class Messages;
 class NumberField;
 class PlainTable;
+class Section;
 class Playback;
 class Timeline;
 class Viewport;
@@ -23,7 +25,8 @@ class Viewport;
 class FilmDialog : public QDialog {
   Q_OBJECT
  public:
-  FilmDialog(Playback& playback, Viewport& viewport, Timeline& timeline, Messages& messages, QWidget* parent);
+  FilmDialog(Playback& playback, ComparedResults& compared, Viewport& viewport, Timeline& timeline, Messages& messages,
+             QWidget* parent);
   /// To the front; the first of the selected blocks is the one that would be followed.
   void present(const std::vector<int>& selected);
   /// As chosen; the height is left to the view's shape. The speed is that of play.
@@ -44,12 +47,14 @@ class FilmDialog : public QDialog {
   void refresh();
 
   Playback& playback_;
+  ComparedResults& compared_;
   Viewport& viewport_;
   Timeline& timeline_;
   Messages& messages_;
   double turn_ = 360;  ///< degrees
   std::vector<CameraKey> keys_;
-  QComboBox *width_, *rate_, *block_;
+  QComboBox *width_, *rate_, *block_, *others_;
+  Section* pictures_;
   QCheckBox *turns_, *follows_, *goes_;
   NumberField* degrees_;
   PlainTable* table_;

@@ -18,6 +18,15 @@ constexpr int without_delay = 0;  // ms
 
 }  // namespace
 
+SceneSettings settingsBeside(const SceneSettings& view, const std::string& name) {
+  SceneSettings settings = view;
+  settings.title = name;
+  settings.legend = settings.triad = settings.scale_bar = false;  // the view beside it has the same
+  settings.places.clear();                                        // those are of the other's blocks
+  settings.block_colours.reset();
+  return settings;
+}
+
 ComparedViewport::ComparedViewport(ComparedResults& all, std::shared_ptr<ComparedRun> run, Viewport& viewport)
     : all_(all),
       run_(std::move(run)),
@@ -70,13 +79,9 @@ void ComparedViewport::make() {
 void ComparedViewport::follow() {
   const auto pose = viewport_.pose();
   if (!scene_ || !pose) return;
-  SceneSettings settings = viewport_.screenSettings();
+  SceneSettings settings = settingsBeside(viewport_.screenSettings(), all_.nameOf(*run_).toStdString());
   if (!viewport_.showsField()) settings.field.reset();
   settings.parallel_projection = pose->parallel;
-  settings.title = all_.nameOf(*run_).toStdString();
-  settings.legend = settings.triad = settings.scale_bar = false;  // the view beside it has the same
-  settings.places.clear();                                        // those are of the other's blocks
-  settings.block_colours.reset();
   scene_->set_settings(settings);
   if (run_->frame()) scene_->set_frame(run_->frame());
   scene_->set_pose(*pose);

@@ -17,6 +17,9 @@ namespace talus {
 class RenderSurface;
 class Viewport;
 
+/// What results are shown by that are compared under a name, beside a view that is shown by `view`.
+SceneSettings settingsBeside(const SceneSettings& view, const std::string& name);
+
 /// Beside the view: results that are compared, at the same moment, from the same place and in the same colours. Either
 /// camera is moved by the other's: left drag turns, middle drag pans, the wheel zooms. Its blocks can be drawn over
 /// those of the view, as outlines.

@@ -296,8 +296,13 @@ ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) 
   task.stageNames = session_.run.stageNames();
   task.path = path;
   task.film.width = width;
-  task.film.height = width * viewport_->height() / std::max(1, viewport_->width()) / 2 * 2;  // films want even sizes
+  task.film.height = heightFor(width);
   return task;
+}
+
+/// Of a picture of this width in the view's shape; films want even sizes.
+int MainWindow::heightFor(int width) const {
+  return width * viewport_->height() / std::max(1, viewport_->width()) / 2 * 2;
 }
 
 void MainWindow::savePicture(const std::filesystem::path& path) {
@@ -328,6 +333,15 @@ void MainWindow::saveFilm(const std::filesystem::path& path, const FilmOptions& 
   task.frame = session_.playback.source();
   task.times = session_.playback.times();
   task.film.speed = timeline_->speed();
+  task.film.over = film.over;
+  for (const auto& run : session_.compared.runs()) {
+    const ResultsIndex& results = *run->results();
+    if (results.frame_times.empty() || (film.over && !task.compared.empty())) continue;
+    task.compared.push_back(
+        {results.system, results.frame_times, framesOf(results.folder), session_.compared.nameOf(*run).toStdString()});
+  }
+  const int beside = film.over ? 1 : 1 + static_cast<int>(task.compared.size());
+  task.film.height = heightFor(film.width / beside);
   task.settings.title = session_.project.document().name().toStdString();
   task.what = tr("Film");
   session_.messages.settle(Problem::Of::picture);

@@ -111,6 +111,7 @@ class MainWindow : public QMainWindow {
   void showManual();
   void showAbout();
   ExportTask exportTask(const std::filesystem::path& path, int width);
+  int heightFor(int width) const;
   QString folderForDialogs() const;
   /// What a dialog for saving begins with: beside the project under its name, or under its title where it has no file.
   QString proposedFile(const QString& ending) const;

@@ -147,7 +147,7 @@ void MainWindow::askForPicture() {
 
 void MainWindow::askForFilm() {
   if (!film_) {
-    film_ = new FilmDialog(session_.playback, *viewport_, *timeline_, session_.messages, this);
+    film_ = new FilmDialog(session_.playback, session_.compared, *viewport_, *timeline_, session_.messages, this);
     connect(film_, &FilmDialog::filmWanted, this, &MainWindow::askForFilmFile);
   }
   film_->present(session_.project.selection().blocks());
