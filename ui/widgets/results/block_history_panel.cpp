@@ -38,19 +38,15 @@ QString titleOf(const BlockQuantity& quantity) {
 }
 
 BlockHistoryPanel::BlockHistoryPanel(BlockHistories& histories, Playback& playback, Messages& messages)
-    : histories_(histories),
+    : BlockHistoryPanel(histories, playback, messages, new QWidget) {}
+
+BlockHistoryPanel::BlockHistoryPanel(BlockHistories& histories, Playback& playback, Messages& messages, QWidget* charts)
+    : ExplainedPanel(charts),
+      histories_(histories),
       playback_(playback),
       messages_(messages),
-      charts_(new QWidget),
-      sentence_(makeWrappedLabel({}, "muted")),
+      charts_(charts),
       save_(makeButton(tr("Save as CSV…"), "link")) {
-  setProperty("plane", "surface");
-  setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(this);
-  setMargins(column, 0, 0);
-  sentence_->setAlignment(Qt::AlignCenter);
-  column->addWidget(sentence_, 1);
-  column->addWidget(charts_, 1);
   auto* row = new QHBoxLayout(charts_);
   setMargins(row, 0, 1);
   both_ = {addChart(tr("Quantity of the left plot"), "displacement"),
@@ -97,15 +93,12 @@ const BlockQuantity& BlockHistoryPanel::quantityOf(const Chart& chart) const {
 
 void BlockHistoryPanel::refresh() {
   const bool any = histories_.history() != nullptr;
-  charts_->setVisible(any);
-  sentence_->setVisible(!any);
-  sentence_->setText(!histories_.problem().isEmpty() ? histories_.problem()
-                     : playback_.times().empty() || playback_.isLive()
-                         ? tr("Histories of blocks are shown when a run has ended.")
-                     : histories_.blocks().empty()
-                         ? tr("Click a block in the view or the table to see what became of it; Ctrl and a click adds "
-                              "another.")
-                         : tr("The frames are being read."));
+  explain(any                                               ? QString()
+          : !histories_.problem().isEmpty()                 ? histories_.problem()
+          : playback_.times().empty() || playback_.isLive() ? tr("Histories of blocks are shown when a run has ended.")
+          : histories_.blocks().empty()
+              ? tr("Click a block in the view or the table to see what became of it; Ctrl and a click adds another.")
+              : tr("The frames are being read."));
   if (any)
     for (const Chart& chart : both_) fill(chart);
 }

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <QWidget>
 #include <filesystem>
 
 #include "measures/block_history.hpp"
 #include "widgets/kit/plot.hpp"
+#include "widgets/results/explained_panel.hpp"
 
 class QComboBox;
 class QHBoxLayout;
-class QLabel;
 class QPushButton;
 
 namespace talus {
@@ -19,7 +18,7 @@ class Playback;
 
 /// What became of the blocks that are selected: two plots of a quantity each, a curve a block. A click or drag in one
 /// goes to that moment; both are saved as one table.
-class BlockHistoryPanel : public QWidget {
+class BlockHistoryPanel : public ExplainedPanel {
   Q_OBJECT
  public:
   BlockHistoryPanel(BlockHistories& histories, Playback& playback, Messages& messages);
@@ -29,6 +28,7 @@ class BlockHistoryPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  BlockHistoryPanel(BlockHistories& histories, Playback& playback, Messages& messages, QWidget* charts);
   struct Chart {
     QComboBox* quantity;
     Plot* plot;
@@ -44,7 +44,6 @@ class BlockHistoryPanel : public QWidget {
   Playback& playback_;
   Messages& messages_;
   QWidget* charts_;
-  QLabel* sentence_;
   QPushButton* save_;
   std::vector<Chart> both_;
 };

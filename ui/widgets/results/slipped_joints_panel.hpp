@@ -1,16 +1,14 @@
 #pragma once
 
-#include <QLabel>
-#include <QWidget>
-
 #include "widgets/kit/painting_view.hpp"
+#include "widgets/results/explained_panel.hpp"
 
 namespace talus {
 
 class SlippedJoints;
 
 /// The net of the joints on which blocks slid in the results that are open.
-class SlippedJointsPanel : public QWidget {
+class SlippedJointsPanel : public ExplainedPanel {
   Q_OBJECT
  public:
   explicit SlippedJointsPanel(SlippedJoints& slips);
@@ -20,10 +18,10 @@ class SlippedJointsPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  SlippedJointsPanel(SlippedJoints& slips, PaintingView* net);
   void refresh();
 
   SlippedJoints& slips_;
-  QLabel* sentence_;
   PaintingView* net_;
 };
 
