@@ -107,6 +107,7 @@ void HandingOver::compare() {
     return beside && beside->isVisible() && beside->scene();
   }));
   session->compared.close(*runs.front());
+  rest(100);  // the view has all the room again
 }
 
 void HandingOver::write() {

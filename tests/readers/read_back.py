@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """Reads what a window handed over, by programs and rules that know nothing of Talus: Python's own readers of XML, CSV and
-JSON, the formats' own rules where there is none, and ffprobe, pdftotext and xmllint where they are installed.
+JSON, the formats' own rules where there is none, and ffprobe, pdftotext, xmllint and assimp where they are installed.
 
     tests/readers/read_back.py FOLDER     of tests/gui/handing_over_test.cpp; ends with 1 and says what is wrong
 """
 import csv
 import json
+import math
 import os
 import shutil
 import struct
@@ -14,7 +15,9 @@ import sys
 import xml.etree.ElementTree as xml
 from html.parser import HTMLParser
 
-FRAMES, BLOCKS = 11, 2
+FRAMES, BLOCKS, SECONDS = 11, 2, 0.2
+SLID = 0.5 * (4.905 - 8.496 * math.tan(math.pi / 18)) * SECONDS ** 2  # m: g (sin 30° − tan 10° cos 30°) t² / 2
+RATE, WIDTH = 25, 1280  # of a film that nobody has asked otherwise of
 folder = sys.argv[1]
 
 
@@ -41,6 +44,19 @@ def picture():
     assert width == 1920 and height > 500, (width, height)
 
 
+def filmed(name, codec, pictures):
+    """What ffprobe finds in a film, where it is installed: as many pictures, of one size, each for its time."""
+    told = said_by("ffprobe", "-v", "error", "-count_frames", "-of", "json", "-show_streams", "-show_format", place(name))
+    if told is None:
+        return
+    stream = json.loads(told)["streams"][0]
+    assert stream["codec_name"] == codec and int(stream["nb_read_frames"]) == pictures, stream
+    assert stream["width"] == WIDTH and stream["height"] % 2 == 0 and 300 < stream["height"] < WIDTH, stream
+    assert stream["r_frame_rate"] == "%d/1" % RATE, stream["r_frame_rate"]
+    duration = float(json.loads(told)["format"]["duration"])
+    assert abs(duration - pictures / RATE) < 1e-3 and 0 <= duration - SECONDS < 2 / RATE, duration
+
+
 def film():
     """An MP4 with its index in front, which names a picture for each moment of the film; by ffprobe, where it is."""
     data, at, boxes = content("film.mp4"), 0, []
@@ -52,10 +68,7 @@ def film():
     where = data.index(b"stsz")
     pictures = struct.unpack(">I", data[where + 12:where + 16])[0]
     assert pictures >= 3, pictures
-    told = said_by("ffprobe", "-v", "error", "-count_frames", "-of", "json", "-show_streams", place("film.mp4"))
-    if told is not None:
-        stream = json.loads(told)["streams"][0]
-        assert stream["codec_name"] == "h264" and int(stream["nb_read_frames"]) == pictures, stream
+    filmed("film.mp4", "h264", pictures)
 
 
 def animation():
@@ -79,6 +92,7 @@ def animation():
             local = data[at + 9]
             at = skip(at + 11 + (3 << ((local & 7) + 1) if local & 128 else 0))
     assert pictures >= 3 and at == len(data) - 1, pictures
+    filmed("film.gif", "gif", pictures)
 
 
 class Page(HTMLParser):
@@ -193,9 +207,26 @@ def scene():
             assert all(a < b for a, b in zip(times, times[1:])), "times grow"
             moments.add(len(times))
     assert moments and max(moments) <= FRAMES, moments
+    dumped = place("slide.assxml")
+    if said_by("assimp", "dump", place("slide.glb"), dumped) is not None:
+        moved(xml.parse(dumped).getroot().find("Scene"))
 
 
-WITHOUT = [name for name in ("ffprobe", "pdftotext", "xmllint") if shutil.which(name) is None]
+def moved(read):
+    """The same as assimp reads it: a mesh a block, and the cube as far along the slope as it slides in that time."""
+    assert len(read.findall("MeshList/Mesh")) == BLOCKS
+    names = [node.get("name") for node in read.iter("Node")]
+    assert names[1:] == ["base", "cube"], names
+    animation, = read.findall("AnimationList/Animation")
+    assert abs(float(animation.get("duration")) / float(animation.get("tick_cnt")) - SECONDS) < 1e-6, animation.attrib
+    channel, = animation.findall("NodeAnimList/NodeAnim")
+    assert channel.get("node") == "cube", channel.attrib
+    way = [[float(part) for part in key.text.split()] for key in channel.iter("PositionKey")]
+    slid = math.dist(way[0], way[-1])
+    assert abs(slid - SLID) < 0.02 * SLID, (slid, SLID)
+
+
+WITHOUT = [name for name in ("ffprobe", "pdftotext", "xmllint", "assimp") if shutil.which(name) is None]
 wrong = 0
 for check in (picture, film, animation, report, tables, grids, deposit, scene):
     try:
