@@ -25,7 +25,7 @@ namespace {
 constexpr int tick_ms = 40;
 constexpr double speeds[] = {0.1, 0.25, 0.5, 1, 2, 4, 8};
 constexpr int real_time = 3;  // index into speeds
-constexpr double inset = 8, track_y = 17;
+constexpr double inset = 8, track_y = 19;
 constexpr int name_size = 10;
 constexpr double band_name_height = 12, beside_name = 2;  // pixels
 
