@@ -44,8 +44,8 @@ TEST_F(Report, AsHtmlSaysAllThatAReaderNeedsToBelieveTheRun) {
   for (const char* text :
        {"<h1>Block that slides on an incline</h1>", "Solved by Talus 0.", "All 5 expectations are met.",
         "1 sliding on one plane", "<h2>The model</h2>", "<td>rock</td><td class=\"r\">2600</td>", "P1: velocity",
-        "<h2>Contacts in the last frame</h2>", "<td class=\"r\">15.0</td>", "<h2>Energy</h2>", "shear contact",
-        "friction or cohesion on J1", "Seconds by phase", "<h2>Where it was hard</h2>"})
+        "Monitors", "<h2>Contacts in the last frame</h2>", "<td class=\"r\">15.0</td>", "<h2>Energy</h2>",
+        "shear contact", "friction or cohesion on J1", "Seconds by phase", "<h2>Where it was hard</h2>"})
     EXPECT_THAT(html, HasSubstr(text));
 }
 

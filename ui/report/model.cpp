@@ -184,6 +184,14 @@ void add_contact_planes(const RunRecord& run, Section& section) {
   section.parts.emplace_back(net_of(std::move(joints)));
 }
 
+/// Whose histories the report shows.
+Table monitors(const Project& project) {
+  Table table{"Monitors", {"Monitor", "Block", "At (m)"}, "lll", {}};
+  for (const Monitor& monitor : project.monitors)
+    table.rows.push_back({monitor.name, monitor.block, given(monitor.at)});
+  return table;
+}
+
 Table blocks(const RunRecord& run) {
   const BlockSystem& system = run.system();
   std::vector<const Block*> by_volume;
@@ -233,6 +241,7 @@ Section model(const RunRecord& run) {
         Paragraph{"Materials and joints are not known here: " + run.why_no_project, Paragraph::Kind::note});
   }
   section.parts.emplace_back(blocks(run));
+  if (run.project && !run.project->monitors.empty()) section.parts.emplace_back(monitors(*run.project));
   return section;
 }
 

@@ -57,7 +57,7 @@ void write(PdfColumn& column, const Facts& facts) {
   column.go_down(7);
 }
 
-/// A table that goes on from page to page under its heads.
+/// A table: a short one on one page, a long one from page to page under its heads.
 class TableWriter {
  public:
   TableWriter(PdfColumn& column, const Table& table) : column_(column), table_(table) {
@@ -68,18 +68,31 @@ class TableWriter {
     length_ -= column_gap;
   }
 
+  /// What of it stands on one page: all of a short one, some rows of a long one.
+  double kept_together() const {
+    constexpr double short_table = 250, around = 24;
+    double height = around + height_of(boxes(table_.heads, head_letters));
+    for (const auto& cells : table_.rows) {
+      height += height_of(boxes(cells, cell_letters));
+      if (height > short_table) return room_for_some_rows;
+    }
+    return height;
+  }
+
   void write() {
     const std::vector<TextBox> heads = boxes(table_.heads, head_letters);
-    column_.keep_together(room_for_some_rows);
+    column_.keep_together(kept_together());
     if (!table_.title.empty()) {
       column_.go_down(4);
       column_.text(table_.title, table_title_letters);
       column_.go_down(3);
     }
     write_heads(heads);
-    for (const auto& cells : table_.rows) {
-      const std::vector<TextBox> row = boxes(cells, cell_letters);
-      if (column_.keep_together(height_of(row))) write_heads(heads);
+    for (std::size_t i = 0; i < table_.rows.size(); ++i) {
+      const std::vector<TextBox> row = boxes(table_.rows[i], cell_letters);
+      double needed = height_of(row);
+      if (i + 2 == table_.rows.size()) needed += height_of(boxes(table_.rows[i + 1], cell_letters));
+      if (column_.keep_together(needed)) write_heads(heads);  // the last row is not alone on its page
       write_row(row, false);
       column_.rule(PdfColumn::left, length_, 0.4, hairline_colour);
     }
@@ -193,9 +206,10 @@ void write(PdfColumn& column, const Chart& chart) {
 
 /// How much of a part must stand on the page of the heading above it.
 struct Beginning {
+  PdfColumn& column;
   double operator()(const Paragraph&) const { return 20; }
   double operator()(const Facts&) const { return 30; }
-  double operator()(const Table&) const { return room_for_some_rows; }
+  double operator()(const Table& table) const { return TableWriter(column, table).kept_together(); }
   double operator()(const Picture& picture) const {
     return figure_height(picture.image.width, picture.image.height) + 16;
   }
@@ -203,11 +217,11 @@ struct Beginning {
 };
 
 /// A heading does not stand alone with words above the figure that they lead to.
-double height_of_beginning(const Section& section) {
+double height_of_beginning(PdfColumn& column, const Section& section) {
   constexpr double heading = 48;
   double height = heading;
   for (const Part& part : section.parts) {
-    height += std::visit(Beginning{}, part);
+    height += std::visit(Beginning{column}, part);
     if (!std::holds_alternative<Paragraph>(part)) break;
   }
   return height;
@@ -215,7 +229,7 @@ double height_of_beginning(const Section& section) {
 
 void write(PdfColumn& column, const Section& section) {
   column.go_down(12);
-  column.keep_together(height_of_beginning(section));
+  column.keep_together(height_of_beginning(column, section));
   column.rule(PdfColumn::left, PdfColumn::width, 0.6, hairline_colour);
   column.go_down(9);
   column.text(section.title, heading_letters);

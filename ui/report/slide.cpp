@@ -72,11 +72,11 @@ Section slide(const RunRecord& run) {
   section.parts.emplace_back(facts_of(run, measured));
   section.parts.emplace_back(Chart{deposit_map(measured), 700, 400, ""});
   if (measured.front.size() > 1) section.parts.emplace_back(Chart{chart_painting(front_plot(measured)), 700, 300, ""});
-  add_slipped_joints(run, section);
   section.parts.emplace_back(Paragraph{
       "Depth is the height of the deposit's top above the highest rock below it that has not moved, in cells of " +
           quantity(measured.deposit.grid.cell, "m") + ". The velocity of the front is that of the foremost point.",
       Paragraph::Kind::note});
+  add_slipped_joints(run, section);
   return section;
 }
 

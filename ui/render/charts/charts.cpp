@@ -71,6 +71,8 @@ class Chart {
       y.include(series.y);
     }
     for (const EventMark& mark : plot_.marks) x.include(mark.x);
+    constexpr double first_step = 0.02;  // of the whole: what begins with the first step is shown from the start
+    if (x.low > 0 && x.low < first_step * x.high) x.low = 0;
     x_ = make_axis(x, 11, false);
     y_ = make_axis(y, 7, true);
   }
