@@ -160,6 +160,8 @@ void add_animate(CLI::App& program, Invocation& invocation) {
       ->check(CLI::Validator(CLI::PositiveNumber).description(""))
       ->type_name("N")
       ->capture_default_str();
+  command->add_option("--from", options->film.from, "Where the film begins, s of the model")->type_name("T");
+  command->add_option("--to", options->film.to, "Where it ends")->type_name("T");
   command
       ->add_option("--turn", options->film.camera.turn,
                    "The camera goes round the rock by so many degrees during the film")

@@ -369,6 +369,8 @@ TEST_F(Commands, AnimateGoesAtTheSpeedAndTheWayThatItIsTold) {
   };
   EXPECT_THAT(filmed({}).out, HasSubstr("1.2 s, 6 pictures of 21 frames, real time"));
   EXPECT_THAT(filmed({"--speed", "0.5"}).out, HasSubstr("11 pictures of 21 frames, 1/2 of real time"));
+  EXPECT_THAT(filmed({"--from", "0.4", "--to", "0.8"}).out, HasSubstr("3 pictures"));
+  EXPECT_THAT(filmed({"--from", "0.8"}).out, HasSubstr("2 pictures"));
   const std::string name = Json::parse(talus_cli({"mesh", sample("free_fall"), "--json"}).out)["blocks"][0]["name"];
   for (const std::vector<std::string>& way : {std::vector<std::string>{"--turn", "90"},
                                               {"--follow", name},
@@ -378,7 +380,9 @@ TEST_F(Commands, AnimateGoesAtTheSpeedAndTheWayThatItIsTold) {
   for (const std::vector<std::string>& way : {std::vector<std::string>{"--speed", "0"},
                                               {"--follow", "B9"},
                                               {"--camera", place("none.csv")},
-                                              {"--speed", "1e-9"}})
+                                              {"--speed", "1e-9"},
+                                              {"--from", "2"},
+                                              {"--from", "0.5", "--to", "0.4"}})
     EXPECT_EQ(filmed(way).exit_code, 2) << way[0];
 }
 

@@ -117,6 +117,10 @@ FilmClock clock_of(const std::vector<Filmed>& films, const FilmOptions& options)
     clock.begin = std::min(clock.begin, film.times.front());
     clock.end = std::max(clock.end, film.times.back());
   }
+  clock.begin = std::max(clock.begin, options.from.value_or(clock.begin));
+  clock.end = std::min(clock.end, options.to.value_or(clock.end));
+  if (clock.begin > clock.end)
+    throw InputError("film", "no frames lie between its beginning and its end", "choose moments of the run, in order");
   return clock;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,8 @@ class MovieWriter {
 struct FilmOptions {
   int width = 1280, height = 720;  ///< pixels, drawn with Sampling::fast
   int fps = 25;
-  double speed = 1;  ///< seconds of the model in a second of film
+  double speed = 1;                    ///< seconds of the model in a second of film
+  std::optional<double> from{}, to{};  ///< s of the model; the first frame, the last
   CameraMoves camera{};
   bool over = false;  ///< results are drawn over the first ones, as outlines, and not beside them
 };
