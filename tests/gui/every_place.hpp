@@ -32,6 +32,7 @@ class EveryPlace : public DrivenWindow {
   void everyForm();
   void showTroubles();
   void solve();
+  void takeSteps(std::size_t count);
   void studyAndVerify();
   void openMenus();
 

@@ -2,7 +2,6 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QToolButton>
-#include <set>
 
 #include "every_place.hpp"
 #include "images/baseline.hpp"
@@ -22,11 +21,6 @@ bool tellsTheTime(const QWidget& widget) {
   return recentFile;
 }
 
-/// Where a run was caught, what a study of seconds came to, when results were made, and how many frames have been read
-/// for the range of a field, is never the same.
-const std::set<std::string> hangOnTheMachine{"accuracy",        "solve-paused",   "close-while-running",
-                                             "replace-results", "results-stress", "results-joints"};
-
 /// Small: there are hundreds.
 Image small(const QPixmap& picture) {
   const QImage shown = picture.toImage();
@@ -42,7 +36,6 @@ Image small(const QPixmap& picture) {
 }  // namespace
 
 void EveryPlace::expectAsItWas(const std::string& place) {
-  if (hangOnTheMachine.contains(place)) return;
   constexpr int until_fine = 700;  // ms: the fine drawing comes when the camera has rested
   rest(until_fine);
   std::vector<std::unique_ptr<QWidget>> lids;

@@ -30,6 +30,8 @@ class Display : public QObject {
   /// Whether the legend spans all frames of the run, as far as it has come, or the one in view alone.
   bool rangeFollowsRun() const { return rangeFollowsRun_; }
   void setRangeFollowsRun(bool follows);
+  /// All frames of results on disk have been looked at for it.
+  bool knowsRangeOfRun() const { return whole_.isWhole(); }
   /// What the legend spans of the field that is shown, whichever frames are looked at; empty: of the run or the frame.
   /// Each field keeps its own, whichever are shown in between.
   std::optional<ValueRange> typedRange() const;

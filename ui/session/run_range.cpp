@@ -37,6 +37,8 @@ ValueRange RunRange::rangeOf(const Frame& frame) const {
   return field_range(*fields_, frame, *field_);
 }
 
+bool RunRange::isWhole() const { return !field_ || whole_.contains(std::string(field_->name)); }
+
 void RunRange::takeFrames() {
   if (playback_.folder() != folder_ || playback_.times().empty()) {
     // Another run: nothing of the one before may be read any more. Of one that has just ended all is known already.

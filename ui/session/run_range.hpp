@@ -26,6 +26,8 @@ class RunRange : public QObject {
 
   /// Which field; empty: none.
   void follow(const std::optional<Field>& field);
+  /// Nothing is left to be read.
+  bool isWhole() const;
   /// As far as it is known, SI.
   const ValueRange& known() const { return known_; }
   /// Of the field that is followed in a frame of the project's blocks; empty where there are none.
