@@ -75,8 +75,12 @@ TEST_F(DrivenWindow, SeveralResultsAreComparedAndDrawnOverEachOther) {
   EXPECT_EQ(session->compared.nameOf(*runs[0]), QStringLiteral("a/cube"));
   EXPECT_EQ(session->compared.nameOf(*runs[1]), QStringLiteral("b/cube"));
   EXPECT_EQ(session->compared.nameOf(*runs[2]), QStringLiteral("other"));
-  const auto views = window->findChildren<ComparedViewport*>();
+  auto views = window->findChildren<ComparedViewport*>();
   ASSERT_EQ(views.size(), 3);
+  rest(100);
+  std::ranges::sort(views, {}, &QWidget::x);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(&views[i]->run(), runs[static_cast<std::size_t>(i)].get()) << "from left to right as they were asked for";
   for (auto* view : views) ASSERT_TRUE(wait([&] { return view->scene() && view->run().frame(); }));
   rest(500);
   keepPicture(*window, "compared.png");

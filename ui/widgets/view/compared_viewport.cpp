@@ -120,10 +120,12 @@ void ComparedViewports::follow() {
     if (!stays) view->end();
     return !stays;
   });
-  for (const auto& run : runs) {
-    if (std::ranges::any_of(views_, [&](ComparedViewport* view) { return &view->run() == run.get(); })) continue;
-    views_.push_back(new ComparedViewport(all_, run, viewport_));
-    row_.addWidget(views_.back(), 1);
+  for (std::size_t i = 0; i < runs.size(); ++i) {  // in their order, whichever came first
+    if (i < views_.size() && &views_[i]->run() == runs[i].get()) continue;
+    auto* view = new ComparedViewport(all_, runs[i], viewport_);
+    views_.insert(views_.begin() + static_cast<std::ptrdiff_t>(i), view);
+    const int right_of_it = i + 1 < views_.size() ? row_.indexOf(views_[i + 1]) : row_.count();
+    row_.insertWidget(right_of_it, view, 1);
   }
 }
 
