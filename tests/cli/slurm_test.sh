@@ -80,4 +80,19 @@ numbers "$folder/here/accuracy.csv" >"$folder/here.txt"
 [[ $(wc -l <"$folder/here.txt") == 6 ]]
 diff "$folder/here.txt" <(numbers "$folder/there/accuracy.csv")
 [[ -s $folder/there/accuracy.png ]]
+
+# Cases, too, of which one was lost with its node: it goes to Slurm by itself.
+cat >"$folder/values.csv" <<'CSV'
+case,/joints/J1/friction_angle
+own,
+steep,25
+still,35
+CSV
+cases() { "$cli" study cases "$project" --table "$folder/values.csv" "$@"; }
+cases --out "$folder/cases_here" --drop-results
+cases --out "$folder/cases_there" --drop-results --engine slurm
+rm "$folder/cases_there/runs/001.json"
+cases --out "$folder/cases_there" --drop-results --engine slurm
+diff <(numbers "$folder/cases_here/cases.csv") <(numbers "$folder/cases_there/cases.csv")
+[[ $(wc -l <"$folder/cases_there/cases.csv") == 4 ]]
 echo "The same numbers by both engines"

@@ -6,8 +6,8 @@
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/installed.hpp"
-#include "study/accuracy/local_engine.hpp"
 #include "study/accuracy/study_record.hpp"
+#include "study/runs/local_engine.hpp"
 
 namespace talus {
 

@@ -3,8 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "io/project_file.hpp"
-#include "io/whole_file.hpp"
 #include "model/number_text.hpp"
 #include "model/solid_shape.hpp"
 #include "model/tolerance_text.hpp"
@@ -148,14 +146,14 @@ std::string recommended_project(const AccuracyStudy& study, const StudyPlan& pla
   for (Solid& solid : project.solids)
     if (std::string* file = file_of(solid.shape))
       *file = std::filesystem::relative(plan.project_file.parent_path() / *file, folder).string();
-  return write_project(project, plan.project_text);
+  return text_of(project, plan);
 }
 
 void write_accuracy_files(const AccuracyStudy& study, const StudyFolder& folder) {
-  replace_whole_file(folder.path() / "accuracy.csv", accuracy_csv(study));
-  replace_whole_file(folder.path() / "accuracy.json", accuracy_json(study));
+  folder.write("accuracy.csv", accuracy_csv(study));
+  folder.write("accuracy.json", accuracy_json(study));
   if (study.recommended >= 0)
-    replace_whole_file(folder.path() / "recommended.talus", recommended_project(study, folder.plan(), folder.path()));
+    folder.write("recommended.talus", recommended_project(study, folder.plan(), folder.path()));
 }
 
 }  // namespace talus

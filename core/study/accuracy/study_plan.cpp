@@ -1,39 +1,19 @@
 #include "study/accuracy/study_plan.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstdio>
 #include <nlohmann/json.hpp>
-#include <variant>
 
 #include "base/error.hpp"
 #include "io/project_file.hpp"
 #include "io/whole_file.hpp"
-#include "model/solid_shape.hpp"
 #include "study/accuracy/setting_json.hpp"
+#include "study/runs/fingerprint.hpp"
 
 namespace talus {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* plan_name = "study.json";
-
-/// FNV-1a, 64 bits.
-std::uint64_t hash(std::uint64_t state, const std::string& bytes) {
-  for (const char c : bytes) state = (state ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return state;
-}
-
-std::string fingerprint_of(const std::string& text, const Project& project, const std::filesystem::path& folder) {
-  std::uint64_t state = hash(0xcbf29ce484222325, text);
-  for (const Solid& solid : project.solids)
-    if (const std::string* file = file_of(solid.shape)) state = hash(state, read_whole_file(folder / *file));
-  char digits[20];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(state));
-  return digits;
-}
 
 Json json_of(const StudyPlan& plan) {
   Json settings = Json::array(), left_out = Json::array();
@@ -79,21 +59,17 @@ std::string difference(const StudyPlan& old, const StudyPlan& now) {
 }
 
 StudyPlan read_plan(const std::filesystem::path& folder) {
-  const auto file = folder / plan_name;
-  if (!std::filesystem::exists(file))
-    throw InputError(folder.string(), "holds no study", "begin one with talus-cli study accuracy");
   try {
-    return plan_of(Json::parse(read_whole_file(file)));
+    return plan_of(Json::parse(plan_text(folder)));
   } catch (const nlohmann::json::exception&) {
-    throw InputError(file.string(), "is no plan of a study that this version understands", "begin anew with --restart");
+    refuse_plan(folder);
   }
 }
 
-/// A folder that a study may take: new, empty, or a study's. Only such a one is emptied by a restart.
-void check_free(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder) || std::filesystem::exists(folder / plan_name)) return;
-  if (!std::filesystem::is_directory(folder) || !std::filesystem::is_empty(folder))
-    throw InputError(folder.string(), "is there already and holds no study", "choose another folder with --out");
+std::vector<double> costs_of(const StudyPlan& plan) {
+  std::vector<double> costs;
+  for (int run = 0; run < plan.runs(); ++run) costs.push_back(relative_cost(plan.setting_of(run)));
+  return costs;
 }
 
 /// Throws InputError where no run would have what is to be measured.
@@ -124,39 +100,25 @@ StudyPlan make_plan(const StudyRequest& request) {
 
 Project project_of(const StudyPlan& plan) { return parse_project(plan.project_text, {plan.allow_outside}); }
 
-StudyFolder::StudyFolder(std::filesystem::path folder, const StudyPlan& plan, bool restart)
-    : path_(std::filesystem::absolute(std::move(folder)).lexically_normal()), plan_(plan) {
-  check_free(path_);
-  if (restart) std::filesystem::remove_all(path_ / "runs");
-  if (!restart && std::filesystem::exists(path_ / plan_name)) {
-    const StudyPlan old = read_plan(path_);
+std::string text_of(const Project& project, const StudyPlan& plan) { return write_project(project, plan.project_text); }
+
+StudyFolder::StudyFolder(const std::filesystem::path& folder, StudyPlan plan)
+    : RunsFolder(folder, costs_of(plan)), plan_(std::move(plan)) {}
+
+StudyFolder::StudyFolder(const std::filesystem::path& folder, const StudyPlan& plan, bool restart)
+    : StudyFolder(folder, plan) {
+  check_free();
+  if (restart) forget_runs();
+  if (!restart && begun()) {
+    const StudyPlan old = read_plan(path());
     if (const std::string other = difference(old, plan); !other.empty())
-      throw InputError(path_.string(), "holds a study of " + other,
+      throw InputError(path().string(), "holds a study of " + other,
                        "choose another folder with --out, or begin anew with --restart");
     if (old.measure == plan.measure && old.repeats == plan.repeats) return;
   }
-  std::error_code failure;
-  std::filesystem::create_directories(path_ / "runs", failure);
-  if (failure) throw InputError(path_.string(), "cannot be made: " + failure.message(), "choose another folder");
-  replace_whole_file(path_ / plan_name, json_of(plan).dump(2) + "\n");
+  write_plan(json_of(plan).dump(2) + "\n");
 }
 
-StudyFolder::StudyFolder(std::filesystem::path folder)
-    : path_(std::filesystem::absolute(std::move(folder)).lexically_normal()), plan_(read_plan(path_)) {}
-
-std::filesystem::path StudyFolder::run_file(int number) const {
-  char name[24];
-  std::snprintf(name, sizeof name, "%03d.json", number);
-  return path_ / "runs" / name;
-}
-
-std::filesystem::path StudyFolder::log_file(int number) const { return run_file(number).replace_extension(".log"); }
-
-std::vector<int> StudyFolder::missing_runs() const {
-  std::vector<int> missing;
-  for (int number = 0; number < plan_.runs(); ++number)
-    if (!std::filesystem::exists(run_file(number))) missing.push_back(number);
-  return missing;
-}
+StudyFolder::StudyFolder(const std::filesystem::path& folder) : StudyFolder(folder, read_plan(folder)) {}
 
 }  // namespace talus

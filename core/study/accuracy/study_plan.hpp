@@ -6,6 +6,7 @@
 
 #include "study/accuracy/ladder.hpp"
 #include "study/accuracy/study_measure.hpp"
+#include "study/runs/runs_folder.hpp"
 
 namespace talus {
 
@@ -44,24 +45,24 @@ StudyPlan make_plan(const StudyRequest& request);
 /// The project of a plan. Throws InputError as `parse_project` does.
 Project project_of(const StudyPlan& plan);
 
-/// Where a study lies: its plan in study.json, a file a run in runs/.
-class StudyFolder {
+/// The plan's text changed to say this project. Throws InputError when a number is not finite.
+std::string text_of(const Project& project, const StudyPlan& plan);
+
+/// A study with its plan.
+class StudyFolder final : public RunsFolder {
  public:
   /// Begins the study in an empty or new folder, or goes on with it where the plan is the same. Throws InputError where
   /// the folder holds another study or something else; with `restart` another study's files go. There may be more
   /// repeats than before, and what is measured may be another thing: the runs know all of it.
-  StudyFolder(std::filesystem::path folder, const StudyPlan& plan, bool restart);
+  StudyFolder(const std::filesystem::path& folder, const StudyPlan& plan, bool restart);
   /// A study that was begun. Throws InputError where there is none.
-  explicit StudyFolder(std::filesystem::path folder);
+  explicit StudyFolder(const std::filesystem::path& folder);
 
-  const std::filesystem::path& path() const { return path_; }
   const StudyPlan& plan() const { return plan_; }
-  std::filesystem::path run_file(int number) const;  ///< runs/003.json
-  std::filesystem::path log_file(int number) const;  ///< what a run said that should have said nothing: runs/003.log
-  std::vector<int> missing_runs() const;
 
  private:
-  std::filesystem::path path_;
+  StudyFolder(const std::filesystem::path& folder, StudyPlan plan);
+
   StudyPlan plan_;
 };
 

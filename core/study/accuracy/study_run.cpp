@@ -10,10 +10,9 @@
 #include "base/part_of_progress.hpp"
 #include "bodies/block_motion.hpp"
 #include "geometry/block_builder.hpp"
-#include "io/project_file.hpp"
-#include "io/whole_file.hpp"
 #include "mesh/unknowns.hpp"
 #include "model/stage_length.hpp"
+#include "results/folder.hpp"
 #include "run/run.hpp"
 #include "study/accuracy/perturbation.hpp"
 #include "study/accuracy/study_run_json.hpp"
@@ -157,15 +156,16 @@ void take_report(const RunReport& report, StudyRun& run) {
 
 /// The results lie in the study as long as the run goes on: what a killed one leaves is found, and taken away when it
 /// is run again.
-void solve(const Project& project, const BlockSystem& system, const std::filesystem::path& results, Progress& progress,
-           StudyRun& outcome) {
+void solve(const Project& project, const BlockSystem& system, const StudyPlan& plan,
+           const std::filesystem::path& results, Progress& progress, StudyRun& outcome) {
   std::filesystem::remove_all(results);
   Observer observer(project, system, progress);
   const double begin = processor_seconds();
-  const RunReport report = run(project, system, {results, write_project(project), 1}, observer);
+  const RunReport report = run(project, system, {results, text_of(project, plan), 1}, observer);
   outcome.cpu_seconds = processor_seconds() - begin;
   std::filesystem::remove_all(results);
   if (progress.cancelled()) throw Cancelled{};
+  if (report.status == RunStatus::stopped) throw WriteError(results, report.reason);
   take_report(report, outcome);
   observer.tell(outcome);
 }
@@ -182,12 +182,14 @@ void perform_study_run(const StudyFolder& study, int number, Progress& progress)
     const BlockSystem system = build_blocks(project, plan.project_file.parent_path(), meshing);
     outcome.mesh_seconds = wall_seconds() - begin;
     count(system, outcome);
-    solve(project, system, study.run_file(number).replace_extension(".results"), solving, outcome);
+    solve(project, system, plan, study.results_folder(number), solving, outcome);
+  } catch (const WriteError&) {  // no fault of the setting: the run is missing
+    throw;
   } catch (const InputError& error) {
     outcome.status = StudyStatus::failed;
     outcome.reason = error.what();
   }
-  replace_whole_file(study.run_file(number), study_run_text(outcome));
+  study.write_run(number, study_run_text(outcome));
 }
 
 }  // namespace talus

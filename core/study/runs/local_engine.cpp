@@ -1,4 +1,4 @@
-#include "study/accuracy/local_engine.hpp"
+#include "study/runs/local_engine.hpp"
 
 #include <poll.h>
 
@@ -18,7 +18,7 @@ namespace {
 /// One run as a process, and how far it says it is.
 class RunProcess {
  public:
-  RunProcess(const StudyFolder& study, int number, const std::filesystem::path& program)
+  RunProcess(const RunsFolder& study, int number, const std::filesystem::path& program)
       : number_(number),
         process_({.program = program,
                   .arguments = {"study", "run", study.path().string(), std::to_string(number)},
@@ -61,7 +61,7 @@ class RunProcess {
 /// The runs that are still to be done, and those under way.
 class Queue {
  public:
-  Queue(const StudyFolder& study, const LocalOptions& options) : study_(study), options_(options) {
+  Queue(const RunsFolder& study, const LocalOptions& options) : study_(study), options_(options) {
     waiting_ = study.missing_runs();
     count_ = waiting_.size();
     std::stable_sort(waiting_.begin(), waiting_.end(), [&](int a, int b) { return cost(a) < cost(b); });
@@ -98,9 +98,9 @@ class Queue {
   }
 
  private:
-  double cost(int run) const { return relative_cost(study_.plan().setting_of(run)); }
+  double cost(int run) const { return study_.cost(run); }
 
-  const StudyFolder& study_;
+  const RunsFolder& study_;
   const LocalOptions& options_;
   std::vector<int> waiting_;  ///< cheapest first
   std::vector<std::unique_ptr<RunProcess>> running_;
@@ -117,7 +117,7 @@ int free_cores() {
   return std::clamp(cores - static_cast<int>(std::lround(load)), 1, cores);
 }
 
-void run_locally(const StudyFolder& study, const LocalOptions& options, Progress& progress) {
+void run_locally(const RunsFolder& study, const LocalOptions& options, Progress& progress) {
   Queue queue(study, options);
   while (!queue.done()) {
     if (progress.cancelled()) throw Cancelled{};

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "study/accuracy/study_plan.hpp"
+#include "study/runs/runs_folder.hpp"
 
 namespace talus {
 
@@ -22,6 +22,6 @@ struct SlurmOptions {
 /// there, or no job is left; runs that then have none are handed over again. Where jobs of an earlier call still go on
 /// it waits for those. The study's folder must be seen by all machines. Throws InputError where Slurm refuses or is not
 /// there, Cancelled when told to; jobs then go on.
-void run_by_slurm(const StudyFolder& study, const SlurmOptions& options, Progress& progress);
+void run_by_slurm(const RunsFolder& study, const SlurmOptions& options, Progress& progress);
 
 }  // namespace talus

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/progress.hpp"
-#include "study/accuracy/study_plan.hpp"
+#include "study/runs/runs_folder.hpp"
 
 namespace talus {
 
@@ -17,6 +17,6 @@ int free_cores();
 
 /// Starts the runs of a study that are missing, the most expensive first, and waits for them. A run that crashes is
 /// missing afterwards. Throws Cancelled when told to, and ends those that go on; what has ended is kept.
-void run_locally(const StudyFolder& study, const LocalOptions& options, Progress& progress);
+void run_locally(const RunsFolder& study, const LocalOptions& options, Progress& progress);
 
 }  // namespace talus

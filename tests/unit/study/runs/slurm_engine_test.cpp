@@ -1,5 +1,5 @@
 // How runs are handed to Slurm, by programs that stand in for it; tests/cli/slurm_test.sh has a cluster of its own.
-#include "study/accuracy/slurm_engine.hpp"
+#include "study/runs/slurm_engine.hpp"
 
 #include <gmock/gmock.h>
 

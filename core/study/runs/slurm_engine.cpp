@@ -1,4 +1,4 @@
-#include "study/accuracy/slurm_engine.hpp"
+#include "study/runs/slurm_engine.hpp"
 
 #include <chrono>
 #include <system_error>
@@ -6,7 +6,6 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
-#include "io/whole_file.hpp"
 
 namespace talus {
 
@@ -38,7 +37,7 @@ std::string without_line_ends(std::string text) {
   return text;
 }
 
-std::string script(const StudyFolder& study, const std::filesystem::path& program) {
+std::string script(const RunsFolder& study, const std::filesystem::path& program) {
   return "#!/bin/bash\n"
          "#SBATCH --job-name=talus-study\n"
          "#SBATCH --ntasks=1\n"
@@ -49,22 +48,22 @@ std::string script(const StudyFolder& study, const std::filesystem::path& progra
 }
 
 /// The number of the job.
-std::string submit(const StudyFolder& study, const SlurmOptions& options, const std::vector<int>& runs) {
-  const auto file = study.path() / "study.sbatch", log = study.path() / "sbatch.log";
-  replace_whole_file(file, script(study, options.program));
+std::string submit(const RunsFolder& study, const SlurmOptions& options, const std::vector<int>& runs) {
+  constexpr const char *script_name = "study.sbatch", *log_name = "sbatch.log";
+  study.write(script_name, script(study, options.program));
   std::string array;
   for (const int run : runs) (array += array.empty() ? "" : ",") += std::to_string(run);
   std::vector<std::string> arguments{"--parsable", "--array=" + array,
                                      "--output=" + (study.path() / "runs" / "slurm-%a.log").string(),
                                      "--chdir=" + study.path().string()};
   arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
-  arguments.push_back(file.string());
-  const ProgramOutput output = slurm("sbatch", arguments, log);
+  arguments.push_back((study.path() / script_name).string());
+  const ProgramOutput output = slurm("sbatch", arguments, study.path() / log_name);
   const std::string job = without_line_ends(output.text.substr(0, output.text.find(';')));
   if (output.exit_code != 0 || job.empty())
-    throw InputError("engine slurm", "sbatch refused: " + without_line_ends(read_whole_file(log)),
+    throw InputError("engine slurm", "sbatch refused: " + without_line_ends(study.read(log_name)),
                      "give what it asks for with --sbatch, like --sbatch=--partition=long");
-  replace_whole_file(study.path() / job_name, job + "\n");
+  study.write(job_name, job + "\n");
   return job;
 }
 
@@ -75,16 +74,15 @@ bool in_queue(const std::string& job) {
 }
 
 /// Of an earlier call; empty where none goes on.
-std::string job_under_way(const StudyFolder& study) {
-  const auto file = study.path() / job_name;
-  if (!std::filesystem::exists(file)) return {};
-  const std::string job = without_line_ends(read_whole_file(file));
+std::string job_under_way(const RunsFolder& study) {
+  if (!std::filesystem::exists(study.path() / job_name)) return {};
+  const std::string job = without_line_ends(study.read(job_name));
   return in_queue(job) ? job : std::string();
 }
 
 /// Until the files of all runs are there, or the job has left the queue for as long as `grace`: a file may reach this
 /// machine a while after that. `all`: runs that were missing at first.
-void wait_for(const StudyFolder& study, const std::string& job, std::size_t all, std::chrono::milliseconds grace,
+void wait_for(const RunsFolder& study, const std::string& job, std::size_t all, std::chrono::milliseconds grace,
               Progress& progress) {
   constexpr std::chrono::milliseconds between_looks = 500ms, between_questions = 3s;
   auto asked = std::chrono::steady_clock::now(), last_seen = asked;
@@ -107,7 +105,7 @@ void wait_for(const StudyFolder& study, const std::string& job, std::size_t all,
 
 }  // namespace
 
-void run_by_slurm(const StudyFolder& study, const SlurmOptions& options, Progress& progress) {
+void run_by_slurm(const RunsFolder& study, const SlurmOptions& options, Progress& progress) {
   const std::size_t all = study.missing_runs().size();
   std::string job = job_under_way(study);
   for (int submitted = 0; submitted < options.submissions; ++submitted) {
