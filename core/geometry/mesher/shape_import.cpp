@@ -15,6 +15,7 @@
 #include "geometry/mesher/placement.hpp"
 #include "geometry/mesher/polyhedron.hpp"
 #include "geometry/mesher/surface_file.hpp"
+#include "geometry/mesher/surfaces/mended_surface.hpp"
 #include "model/polyhedron.hpp"
 
 namespace talus {
@@ -23,6 +24,22 @@ namespace {
 namespace occ = gmsh::model::occ;
 
 std::string place_of(const MesherSolid& solid) { return "solid " + solid.name; }
+
+/// OpenCASCADE's time to cut a solid grows with the square of its faces: at ten thousand it takes a minute, cells two
+/// seconds.
+constexpr std::size_t most_faces_of_volume = 1000;
+
+/// As files of triangles come: closed, and crossing itself nowhere, or found not to be.
+ImportedSolid as_triangles(const PolyhedronShape& local, const Vec3& origin) {
+  MendedSurface surface = mended({local.vertices, local.faces});
+  ImportedSolid imported;
+  imported.triangles = std::move(surface.surface);
+  imported.findings = std::move(surface.findings);
+  for (SurfaceFinding& finding : imported.findings) finding.where += origin;
+  imported.bounds = bounds_of(imported.triangles);
+  imported.volume = volume_of(imported.triangles);
+  return imported;
+}
 
 ImportedSolid make_polyhedron(const MesherSolid& solid, const Vec3& origin) {
   PolyhedronShape local = solid.polyhedron;
@@ -36,6 +53,7 @@ ImportedSolid make_polyhedron(const MesherSolid& solid, const Vec3& origin) {
     imported.convex = std::move(local);
     return imported;
   }
+  if (local.faces.size() > most_faces_of_volume) return as_triangles(local, origin);
   try {
     imported.volumes = {add_polyhedron(local)};
     imported.volume = volume_of(imported.volumes);

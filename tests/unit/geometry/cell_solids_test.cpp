@@ -42,6 +42,57 @@ class CellSolids : public SolidFiles {
   }
 };
 
+/// A ball of 10 m around (100, 0, 0), of 4 n² − 4 n triangles.
+PolyhedronShape ball(int n) {
+  const double pi = std::acos(-1);
+  const int around = 2 * n;
+  const Vec3 centre(100, 0, 0);
+  const auto at = [&](int row, int column) { return 1 + (row - 1) * around + column % around; };
+  PolyhedronShape shape;
+  shape.vertices.push_back(centre + 10 * Vec3::UnitZ());
+  for (int row = 1; row < n; ++row)
+    for (int column = 0; column < around; ++column) {
+      const double tilt = pi * row / n, azimuth = 2 * pi * column / around;
+      shape.vertices.push_back(centre + 10 * Vec3(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
+                                                  std::cos(tilt)));
+    }
+  shape.vertices.push_back(centre - 10 * Vec3::UnitZ());
+  const int last = static_cast<int>(shape.vertices.size()) - 1;
+  for (int column = 0; column < around; ++column) {
+    shape.faces.push_back({0, at(1, column), at(1, column + 1)});
+    shape.faces.push_back({last, at(n - 1, column + 1), at(n - 1, column)});
+    for (int row = 1; row + 1 < n; ++row) {
+      shape.faces.push_back({at(row, column), at(row + 1, column), at(row + 1, column + 1)});
+      shape.faces.push_back({at(row, column), at(row + 1, column + 1), at(row, column + 1)});
+    }
+  }
+  return shape;
+}
+
+TEST_F(CellSolids, ArePolyhedraOfManyFacesThatDeform) {
+  Project p = project_of({solid("ball", ball(48), 4)});  // 9 024 faces: OpenCASCADE takes a minute to cut them
+  p.cuts = {cut("J1", 35, 90, {100, 0, 0})};
+  double seconds = 0;
+  BlockSystem system;
+  {
+    const Stopwatch watch(seconds);
+    system = build(p, folder());
+  }
+  EXPECT_LT(seconds, 25);
+  ASSERT_EQ(system.blocks.size(), 2u);
+  expect_sound(system, system.solids_volume);
+  EXPECT_NEAR(system.solids_volume / (4.0 / 3 * std::acos(-1) * 1000), 1, 0.01);
+  EXPECT_EQ(system.blocks[0].body, BodyKind::tetrahedra);
+}
+
+TEST_F(CellSolids, OfPolyhedraThatCrossThemselvesAreRefusedWithThePlace) {
+  PolyhedronShape torn = ball(20);
+  torn.vertices[41] = Vec3(120, 0, 0);  // through the other side
+  const std::string error = error_of(project_of({solid("ball", torn, 4)}), folder());
+  EXPECT_THAT(error, StartsWith("solid ball: "));
+  EXPECT_THAT(error, HasSubstr("cross"));
+}
+
 TEST_F(CellSolids, OfATerrainAreCutBySetsOfJoints) {
   Project p = hill(41);
   p.cuts = {set("J1", 60, 90, 30, 3), set("J2", 80, 200, 30, 3), set("J3", 25, 300, 30, 3)};
