@@ -35,7 +35,8 @@ class CaseStudies : public testing::Test {
 };
 
 TEST_F(CaseStudies, SolveAProjectUnderTheValuesOfATable) {
-  const std::string values = table("case,/joints/J1/friction_angle,/solids/block/body\nown,,\nsteep,28,rigid\nstill,35,\n");
+  const std::string values =
+      table("case,/joints/J1/friction_angle,/solids/block/body\nown,,\nsteep,28,rigid\nstill,35,\n");
   const Ending ending = talus_cli(command(sample("incline_slide"), {"--table", values}));
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_THAT(ending.out, HasSubstr("3 of 3 cases completed"));
@@ -76,7 +77,7 @@ TEST_F(CaseStudies, SolveAFolderOfProjectsAndGoOnWhereOneFails) {
 
 /// The same as long as the file is not made anew.
 ino_t file_number(const fs::path& file) {
-  struct stat status{};
+  struct stat status {};
   EXPECT_EQ(stat(file.c_str(), &status), 0) << file;
   return status.st_ino;
 }

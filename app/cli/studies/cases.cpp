@@ -79,9 +79,8 @@ void add_case_study(CLI::App& study, Invocation& invocation) {
   command->add_flag("--drop-results", options->drop_results,
                     "Keep the table alone: the results of a case go once it has been measured");
   add_engine(*command, options->engine);
-  command->callback([&invocation, options] {
-    invocation.run = [&invocation, options] { return cases(*options, invocation.json); };
-  });
+  command->callback(
+      [&invocation, options] { invocation.run = [&invocation, options] { return cases(*options, invocation.json); }; });
 }
 
 }  // namespace talus::cli

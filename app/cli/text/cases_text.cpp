@@ -56,7 +56,7 @@ std::string statistics_text(const CaseStudy& study) {
   for (const CaseStatistics& one : study.statistics)
     if (one.least < one.greatest)
       table.add({one.name, number(one.mean, 4), number(one.deviation, 3), number(one.least, 4), number(one.p10, 4),
-               number(one.median, 4), number(one.p90, 4), number(one.greatest, 4)});
+                 number(one.median, 4), number(one.p90, 4), number(one.greatest, 4)});
   return table.text();
 }
 

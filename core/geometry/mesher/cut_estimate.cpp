@@ -166,7 +166,8 @@ MesherCutAhead cut_ahead(const MesherJob& job, const ImportedModel& model) {
     const double parts =
         parts_of_box(acting_joints(job, static_cast<int>(s), model.origin, solid.bounds), solid.bounds);
     ahead.blocks += parts;
-    ahead.seconds += seconds_to_cells(solid.triangles) + parts * (solid.is_cells() ? seconds_of_cell : seconds_of_volume);
+    ahead.seconds +=
+        seconds_to_cells(solid.triangles) + parts * (solid.is_cells() ? seconds_of_cell : seconds_of_volume);
     ahead.bytes += parts * (solid.is_cells() ? bytes_of_cell : bytes_of_volume);
   }
   return ahead;

@@ -66,17 +66,15 @@ Json json_of(const CaseStudy& study, const CaseRow& row) {
     values[study.columns[i]] = row.values[i].empty() ? Json() : Json::parse(row.values[i]);
   if (row.findings)
     for (const CaseNumber& one : row.findings->numbers) numbers[one.name] = one.value;
-  return {{"case", row.name},
-          {"project", row.project},
-          {"status", status_of(row)},
-          {"reason", row.findings ? row.findings->reason : ""},
-          {"values", values},
-          {"numbers", numbers}};
+  return {{"case", row.name},         {"project", row.project},
+          {"status", status_of(row)}, {"reason", row.findings ? row.findings->reason : ""},
+          {"values", values},         {"numbers", numbers}};
 }
 
 Json json_of(const CaseStatistics& one) {
-  return {{"count", one.count}, {"mean", one.mean},     {"deviation", one.deviation}, {"least", one.least},
-          {"p10", one.p10},     {"median", one.median}, {"p90", one.p90},             {"greatest", one.greatest}};
+  return {{"count", one.count}, {"mean", one.mean},        {"deviation", one.deviation},
+          {"least", one.least}, {"p10", one.p10},          {"median", one.median},
+          {"p90", one.p90},     {"greatest", one.greatest}};
 }
 
 }  // namespace

@@ -15,10 +15,8 @@ Json json_of(const CasePlan& plan) {
   for (const CasePlan::Source& source : plan.projects)
     projects.push_back({{"file", source.file.string()}, {"text", source.text}});
   for (const CasePlan::Case& one : plan.cases)
-    cases.push_back({{"name", one.name},
-                     {"project", one.project},
-                     {"values", one.values},
-                     {"fingerprint", one.fingerprint}});
+    cases.push_back(
+        {{"name", one.name}, {"project", one.project}, {"values", one.values}, {"fingerprint", one.fingerprint}});
   return {{"talus_study", 1},
           {"kind", "cases"},
           {"program", plan.program},

@@ -29,7 +29,9 @@ struct CasePlan {
   std::vector<std::string> pointers;  ///< the same by numbers
   std::vector<Case> cases;
 
-  const Source& source_of(int number) const { return projects[static_cast<std::size_t>(cases[static_cast<std::size_t>(number)].project)]; }
+  const Source& source_of(int number) const {
+    return projects[static_cast<std::size_t>(cases[static_cast<std::size_t>(number)].project)];
+  }
   std::filesystem::path folder_of(int number) const { return source_of(number).file.parent_path(); }
 };
 

@@ -60,10 +60,10 @@ std::string numbered_pointer(const std::string& project_text, const std::string&
     const auto element = here.is_array() ? element_of(here, steps[i]) : std::nullopt;
     const bool last = i + 1 == steps.size();
     if (!(here.is_object() && (last || here.contains(steps[i]))) && !element)
-      throw InputError("",
-                       "the project has no '" + steps[i] + "'" +
-                           (pointer.empty() ? std::string() : " in " + pointer.to_string()),
-                       members_of(here));
+      throw InputError(
+          "",
+          "the project has no '" + steps[i] + "'" + (pointer.empty() ? std::string() : " in " + pointer.to_string()),
+          members_of(here));
     if (element)
       pointer.push_back(std::to_string(*element));
     else

@@ -80,7 +80,8 @@ void take_report(const Project& project, const RunReport& report, const Observer
   findings.numbers.push_back({"time", report.time});
   findings.numbers.push_back({"steps", static_cast<double>(report.steps)});
   for (std::size_t i = 0; i < observer.monitors().size(); ++i)
-    findings.numbers.push_back({project.monitors[i].name + ".displacement", observer.monitors()[i].displacement.norm()});
+    findings.numbers.push_back(
+        {project.monitors[i].name + ".displacement", observer.monitors()[i].displacement.norm()});
   for (const ExpectationOutcome& one : report.expect)
     if (one.reached)
       findings.numbers.push_back(

@@ -11,8 +11,8 @@ namespace talus {
 
 struct CaseRow {
   std::string name;
-  std::string project;               ///< its file
-  std::vector<std::string> values;   ///< a column, as JSON; empty: the project's own
+  std::string project;                   ///< its file
+  std::vector<std::string> values;       ///< a column, as JSON; empty: the project's own
   std::optional<CaseFindings> findings;  ///< none: not run yet, or it ended without a word
 };
 

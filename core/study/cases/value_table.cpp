@@ -50,10 +50,10 @@ Header header_of(const TextLine& line) {
 ValueTable::Row row_of(const TextLine& line, const Header& header, std::size_t number, char separator) {
   ValueTable::Row row{line.number, std::to_string(number), {}};
   if (line.cells.size() > header.cells.size())
-    throw InputError("line " + std::to_string(line.number),
-                     "has " + std::to_string(line.cells.size()) + " cells, the header " +
-                         std::to_string(header.cells.size()),
-                     "take out what is too much, or put quotes around texts with commas");
+    throw InputError(
+        "line " + std::to_string(line.number),
+        "has " + std::to_string(line.cells.size()) + " cells, the header " + std::to_string(header.cells.size()),
+        "take out what is too much, or put quotes around texts with commas");
   for (std::size_t i = 0; i < header.cells.size(); ++i) {
     const std::string cell = i < line.cells.size() ? line.cells[i] : std::string();
     if (i != header.name)
@@ -77,7 +77,8 @@ std::string cell_place(int line, const std::string& column) {
 ValueTable read_value_table(std::string_view text) {
   const TextCells cells = cells_of(text);
   if (cells.lines.size() < 2)
-    throw InputError("the table", "has no case", "give a header, like case,/joints/J1/friction_angle, and a line a case");
+    throw InputError("the table", "has no case",
+                     "give a header, like case,/joints/J1/friction_angle, and a line a case");
   const Header header = header_of(cells.lines.front());
   ValueTable table;
   for (std::size_t i = 0; i < header.cells.size(); ++i)

@@ -17,9 +17,9 @@ class RunsFolder {
   const std::filesystem::path& path() const { return path_; }  ///< absolute
   int count() const { return static_cast<int>(costs_.size()); }
   double cost(int number) const { return costs_[static_cast<std::size_t>(number)]; }
-  std::filesystem::path plan_file() const;             ///< study.json
-  std::filesystem::path run_file(int number) const;    ///< runs/003.json
-  std::filesystem::path log_file(int number) const;    ///< what a run said that should have said nothing: runs/003.log
+  std::filesystem::path plan_file() const;           ///< study.json
+  std::filesystem::path run_file(int number) const;  ///< runs/003.json
+  std::filesystem::path log_file(int number) const;  ///< what a run said that should have said nothing: runs/003.log
   std::filesystem::path results_folder(int number) const;  ///< runs/003.results, of a run that goes on or was killed
   std::vector<int> missing_runs() const;
 

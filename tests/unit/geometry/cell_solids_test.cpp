@@ -53,8 +53,8 @@ PolyhedronShape ball(int n) {
   for (int row = 1; row < n; ++row)
     for (int column = 0; column < around; ++column) {
       const double tilt = pi * row / n, azimuth = 2 * pi * column / around;
-      shape.vertices.push_back(centre + 10 * Vec3(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
-                                                  std::cos(tilt)));
+      shape.vertices.push_back(
+          centre + 10 * Vec3(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)));
     }
   shape.vertices.push_back(centre - 10 * Vec3::UnitZ());
   const int last = static_cast<int>(shape.vertices.size()) - 1;

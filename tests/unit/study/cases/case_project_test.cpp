@@ -43,8 +43,9 @@ TEST(CaseProject, PlacesThatAreNotThereAreRefusedWithWhatIs) {
 }
 
 TEST(CaseProject, OnlyTheValuesChange) {
-  const std::string changed = with_values(
-      commented_project, {"/joints/J1/friction_angle", "/joints/J1/cohesion", "/solids/1/mesh_size"}, {"12.5", "1000", ""});
+  const std::string changed =
+      with_values(commented_project, {"/joints/J1/friction_angle", "/joints/J1/cohesion", "/solids/1/mesh_size"},
+                  {"12.5", "1000", ""});
   EXPECT_EQ(changed, R"({
   // kept
   "joints": {"J1": {"friction_angle": 12.5, "cohesion": 1000}, "a/b": {"friction_angle": 20}},

@@ -92,11 +92,19 @@ TEST_F(Cases, AreOneTableWithWhatTheySayTogether) {
   EXPECT_DOUBLE_EQ(study.statistics[0].deviation, std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(study.statistics[0].p90, 2.8);
   const std::string p = (folder_.path() / "p.talus").string();
-  EXPECT_EQ(cases_csv(study), "case,project,status,/joints/J/friction_angle,front,blocks,reason\n"
-                              "a," + p + ",completed,30,1,4,\n"
-                              "b," + p + ",completed,25,3,,\n"
-                              "\"c,d\"," + p + ",not-converged,20,100,,\"J, \"\"J\"\"\"\n"
-                              "e," + p + ",missing,10,,,\n");
+  EXPECT_EQ(cases_csv(study),
+            "case,project,status,/joints/J/friction_angle,front,blocks,reason\n"
+            "a," +
+                p +
+                ",completed,30,1,4,\n"
+                "b," +
+                p +
+                ",completed,25,3,,\n"
+                "\"c,d\"," +
+                p +
+                ",not-converged,20,100,,\"J, \"\"J\"\"\"\n"
+                "e," +
+                p + ",missing,10,,,\n");
   EXPECT_THAT(cases_markdown(study), HasSubstr("| front | 2 | 2 | 1.41 | 1 | 1.2 | 2 | 2.8 | 3 |"));
   const auto json = nlohmann::json::parse(cases_json(study));
   EXPECT_FALSE(json["complete"]);
@@ -108,7 +116,8 @@ TEST_F(Cases, OfAFileThatIsDamagedAreRefusedByItsName) {
   const CaseFolder folder(folder_.path() / "study", plan_with("/joints/J/friction_angle\n30\n"), false);
   replace_whole_file(folder.run_file(0), "{");
   EXPECT_THROW(evaluate_cases(folder), InputError);
-  write("study/study.json", R"({"kind": "cases", "cases": [{"name": "a", "project": 7, "values": [], "fingerprint": ""}]})");
+  write("study/study.json",
+        R"({"kind": "cases", "cases": [{"name": "a", "project": 7, "values": [], "fingerprint": ""}]})");
   EXPECT_THROW(CaseFolder(folder_.path() / "study"), InputError);
 }
 
