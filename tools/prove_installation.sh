@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Proves what tools/package.sh made: in a bare Debian 12 in FOLDER the package is installed, works, and leaves nothing when
-# it is removed; then the archive works in a folder of its own, with the packages that it asks for.
+# Proves what tools/package.sh made: in a bare Debian 12 in FOLDER the archive with libraries works, with nothing else
+# installed; the package is installed, works, and leaves nothing when it is removed; then the archive works in a folder of
+# its own, with the packages that it asks for.
 # Usage: tools/prove_installation.sh [FOLDER]        needs root and debootstrap; FOLDER is kept
 set -euo pipefail
 source "$(dirname "$0")/bare_debian.sh"
@@ -11,10 +12,11 @@ packages=$(realpath "$(dirname "$0")/../build/release/packages")
 make_bare_debian "$root"
 trap 'umount "$root/proc"' EXIT
 mount -t proc proc "$root/proc"
-rm -rf "$root/tried" "$root/opt/talus"
-mkdir -p "$root/tried" "$root/opt/talus"
+rm -rf "$root/tried" "$root/opt/talus" "$root/opt/whole"
+mkdir -p "$root/tried" "$root/opt/talus" "$root/opt/whole"
 cp "$packages"/talus_*.deb "$root/tried"
-tar --extract --file "$packages"/talus-*.tar.gz --strip-components 1 --directory "$root/opt/talus"
+tar --extract --file "$packages"/talus-*-x86_64.tar.gz --strip-components 1 --directory "$root/opt/talus"
+tar --extract --file "$packages"/talus-*-with-libraries.tar.gz --strip-components 1 --directory "$root/opt/whole"
 
 # Versions, a cut, a run, a picture, a film, a grid of heights, the window.
 work='
@@ -30,6 +32,9 @@ work='
   talus-cli inspect grid.talus | grep ground
   mkdir -p -m 700 run; QT_QPA_PLATFORM=offscreen XDG_RUNTIME_DIR=/tried/run talus --screenshot start.png
   ls fall.png fall.mp4 start.png'
+
+echo "Archive with libraries"
+in_bare_debian "$root" "PATH=/opt/whole/bin:\$PATH samples=/opt/whole/share/talus/samples; $work"
 
 echo "Package"
 in_bare_debian "$root" 'apt-get -qq update; apt-get -qq install --yes --no-install-recommends /tried/talus_*.deb >/tried/log 2>&1'
