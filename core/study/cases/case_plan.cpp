@@ -1,6 +1,7 @@
 #include "study/cases/case_plan.hpp"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "base/error.hpp"
 
@@ -40,7 +41,9 @@ CasePlan plan_of(const Json& json) {
   for (const Json& one : json.at("cases")) {
     plan.cases.push_back({one.at("name"), one.at("project"), one.at("values"), one.at("fingerprint")});
     plan.projects.at(static_cast<std::size_t>(plan.cases.back().project));
+    if (plan.cases.back().values.size() != plan.pointers.size()) throw std::out_of_range("values");
   }
+  if (plan.columns.size() != plan.pointers.size()) throw std::out_of_range("columns");
   return plan;
 }
 
@@ -84,7 +87,7 @@ CaseFolder::CaseFolder(const std::filesystem::path& folder, const CasePlan& plan
                        "choose another folder with --out, or begin anew with --restart");
     if (old.cases.size() == plan.cases.size()) return;
   }
-  write_plan(json_of(plan).dump(1) + "\n");
+  write_plan(json_of(plan).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");  // file names are any bytes
 }
 
 CaseFolder::CaseFolder(const std::filesystem::path& folder) : CaseFolder(folder, read_plan(folder)) {}

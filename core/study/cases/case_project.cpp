@@ -74,10 +74,15 @@ std::string numbered_pointer(const std::string& project_text, const std::string&
 
 std::string with_values(const std::string& project_text, const std::vector<std::string>& pointers,
                         const std::vector<std::string>& values) {
-  Json project = json_of(project_text);
-  for (std::size_t i = 0; i < pointers.size(); ++i)
-    if (!values[i].empty()) project[Pointer(pointers[i])] = Json::parse(values[i]);
-  return change_project_text(project_text, project.dump());
+  try {
+    Json project = json_of(project_text);
+    for (std::size_t i = 0; i < pointers.size(); ++i)
+      if (!values[i].empty()) project[Pointer(pointers[i])] = Json::parse(values[i]);
+    return change_project_text(project_text, project.dump());
+  } catch (const nlohmann::json::exception&) {  // both were right when the study began
+    throw InputError("study.json", "is damaged: a project, or a value for one, is none",
+                     "begin the study anew with --restart");
+  }
 }
 
 CaseProject project_of_case(const CasePlan& plan, int number) {

@@ -24,6 +24,14 @@ std::string json_of_cell(const std::string& cell, char separator) {
   return nlohmann::json(cell).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+bool is_utf8(std::string_view text) {
+  try {
+    return !nlohmann::json(text).dump().empty();
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
 struct Header {
   std::optional<std::size_t> name;  ///< which column has the names of cases
   std::vector<std::string> cells;
@@ -75,6 +83,7 @@ std::string cell_place(int line, const std::string& column) {
 }
 
 ValueTable read_value_table(std::string_view text) {
+  if (!is_utf8(text)) throw InputError("the table", "is no UTF-8 text", "save it as UTF-8");
   const TextCells cells = cells_of(text);
   if (cells.lines.size() < 2)
     throw InputError("the table", "has no case",

@@ -121,6 +121,17 @@ TEST_F(Cases, OfAFileThatIsDamagedAreRefusedByItsName) {
   EXPECT_THROW(CaseFolder(folder_.path() / "study"), InputError);
 }
 
+TEST_F(Cases, OfADamagedPlanAreRefused) {
+  CasePlan plan = plan_with("/joints/J/friction_angle\n30\n");
+  plan.projects[0].text.insert(20, "[:");
+  EXPECT_THROW(project_of_case(plan, 0), InputError);
+  const CaseFolder folder(folder_.path() / "study", plan_with("/joints/J/friction_angle\n30\n"), false);
+  std::string text = folder.read("study.json");
+  text.replace(text.find("\"pointers\": ["), 13, "\"pointers\": [\"/gravity\",");
+  folder.write("study.json", text);
+  EXPECT_THROW(CaseFolder(folder.path()), InputError);
+}
+
 TEST(Quantiles, LieBetweenValues) {
   EXPECT_DOUBLE_EQ(quantile({1, 2, 3, 4, 5}, 0.5), 3);
   EXPECT_DOUBLE_EQ(quantile({1, 2}, 0.1), 1.1);

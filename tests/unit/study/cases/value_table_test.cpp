@@ -51,6 +51,7 @@ TEST(ValueTable, CellsComeBackAsTheyWere) {
 }
 
 TEST(ValueTable, SaysLineAndColumnOfWhatIsWrong) {
+  EXPECT_THAT(table_refusal("case,/a\n\xB7,1\n"), testing::StartsWith("the table: is no UTF-8 text"));
   EXPECT_THAT(table_refusal(""), testing::HasSubstr("has no case"));
   EXPECT_THAT(table_refusal("case\na\n"), testing::StartsWith("line 1: the table changes nothing"));
   EXPECT_THAT(table_refusal("friction\n30\n"), testing::StartsWith("line 1, column friction: is no place"));
