@@ -102,7 +102,7 @@ struct ConvergenceTolerances {
   /// Newton iterations since the residual last came down to `stalled_fraction`, after which the interior-point method
   /// begins anew. Chosen from the hard cases and from pours, as are the next three. Larger: circles are left later.
   /// Smaller: quick steps take the slow way.
-  int newton_iterations = 4;
+  int newton_iterations = 6;
   /// The first iterations, which may close contacts together. Later ones mostly go round in circles.
   int closing_iterations = 2;
   /// Unknowns up to which it tries: its factors are those of an unsymmetric matrix. Larger: more memory and time.

@@ -191,7 +191,6 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
     if (progress.goes_in_circles()) {
       progress.begin_anew();
       newton_iterations = 0;
-      if (elimination_.is_active()) break;
       if (!converge_with_fallbacks(d, limit, result.iterations, interior_point_left)) break;
     } else {
       assemble(d, result.iterations == 0 ? tolerances_.first_closing : 0);
