@@ -195,13 +195,13 @@ TEST_F(Verify, PrintsASeedOfNowAndATableOfFamilies) {
 TEST_F(Verify, EndsWithOneAndWritesRandomScenesThatFail) {
   write_text(folder / "page.md", "<!-- talus-cli verify: begin -->\n<!-- talus-cli verify: end -->\n");
   const Ending ending = talus_cli(
-      {"verify", "--random-scene", "impacts:2024:46", "--out", place("failed"), "--markdown", place("page.md")});
+      {"verify", "--random-scene", "impacts:52525:5979", "--out", place("failed"), "--markdown", place("page.md")});
   EXPECT_EQ(ending.exit_code, 1) << ending.err;
-  EXPECT_THAT(ending.out, HasSubstr("failed: impacts:2024:46"));
-  const std::string file = text_of(folder / "failed/impacts-2024-46.talus");
+  EXPECT_THAT(ending.out, HasSubstr("failed: impacts:52525:5979"));
+  const std::string file = text_of(folder / "failed/impacts-52525-5979.talus");
   EXPECT_THAT(file, HasSubstr("// - energy grows by"));
-  EXPECT_EQ(talus_cli({"info", place("failed/impacts-2024-46.talus")}).exit_code, 0);
-  EXPECT_THAT(text_of(place("page.md")), HasSubstr("- **impacts:2024:46**"));
+  EXPECT_EQ(talus_cli({"info", place("failed/impacts-52525-5979.talus")}).exit_code, 0);
+  EXPECT_THAT(text_of(place("page.md")), HasSubstr("- **impacts:52525:5979**"));
 }
 
 TEST_F(Verify, ListsTheFamiliesOfRandomScenes) {
