@@ -346,7 +346,7 @@ struct Grit {
 
 TEST(Simulation, CutsAStepBelowItsShortestWhereABodyFliesByManyOfItsSizes) {
   for (const BodyKind kind : {BodyKind::rigid, BodyKind::affine}) {
-    const Grit grit(kind, 1.9, 0.2, 30);
+    const Grit grit(kind, 1.9, 0.2, 100);
     Simulation simulation(grit.project, grit.system);
     int cuts = 0;
     while (!simulation.finished()) cuts += simulation.step().cuts;
@@ -359,7 +359,7 @@ TEST(Simulation, CutsAStepBelowItsShortestWhereABodyFliesByManyOfItsSizes) {
     coarse.solver.step.shortest_way = 1e9;
     Simulation given_up(grit.project, grit.system, coarse);
     while (!given_up.finished()) given_up.step();
-    EXPECT_EQ(given_up.converged(), kind == BodyKind::rigid) << "a hundredth of the step is too long where it deforms";
+    EXPECT_FALSE(given_up.converged()) << "a hundredth of the step is too long";
   }
 }
 
