@@ -155,6 +155,10 @@ struct EliminationTolerances {
   /// iterations in four steps with 0.6, 91 and 49 with 0.3, 153 and far more with 0.05; rigid ones 4 to 13 % fewer.
   /// Larger: hardly anything is held. Smaller: what is hard stays in.
   double most_bodies = 0.5;
+  /// Of the bodies that move. Those that a correction leaves far out of balance are balanced by themselves, and
+  /// corrected again, before all go on, unless there are more. Chosen. Larger: an iteration on them costs nearly as much
+  /// as one on all. Smaller: all go on after each correction.
+  double few_bodies = 0.1;
   /// Iterations that they may take. Chosen: most take two to five. Smaller: what is hard stays in.
   int iterations = 30;
 };

@@ -22,6 +22,7 @@ void set_times(SimulationState& s, double start, double length);
 void set_up(SimulationState& s);
 void give_start_accelerations(SimulationState& s);
 OpenCloseResult converge(SimulationState& s);
+void follow_corrections(SimulationState& s);
 OpenCloseResult converge_with_missed(SimulationState& s, std::span<const ContactDetector::MissedContact>& missed);
 bool check(SimulationState& s, const OpenCloseResult& result, std::span<const ContactDetector::MissedContact> missed,
            StepReport& report);
@@ -186,11 +187,18 @@ OpenCloseResult converge(SimulationState& s) {
     const bool is_last = round == s.tolerances.step.correction_limit;
     if (is_last) ++s.correction_limits;
     const bool corrected = (!is_last || may_look_again(s)) && correct(s);
+    if (corrected && early) follow_corrections(s);
     result.converged = !(is_last && corrected);
     if (!result.converged) return result;
     if (!corrected && enough == 0) return result;
     enough = corrected ? loosely : 0;
   }
+}
+
+/// Corrections concern few bodies. These converge by themselves, and are corrected again, before all do.
+void follow_corrections(SimulationState& s) {
+  for (int round = 0; round < s.tolerances.step.correction_limit; ++round)
+    if (!s.open_close.balance_changed(s.increment) || !correct(s)) return;
 }
 
 /// Converges, and again with the contacts that where it leads shows to be missed. `missed`: those that are left.

@@ -179,7 +179,10 @@ std::vector<Entry> entries() {
   {
     using G = EliminationTolerances;
     add<G>(all, "solver.elimination.", [](Tolerances& t) -> G& { return t.solver.elimination; },
-           {{"unbalanced", &G::unbalanced}, {"most_bodies", &G::most_bodies}, {"iterations", &G::iterations}});
+           {{"unbalanced", &G::unbalanced},
+            {"most_bodies", &G::most_bodies},
+            {"few_bodies", &G::few_bodies},
+            {"iterations", &G::iterations}});
   }
   {
     using G = ContactOutcomeTolerances;

@@ -5,8 +5,10 @@
 
 namespace talus {
 
-bool NonlinearElimination::begin(const Composition& composition, StepResidual& residual) {
-  if (!composition.links || !pick_bodies(composition, residual)) return false;
+bool NonlinearElimination::begin(const Composition& composition, StepResidual& residual, double most,
+                                 int contacts_away) {
+  if (!composition.links) return false;
+  if (!pick_bodies(*composition.bodies, composition.links->contacts(), residual, most, contacts_away)) return false;
   split(residual.matrix().pattern());
   pick_points(composition);
   residual.look_at(dof_blocks_);
@@ -20,17 +22,31 @@ void NonlinearElimination::end(const Composition& composition, StepResidual& res
   residual.look_at({});
 }
 
-bool NonlinearElimination::pick_bodies(const Composition& composition, const StepResidual& residual) {
-  const BodySet& set = *composition.bodies;
+bool NonlinearElimination::pick_bodies(const BodySet& set, const ContactSet& contacts, const StepResidual& residual,
+                                       double most, int contacts_away) {
   residual.list_unbalanced(tolerances_.unbalanced, bodies_);
-  if (bodies_.empty() || static_cast<double>(bodies_.size()) > tolerances_.most_bodies * residual.bodies())
-    return false;
+  const auto most_bodies = static_cast<std::size_t>(most * residual.bodies());
+  if (bodies_.empty() || bodies_.size() > most_bodies) return false;
   is_picked_.assign(set.bodies.size(), 0);
-  for (const int b : bodies_) {
-    is_picked_[set.moving[b]] = 1;
+  for (const int b : bodies_) is_picked_[set.moving[b]] = 1;
+  for (int away = 0; away < contacts_away && pick_neighbours(set, contacts, most_bodies); ++away) continue;
+  for (int b = 0; b < residual.bodies(); ++b) {
+    if (!is_picked_[set.moving[b]]) continue;
     const auto [first, end] = residual.dof_blocks_of(b);
     for (int block = first; block < end; ++block) dof_blocks_.push_back(block);
   }
+  return true;
+}
+
+bool NonlinearElimination::pick_neighbours(const BodySet& set, const ContactSet& contacts, std::size_t most) {
+  touches_picked_ = is_picked_;
+  for (const ContactPoint& point : contacts.points)
+    if (is_picked_[point.bodies[0]] != is_picked_[point.bodies[1]])
+      for (const int b : point.bodies) touches_picked_[b] = 1;
+  const auto count =
+      std::count_if(set.moving.begin(), set.moving.end(), [this](int b) { return touches_picked_[b] != 0; });
+  if (static_cast<std::size_t>(count) > most) return false;
+  for (const int b : set.moving) is_picked_[b] = touches_picked_[b];
   return true;
 }
 

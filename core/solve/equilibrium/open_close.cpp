@@ -209,17 +209,34 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
 
 void OpenClose::balance_alone(Increment& d) {
   const Stopwatch watch(alone_.seconds);
-  if (!elimination_.begin(*composition_, residual_)) return;
+  if (!elimination_.begin(*composition_, residual_, elimination_tolerances_.most_bodies, 0)) return;
   if (!trials_alone_.is_due()) return elimination_.end(*composition_, residual_);
+  trials_alone_.note(balance_picked(d));
+  residual_.evaluate(d, Friction::coupled);
+}
+
+bool OpenClose::balance_changed(Increment& d) {
+  if (!balances_alone_) return false;
+  const Stopwatch watch(alone_.seconds);
+  residual_.evaluate(d, Friction::coupled);
+  try {
+    return elimination_.begin(*composition_, residual_, elimination_tolerances_.few_bodies, 1) && balance_picked(d);
+  } catch (const NotPositiveDefinite&) {  // an iterate has gone far astray
+    elimination_.end(*composition_, residual_);
+    d = before_alone_;
+    return false;
+  }
+}
+
+bool OpenClose::balance_picked(Increment& d) {
   ++alone_.evaluations;
   before_alone_ = d;
   residual_.evaluate(d, Friction::coupled);
   const double unbalanced = residual_.norm();
-  const OpenCloseResult alone = converge_within(elimination_limit_, false, d);
+  const OpenCloseResult alone = converge_within(elimination_tolerances_.iterations, false, d);
   if (!(alone.residual < unbalanced)) d = before_alone_;
-  trials_alone_.note(alone.residual < tolerances_.well_reduced * unbalanced);
   elimination_.end(*composition_, residual_);
-  residual_.evaluate(d, Friction::coupled);
+  return alone.residual < tolerances_.well_reduced * unbalanced;
 }
 
 bool OpenClose::balances(int system) const {

@@ -50,7 +50,7 @@ class OpenClose {
         linear_(linear_settings_),
         search_(tolerances.convergence),
         elimination_(tolerances.elimination, linear_settings_),
-        elimination_limit_(tolerances.elimination.iterations),
+        elimination_tolerances_(tolerances.elimination),
         interior_(tolerances.interior_point) {}
 
   /// The effects of a stage; they must live until end_stage. A step has converged, too, once no body is out of balance
@@ -68,6 +68,9 @@ class OpenClose {
   /// start of a step. It ends as converged, too, once no body is out of balance by more than `enough` of the forces on
   /// it.
   OpenCloseResult converge(Increment& d, double enough = 0);
+  /// Contacts of a converged step were changed: balances the bodies by themselves that this leaves far out of balance,
+  /// with all that touch them. False: there are none, they are too many, or it does not get far.
+  bool balance_changed(Increment& d);
   /// Is called with each iteration and told the force that is out of balance [N]: a hard step takes hundreds.
   void watch(std::function<void(double unbalanced)> each_iteration) { watch_ = std::move(each_iteration); }
   /// Contacts are about to be found anew: none is held in a state any more.
@@ -117,6 +120,8 @@ class OpenClose {
   OpenCloseResult converge_within(int limit, bool interior_point_left, Increment& d);
   /// Balances bodies by themselves that are far out of balance while nearly all others are not (NonlinearElimination).
   void balance_alone(Increment& d);
+  /// The same, once they are picked. Whether that reduces their residual well; D stays if it does not at all.
+  bool balance_picked(Increment& d);
   /// One iteration of Newton's method. `early`: contacts may close together, at the price of a larger residual.
   void iterate(Increment& d, bool early);
   /// A full increment that closes contacts may leave a far larger residual, and the next one nearly none.
@@ -153,7 +158,7 @@ class OpenClose {
   LinearSystem linear_;
   PartwiseLineSearch search_;
   NonlinearElimination elimination_;
-  int elimination_limit_;
+  EliminationTolerances elimination_tolerances_;
   Trials trials_alone_;
   InteriorPoint interior_;
   DisjointSets together_;

@@ -92,7 +92,7 @@ class ChipLeftBehind : public testing::Test {
 
 TEST_F(ChipLeftBehind, IsTakenOutWithTheForcesOnItAlone) {
   const Eigen::VectorXd all = residual_.gradient();
-  ASSERT_TRUE(elimination_.begin(composition_, residual_));
+  ASSERT_TRUE(elimination_.begin(composition_, residual_, 0.5, 0));
   EXPECT_TRUE(elimination_.is_active());
   residual_.evaluate(d_, StepResidual::Friction::coupled);
   EXPECT_EQ(residual_.gradient().tail(6), all.tail(6)) << "the chip is the last";
@@ -107,7 +107,7 @@ TEST_F(ChipLeftBehind, IsTakenOutWithTheForcesOnItAlone) {
 }
 
 TEST_F(ChipLeftBehind, IsSolvedForWithAllOthersHeld) {
-  ASSERT_TRUE(elimination_.begin(composition_, residual_));
+  ASSERT_TRUE(elimination_.begin(composition_, residual_, 0.5, 0));
   residual_.evaluate(d_, StepResidual::Friction::coupled);
   UnsymmetricBlocks unsymmetric;
   unsymmetric.set_pattern(residual_.matrix().pattern());
@@ -123,14 +123,31 @@ TEST_F(ChipLeftBehind, IsSolvedForWithAllOthersHeld) {
 TEST_F(ChipLeftBehind, IsNotTakenOutWhereOthersAreOutOfBalanceToo) {
   d_.setZero();
   residual_.evaluate(d_, StepResidual::Friction::coupled);
-  EXPECT_FALSE(elimination_.begin(composition_, residual_));
+  EXPECT_FALSE(elimination_.begin(composition_, residual_, 0.5, 0));
   EXPECT_FALSE(elimination_.is_active());
 }
 
 TEST_F(ChipLeftBehind, IsNotTakenOutWhereItIsInBalance) {
   d_.tail(6).head(3) = d_.head(3);  // it falls, too, at the speed of its contacts' forces of nothing
   residual_.evaluate(d_, StepResidual::Friction::coupled);
-  EXPECT_FALSE(elimination_.begin(composition_, residual_));
+  EXPECT_FALSE(elimination_.begin(composition_, residual_, 0.5, 0));
+}
+
+TEST_F(ChipLeftBehind, IsTakenOutWithThoseThatTouchIt) {
+  const auto taken_out = [&](double most, int contacts_away) {
+    EXPECT_TRUE(elimination_.begin(composition_, residual_, most, contacts_away));
+    const std::vector<int> blocks = elimination_.dof_blocks();
+    elimination_.end(composition_, residual_);
+    return blocks;
+  };
+  const auto [chip_begins, chip_ends] = residual_.dof_blocks_of(residual_.bodies() - 1);
+  const auto [upper_begins, upper_ends] = residual_.dof_blocks_of(0);  // the slab is fixed
+  const std::vector<int> alone{chip_begins, chip_begins + 1};
+  const std::vector<int> with_upper{upper_begins, upper_begins + 1, chip_begins, chip_begins + 1};
+  EXPECT_EQ(taken_out(0.5, 0), alone);
+  EXPECT_EQ(taken_out(0.5, 1), with_upper) << "the lower one is fixed";
+  EXPECT_EQ(taken_out(0.5, 2), with_upper) << "and touches others, but does not hand on what it does not feel";
+  EXPECT_EQ(taken_out(1.5 / residual_.bodies(), 1), alone) << "two would be too many";
 }
 
 /// How the rows end, and in how many iterations.
@@ -152,7 +169,8 @@ Slide slide(const EliminationTolerances& elimination) {
 }
 
 TEST(NonlinearElimination, LeavesTheMotionAsItIs) {
-  const Slide without = slide({.most_bodies = 0}), with = slide({.unbalanced = 1e-5, .most_bodies = 0.7});
+  const Slide without = slide({.most_bodies = 0, .few_bodies = 0});
+  const Slide with = slide({.unbalanced = 1e-5, .most_bodies = 0.7});
   EXPECT_NE(with.iterations, without.iterations) << "bodies were taken out";
   ASSERT_EQ(with.positions.size(), without.positions.size());
   double largest = 0;
