@@ -2253,6 +2253,10 @@
         <source>% per 1 % area</source>
         <translation>% je 1 % der Fläche</translation>
     </message>
+    <message>
+        <source>north</source>
+        <translation>Norden</translation>
+    </message>
 </context>
 <context>
     <name>quantity</name>
@@ -5050,6 +5054,42 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
     <message>
         <source>Over the view those that were opened first for comparing are drawn</source>
         <translation>Über der Ansicht werden die gezeichnet, die zuerst zum Vergleichen geöffnet wurden</translation>
+    </message>
+    <message>
+        <source>Begins at</source>
+        <translation>Beginnt bei</translation>
+    </message>
+    <message>
+        <source>Ends at</source>
+        <translation>Endet bei</translation>
+    </message>
+    <message>
+        <source>first frame</source>
+        <translation>erstes Bild</translation>
+    </message>
+    <message>
+        <source>last frame</source>
+        <translation>letztes Bild</translation>
+    </message>
+    <message>
+        <source>Moment at which the film begins</source>
+        <translation>Zeitpunkt, zu dem der Film beginnt</translation>
+    </message>
+    <message>
+        <source>Moment of the model at which the film begins</source>
+        <translation>Zeitpunkt des Modells, zu dem der Film beginnt</translation>
+    </message>
+    <message>
+        <source>Moment at which the film ends</source>
+        <translation>Zeitpunkt, zu dem der Film endet</translation>
+    </message>
+    <message>
+        <source>Moment of the model at which the film ends</source>
+        <translation>Zeitpunkt des Modells, zu dem der Film endet</translation>
+    </message>
+    <message>
+        <source>No frames lie between its beginning and its end</source>
+        <translation>Zwischen seinem Anfang und seinem Ende liegen keine Bilder</translation>
     </message>
 </context>
 <context>

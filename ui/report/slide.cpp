@@ -1,5 +1,7 @@
 #include "measures/slide.hpp"
 
+#include <algorithm>
+
 #include "model/number_text.hpp"
 #include "orientation/attitude.hpp"
 #include "render/charts/slide_charts.hpp"
@@ -70,7 +72,9 @@ Section slide(const RunRecord& run) {
     return section;
   }
   section.parts.emplace_back(facts_of(run, measured));
-  section.parts.emplace_back(Chart{deposit_map(measured), 700, 400, ""});
+  constexpr double wide = 700, highest = 400;  // pixels
+  section.parts.emplace_back(
+      Chart{deposit_map(measured), wide, std::min(deposit_map_height(measured, wide), highest), ""});
   if (measured.front.size() > 1) section.parts.emplace_back(Chart{chart_painting(front_plot(measured)), 700, 300, ""});
   section.parts.emplace_back(Paragraph{
       "Depth is the height of the deposit's top above the highest rock below it that has not moved, in cells of " +

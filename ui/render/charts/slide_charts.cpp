@@ -14,18 +14,45 @@ namespace talus {
 
 namespace {
 
-/// A map of a given size, laid out once and then painted. Lengths in text heights where nothing else is said.
+/// What a map shows of the ground, m, with a margin.
+struct Ground {
+  double west = 0, south = 0, across = 0, up = 0;
+};
+
+Ground ground_of(const Slide& slide) {
+  ValueRange x, y;
+  for (const auto* rings : {&slide.deposit.outline, &slide.source})
+    for (const PlanRing& ring : *rings)
+      for (const auto& [east, north] : ring) {
+        x.include(east);
+        y.include(north);
+      }
+  const double margin = 0.04 * std::max(x.high - x.low, y.high - y.low);
+  return {x.low - margin, y.low - margin, x.high - x.low + 2 * margin, y.high - y.low + 2 * margin};
+}
+
+// Of a map, in text heights.
+constexpr double least_height_of_high = 26;    ///< below: the key stands beside the colours, not below them
+constexpr double least_height_of_titled = 16;  ///< below: there is hardly room for a map
+constexpr double left_of_map = 6.5, below_map = 4.2;
+double right_of_map(bool low) { return low ? 19 : 14; }
+double above_map(bool titled) { return titled ? 4 : 1; }
+double text_height_for(double width, double height) { return std::max(11.0, std::min(height / 40, width / 60)); }
+
+/// A map of a given size, laid out once and then painted. Lengths in text heights where nothing else is said. North is
+/// up, or at the right where the ground is long from south to north and the map is then much larger.
 class DepositMap {
  public:
   DepositMap(const Slide& slide, Theme theme, double width, double height)
-      : slide_(slide), colours_(colours(theme)), em_(std::max(11.0, std::min(height / 40, width / 60))) {
+      : slide_(slide), colours_(colours(theme)), em_(text_height_for(width, height)), ground_(ground_of(slide)) {
     scale_end_ = round_up(slide.deposit.max_depth);
-    low_ = height < 26 * em_;
+    low_ = height < least_height_of_high * em_;
+    titled_ = height >= least_height_of_titled * em_;
     place(width, height);
   }
 
   void paint(Painter& painter) const {
-    if (!low_)
+    if (titled_)
       painter.text({map_.left, map_.top + 1.2 * em_},
                    picture_word("Depth of the deposit at") + " " + format_number(slide_.time, 3) + " s",
                    {.height = 1.25 * em_, .colour = colours_.text, .weight = FontWeight::semibold});
@@ -44,26 +71,25 @@ class DepositMap {
   static constexpr int steps_ = 20;  ///< of colour: cells of one step that lie in a row are painted at once
 
   void place(double width, double height) {
-    ValueRange x, y;
-    for (const auto* rings : {&slide_.deposit.outline, &slide_.source})
-      for (const PlanRing& ring : *rings)
-        for (const auto& [east, north] : ring) {
-          x.include(east);
-          y.include(north);
-        }
-    const double left = 6.5 * em_, right = width - (low_ ? 19 : 14) * em_, bottom = 4.2 * em_,
-                 top = height - (low_ ? 1 : 4) * em_;
-    const double margin = 0.04 * std::max(x.high - x.low, y.high - y.low);
-    scale_ = std::min((right - left) / (x.high - x.low + 2 * margin), (top - bottom) / (y.high - y.low + 2 * margin));
-    const double across = scale_ * (x.high - x.low + 2 * margin), up = scale_ * (y.high - y.low + 2 * margin);
+    const double left = left_of_map * em_, right = width - right_of_map(low_) * em_, bottom = below_map * em_,
+                 top = height - above_map(titled_) * em_;
+    const auto scale_of = [&](double across, double up) {
+      return std::min((right - left) / across, (top - bottom) / up);
+    };
+    constexpr double much = 1.3;
+    turned_ = scale_of(ground_.up, ground_.across) > much * scale_of(ground_.across, ground_.up);
+    if (turned_) std::swap(ground_.across, ground_.up);
+    scale_ = scale_of(ground_.across, ground_.up);
+    const double across = scale_ * ground_.across, up = scale_ * ground_.up;
     const double begin = left + (right - left - across) / 2;
-    map_ = {begin, top - up, begin + across, top};
-    west_ = x.low - margin;
-    south_ = y.low - margin;
+    // In the middle of its room, as far as the key beside it has its own.
+    const double key = (low_ ? 7.5 : 16) * em_, down = std::min((top - bottom - up) / 2, std::max(top - key, 0.0));
+    map_ = {begin, top - down - up, begin + across, top - down};
   }
 
   PixelPoint pixel(double x, double y) const {
-    return {map_.left + scale_ * (x - west_), map_.bottom + scale_ * (y - south_)};
+    const double east = scale_ * (x - ground_.west), north = scale_ * (y - ground_.south);
+    return turned_ ? PixelPoint{map_.left + north, map_.top - east} : PixelPoint{map_.left + east, map_.bottom + north};
   }
 
   /// Of a depth: the middle of its step.
@@ -83,7 +109,7 @@ class DepositMap {
         const PixelPoint a = pixel(grid.west + begin * grid.cell, grid.south + row * grid.cell);
         const PixelPoint b = pixel(grid.west + column * grid.cell, grid.south + (row + 1) * grid.cell);
         constexpr double lap = 0.4;  // pixels, over the neighbours: no paper is seen between them
-        painter.fill(PixelRect{a.x, a.y, b.x + lap, b.y + lap}, colour_of(step));
+        painter.fill(PixelRect{a.x, std::min(a.y, b.y), b.x + lap, std::max(a.y, b.y) + lap}, colour_of(step));
       }
   }
 
@@ -102,27 +128,44 @@ class DepositMap {
                         PixelPoint{map_.right, map_.top}, PixelPoint{map_.left, map_.top},
                         PixelPoint{map_.left, map_.bottom}};
     painter.line(std::vector<PixelPoint>(frame), axis_width * em_, colours_.line);
-    const auto ticks = nice_ticks(west_, west_ + map_.width() / scale_, most_ticks(map_.width(), 5));
+    const Side east{picture_word("East, x") + " (m)", ground_.west},
+        north{picture_word("North, y") + " (m)", ground_.south};
+    paint_axis_below(painter, turned_ ? north : east);
+    paint_axis_beside(painter, turned_ ? east : north);
+  }
+
+  /// What is counted along a side of the map, and from where, m.
+  struct Side {
+    std::string title;
+    double begin;
+  };
+
+  void paint_axis_below(Painter& painter, const Side& side) const {
+    const auto ticks = nice_ticks(side.begin, side.begin + ground_.across, most_ticks(map_.width(), 5));
     const auto labels = tick_labels(ticks);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-      const double x = pixel(ticks[i], south_).x;
+      const double x = map_.left + scale_ * (ticks[i] - side.begin);
       painter.line({x, map_.bottom}, {x, map_.bottom - 0.4 * em_}, axis_width * em_, colours_.line);
       painter.text({x, map_.bottom - 0.7 * em_}, labels[i],
                    {.height = em_, .colour = colours_.text, .x = AlignX::centre, .y = AlignY::top});
     }
-    painter.text({(map_.left + map_.right) / 2, map_.bottom - 2.1 * em_}, picture_word("East, x") + " (m)",
+    painter.text({(map_.left + map_.right) / 2, map_.bottom - 2.1 * em_}, side.title,
                  {.height = em_, .colour = colours_.text, .x = AlignX::centre, .y = AlignY::top});
-    const auto heights = nice_ticks(south_, south_ + map_.height() / scale_, most_ticks(map_.height(), 3));
-    const auto names = tick_labels(heights);
+  }
+
+  /// Upwards; downwards where the map is turned.
+  void paint_axis_beside(Painter& painter, const Side& side) const {
+    const auto ticks = nice_ticks(side.begin, side.begin + ground_.up, most_ticks(map_.height(), 2));
+    const auto labels = tick_labels(ticks);
     double widest = 0;
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-      const double y = pixel(west_, heights[i]).y;
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+      const double along = scale_ * (ticks[i] - side.begin), y = turned_ ? map_.top - along : map_.bottom + along;
       painter.line({map_.left, y}, {map_.left - 0.4 * em_, y}, axis_width * em_, colours_.line);
-      painter.text({map_.left - 0.8 * em_, y}, names[i],
+      painter.text({map_.left - 0.8 * em_, y}, labels[i],
                    {.height = em_, .colour = colours_.text, .x = AlignX::right, .y = AlignY::centre});
-      widest = std::max(widest, text_width(names[i], em_));
+      widest = std::max(widest, text_width(labels[i], em_));
     }
-    painter.text({map_.left - widest - 2.6 * em_, (map_.bottom + map_.top) / 2}, picture_word("North, y") + " (m)",
+    painter.text({map_.left - widest - 2.6 * em_, (map_.bottom + map_.top) / 2}, side.title,
                  {.height = em_, .colour = colours_.text, .x = AlignX::centre, .y = AlignY::top, .upwards = true});
   }
 
@@ -159,15 +202,26 @@ class DepositMap {
       painter.text({key + 2.6 * em_, y}, line.meaning, {.height = em_, .colour = colours_.text, .y = AlignY::centre});
       y -= 1.6 * em_;
     }
+    if (turned_) paint_north(painter, {key, y});
+  }
+
+  /// An arrow to the right, and what it means.
+  void paint_north(Painter& painter, const PixelPoint& at) const {
+    const double tip = at.x + 2 * em_, half = 0.35 * em_;
+    const PixelPoint head[] = {{tip - em_, at.y - half}, {tip, at.y}, {tip - em_, at.y + half}};
+    painter.line(at, {tip - em_, at.y}, 1.5 * line_ * em_, colours_.text);
+    painter.fill(head, colours_.text);
+    painter.text({tip + 0.6 * em_, at.y}, picture_word("north"),
+                 {.height = em_, .colour = colours_.text, .weight = FontWeight::semibold, .y = AlignY::centre});
   }
 
   const Slide& slide_;
   const ThemeColours& colours_;
   double em_;         ///< text height, pixels
+  Ground ground_;     ///< across and up on paper: of turned ground from south to north, and from west to east
   double scale_end_;  ///< m
-  bool low_ = false;  ///< there is hardly room for a map
+  bool low_ = false, titled_ = true, turned_ = false;
   double scale_ = 1;  ///< pixels a metre
-  double west_ = 0, south_ = 0;
   PixelRect map_;
 };
 
@@ -190,6 +244,17 @@ HistoryPlot front_plot(const Slide& slide, Theme theme) {
   for (double& velocity : series.y) velocity *= unit.factor;
   plot.series.push_back(std::move(series));
   return plot;
+}
+
+double deposit_map_height(const Slide& slide, double width) {
+  const Ground ground = ground_of(slide);
+  const double em = text_height_for(width, width);
+  const double shape = std::min(ground.across, ground.up) / std::max(ground.across, ground.up);
+  const auto height_of = [&](bool low) {
+    return shape * (width - (left_of_map + right_of_map(low)) * em) + (below_map + above_map(true)) * em;
+  };
+  const double low = std::max(height_of(true), least_height_of_titled * em);
+  return low < least_height_of_high * em ? low : std::max(height_of(false), least_height_of_high * em);
 }
 
 Painting deposit_map(const Slide& slide, Theme theme) {

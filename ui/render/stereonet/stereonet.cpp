@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr int density_nodes = 121, zone_nodes = 201;
-constexpr double outside = 1.5;         // radius up to which what lies beyond the rim is covered
+constexpr double around = 1.02;         // half the side of the square in which what lies beyond the rim is covered
 constexpr double dash = 0.03;           // of a dashed line, in radii of the net
 constexpr double most_full_poles = 60;  // more are drawn smaller, so that densities show between them
 
@@ -100,15 +100,17 @@ class Drawing {
       line(std::move(piece), zone_colour(net_.theme), 1.2);
   }
 
-  /// Covers what was drawn beyond the rim.
+  /// Covers what was drawn beyond the rim: densities and zones are of the square around it. Nothing farther away is
+  /// touched, for a net may stand below other words.
   void add_margin() {
-    constexpr int pieces = 180;
+    constexpr int pieces = 360;  // the corners of the square are among them
     for (int i = 0; i < pieces; ++i) {
       const auto ray = [](int k) {
         const double angle = 2 * std::numbers::pi * k / pieces;
         return Vec2(std::cos(angle), std::sin(angle));
       };
-      drawn_.shapes.push_back(NetFill{{ray(i), outside * ray(i), outside * ray(i + 1), ray(i + 1)}, paper(), 1});
+      const auto edge = [&](int k) { return Vec2(around * ray(k) / ray(k).cwiseAbs().maxCoeff()); };
+      drawn_.shapes.push_back(NetFill{{ray(i), edge(i), edge(i + 1), ray(i + 1)}, paper(), 1});
     }
   }
 
