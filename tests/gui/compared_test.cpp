@@ -78,9 +78,18 @@ TEST_F(DrivenWindow, SeveralResultsAreComparedAndDrawnOverEachOther) {
   auto views = window->findChildren<ComparedViewport*>();
   ASSERT_EQ(views.size(), 3);
   rest(100);
-  std::ranges::sort(views, {}, &QWidget::x);
+  std::ranges::sort(views, {}, [](const QWidget* view) { return std::pair(view->y(), view->x()); });
   for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(&views[i]->run(), runs[static_cast<std::size_t>(i)].get()) << "from left to right as they were asked for";
+    EXPECT_EQ(&views[i]->run(), runs[static_cast<std::size_t>(i)].get()) << "in rows, as they were asked for";
+  const QRect first = window->viewport().geometry();
+  EXPECT_NEAR(views[2]->width(), first.width(), 2) << "four in two rows";
+  EXPECT_NEAR(views[2]->height(), first.height(), 2);
+  const auto together = [&] {
+    return std::ranges::all_of(views, [&](const ComparedViewport* view) {
+      return view->scene() && (view->scene()->pose().position - window->viewport().pose()->position).norm() < 1e-9;
+    });
+  };
+  EXPECT_TRUE(wait(together)) << "the first one was fitted anew when it became smaller";
   for (auto* view : views) ASSERT_TRUE(wait([&] { return view->scene() && view->run().frame(); }));
   rest(500);
   keepPicture(*window, "compared.png");
@@ -103,11 +112,33 @@ TEST_F(DrivenWindow, SeveralResultsAreComparedAndDrawnOverEachOther) {
     if (entry == std::string::npos) return -1;
     return 256 * static_cast<unsigned char>(data[entry + 30]) + static_cast<unsigned char>(data[entry + 31]);
   };
-  const QSize view = window->viewport().size();
+  const QSize view = window->viewport().size(), all = window->viewport().parentWidget()->size();
   EXPECT_NEAR(heightOfFilm(true), width * view.height() / view.width(), 2) << "in the view's shape";
-  EXPECT_NEAR(heightOfFilm(false), width / 4 * view.height() / view.width(), 2) << "four beside each other";
+  EXPECT_NEAR(heightOfFilm(false), width * all.height() / all.width(), 2) << "in that of all of them";
+
+  window->savePicture(folder / "four.png");
+  ASSERT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
+  const QImage saved(QString::fromStdString((folder / "four.png").string()));
+  ASSERT_FALSE(saved.isNull());
+  EXPECT_NEAR(saved.height(), saved.width() * all.height() / all.width(), 2);
+  const auto shareOfRock = [&](const QRect& part) {  // which is darker than what is behind it
+    int dark = 0;
+    for (int y = part.top(); y < part.bottom(); ++y)
+      for (int x = part.left(); x < part.right(); ++x) dark += saved.pixelColor(x, y).value() < 190;
+    return static_cast<double>(dark) / part.width() / part.height();
+  };
+  const int w = saved.width() / 2, h = saved.height() / 2;
+  for (const QPoint place : {QPoint(w, 0), QPoint(0, h), QPoint(w, h)})
+    EXPECT_NEAR(shareOfRock(QRect(place, QSize(w, h))), shareOfRock(QRect(0, 0, w, h)), 0.02) << "as in the first";
+  EXPECT_GT(shareOfRock(QRect(0, 0, w, h)), 0.01) << "more than letters";
   session->compared.close(*runs[0]);
   EXPECT_EQ(shownBeside(*window), 2);
+  rest(100);
+  const QWidget& area = *window->viewport().parentWidget();
+  const QRect one = views[1]->geometry(), other = views[2]->geometry();
+  EXPECT_GT(one.left(), window->viewport().geometry().right()) << "the next takes its place";
+  EXPECT_GT(other.top(), one.bottom());
+  EXPECT_EQ(other.width(), area.width()) << "the last one has the rest of its row";
   EXPECT_FALSE(window->viewport().ghost().system) << "it goes with its view";
 }
 

@@ -73,13 +73,18 @@ void ComparedResults::closeAll() {
   update();
 }
 
-QString ComparedResults::nameOf(const ComparedRun& run) const {
+std::vector<std::string> ComparedResults::names() const {
   std::vector<std::filesystem::path> folders{playback_.folder()};
   for (const auto& one : runs_) folders.push_back(one->results()->folder);
-  const std::vector<std::string> names = names_of_results(folders);
+  return names_of_results(folders);
+}
+
+QString ComparedResults::nameOf(const ComparedRun& run) const {
   for (std::size_t i = 0; i < runs_.size(); ++i)
-    if (runs_[i].get() == &run) return QString::fromStdString(names[i + 1]);
+    if (runs_[i].get() == &run) return QString::fromStdString(names()[i + 1]);
   return {};
 }
+
+QString ComparedResults::nameOfOpen() const { return QString::fromStdString(names().front()); }
 
 }  // namespace talus

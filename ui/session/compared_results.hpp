@@ -51,6 +51,8 @@ class ComparedResults : public QObject {
   const std::vector<std::shared_ptr<ComparedRun>>& runs() const { return runs_; }
   /// What tells a run from the others: "phi20", or "wet/phi20" where there is another phi20.
   QString nameOf(const ComparedRun& run) const;
+  /// The same of the results that are open.
+  QString nameOfOpen() const;
 
  signals:
   void changed();  ///< which there are
@@ -59,6 +61,8 @@ class ComparedResults : public QObject {
   /// Takes up those that have become open since.
   void update();
   void closeAll();
+  /// Of those that are open first, then of the others.
+  std::vector<std::string> names() const;
 
   Playback& playback_;
   Messages& messages_;

@@ -7,8 +7,8 @@
 
 namespace talus {
 
-/// Scenes beside each other in one picture, from left to right, a line of the theme between them; one alone is the
-/// picture. As OffscreenView to be made, used and destroyed on one thread.
+/// Scenes beside each other in one picture, in rows as panel_grid finds them, a line of the theme between them; one
+/// alone is the picture. As OffscreenView to be made, used and destroyed on one thread.
 class SideBySideView {
  public:
   /// At least one. Throws InputError for sizes that leave a scene less than 16 pixels, or are above 8192.
@@ -25,8 +25,13 @@ class SideBySideView {
   Image draw();
 
  private:
+  struct Panel {
+    std::unique_ptr<OffscreenView> view;
+    int left = 0, top = 0;  ///< pixels, of the whole
+  };
+
   std::vector<Scene*> scenes_;
-  std::vector<std::unique_ptr<OffscreenView>> views_;
+  std::vector<Panel> panels_;
   int width_, height_;
 };
 

@@ -1,6 +1,6 @@
 #include "widgets/results/export_job.hpp"
 
-#include "render/scene/offscreen.hpp"
+#include "render/film/side_by_side.hpp"
 #include "widgets/kit/text.hpp"
 #include "widgets/view/compared_viewport.hpp"
 
@@ -8,7 +8,7 @@ namespace talus {
 
 namespace {
 
-/// A picture, or a film.
+/// A picture, or a film; of several results beside each other.
 void draw(const ExportTask& task, Progress& progress) {
   SceneSettings settings = task.settings;
   settings.fine = settings.smooth_outlines = true;
@@ -23,11 +23,6 @@ void draw(const ExportTask& task, Progress& progress) {
   scene.set_actions(task.actions);
   scene.set_joints(task.joints, task.chosenCuts);
   scene.set_pose(task.pose);
-  if (task.path.extension() == ".png") {
-    if (!task.times.empty()) scene.set_frame(task.frame(0));
-    render_png(scene, task.path, task.film.width, task.film.height);
-    return;
-  }
   std::vector<Filmed> films{{scene, *task.system, task.times, task.frame}};
   std::vector<std::unique_ptr<Scene>> others;
   for (const ComparedFilm& other : task.compared) {
@@ -35,7 +30,16 @@ void draw(const ExportTask& task, Progress& progress) {
     others.back()->set_pose(task.pose);
     films.push_back({*others.back(), *other.system, other.times, other.frame, other.name});
   }
-  render_film(films, task.film, task.path, progress);
+  if (task.path.extension() != ".png") {
+    render_film(films, task.film, task.path, progress);
+    return;
+  }
+  std::vector<Scene*> scenes;
+  for (const Filmed& one : films) {
+    scenes.push_back(&one.scene);
+    if (!one.times.empty()) one.scene.set_frame(one.frame(0));
+  }
+  write_png(SideBySideView(scenes, task.film.width, task.film.height, Sampling::best).draw(), task.path);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace talus {
 
-/// Results that are filmed beside those of the view, or over them.
+/// Results that are drawn beside those of the view, or filmed over them.
 struct ComparedFilm {
   std::shared_ptr<const BlockSystem> system;
   std::vector<double> times;                               ///< s, of the frames

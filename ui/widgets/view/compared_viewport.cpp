@@ -1,6 +1,6 @@
 #include "widgets/view/compared_viewport.hpp"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QToolButton>
 #include <algorithm>
 
@@ -108,9 +108,16 @@ bool ComparedViewport::eventFilter(QObject* watched, QEvent* event) {
   return QFrame::eventFilter(watched, event);
 }
 
-ComparedViewports::ComparedViewports(ComparedResults& all, Viewport& viewport, QHBoxLayout& row)
-    : QObject(&viewport), all_(all), viewport_(viewport), row_(row) {
+ComparedViewports::ComparedViewports(ComparedResults& all, Viewport& viewport, QGridLayout& grid)
+    : QObject(&viewport), all_(all), viewport_(viewport), grid_(grid) {
+  arrange();
+  grid_.parentWidget()->installEventFilter(this);
   connect(&all, &ComparedResults::changed, this, &ComparedViewports::follow);
+}
+
+bool ComparedViewports::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) arrange();
+  return QObject::eventFilter(watched, event);
 }
 
 void ComparedViewports::follow() {
@@ -122,10 +129,29 @@ void ComparedViewports::follow() {
   });
   for (std::size_t i = 0; i < runs.size(); ++i) {  // in their order, whichever came first
     if (i < views_.size() && &views_[i]->run() == runs[i].get()) continue;
-    auto* view = new ComparedViewport(all_, runs[i], viewport_);
-    views_.insert(views_.begin() + static_cast<std::ptrdiff_t>(i), view);
-    const int right_of_it = i + 1 < views_.size() ? row_.indexOf(views_[i + 1]) : row_.count();
-    row_.insertWidget(right_of_it, view, 1);
+    views_.insert(views_.begin() + static_cast<std::ptrdiff_t>(i), new ComparedViewport(all_, runs[i], viewport_));
+  }
+  arrange();
+}
+
+void ComparedViewports::arrange() {
+  std::vector<QWidget*> shown{&viewport_};
+  shown.insert(shown.end(), views_.begin(), views_.end());
+  const QSize all = grid_.parentWidget()->size();
+  const int count = static_cast<int>(shown.size());
+  const PanelGrid panels = panel_grid(count, all.width(), all.height());
+  if (shown == shown_ && panels == panels_) return;
+  shown_ = shown;
+  panels_ = panels;
+  const int columns = panels.columns;
+  while (grid_.count() > 0) delete grid_.takeAt(0);
+  for (int column = 0; column < grid_.columnCount(); ++column) grid_.setColumnStretch(column, 0);
+  for (int row = 0; row < grid_.rowCount(); ++row) grid_.setRowStretch(row, 0);
+  for (int i = 0; i < count; ++i) {
+    const int row = i / columns, column = i % columns;
+    grid_.addWidget(shown[static_cast<std::size_t>(i)], row, column, 1, i + 1 < count ? 1 : columns - column);
+    grid_.setColumnStretch(column, 1);
+    grid_.setRowStretch(row, 1);
   }
 }
 

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "jobs/latest_job.hpp"
+#include "render/paint/panel_grid.hpp"
 #include "render/scene/scene.hpp"
 #include "session/compared_results.hpp"
 #include "widgets/view/camera_moves.hpp"
 
-class QHBoxLayout;
+class QGridLayout;
 class QToolButton;
 
 namespace talus {
@@ -55,19 +56,27 @@ class ComparedViewport : public QFrame {
   LatestJob drawing_;        ///< last: its thread ends before the others go
 };
 
-/// Keeps a view beside the others in a row for each run that is compared.
+/// Keeps a view beside the first one for each run that is compared, in rows as they are largest.
 class ComparedViewports : public QObject {
   Q_OBJECT
  public:
-  ComparedViewports(ComparedResults& all, Viewport& viewport, QHBoxLayout& row);
+  /// `grid`: all that its parent widget has; the first view is put there, too.
+  ComparedViewports(ComparedResults& all, Viewport& viewport, QGridLayout& grid);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void follow();
+  /// Where another grid than now is the best one, or other views are in it.
+  void arrange();
 
   ComparedResults& all_;
   Viewport& viewport_;
-  QHBoxLayout& row_;
+  QGridLayout& grid_;
   std::vector<ComparedViewport*> views_;
+  std::vector<QWidget*> shown_;  ///< as they stand in the grid
+  PanelGrid panels_;
 };
 
 }  // namespace talus

@@ -22,6 +22,7 @@ void RenderSurface::drawAndTime() {
   window_->Render();
   lastSeconds_ = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
   ++drawings_;
+  if (drawn_) drawn_();
 }
 
 void RenderSurface::fitWindowTo(const QWidget& widget) {

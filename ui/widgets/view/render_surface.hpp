@@ -2,6 +2,7 @@
 
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include <vtkSmartPointer.h>
@@ -27,6 +28,8 @@ class RenderSurface {
   /// Draws a scene for nobody, so that shaders are compiled and letters cut before a first drawing is waited for.
   /// Where a card's driver draws, nothing happens: there is no OpenGL before the widget is shown, and no wait.
   virtual void warmUp(vtkRenderer&) {}
+  /// Called after each drawing.
+  void setDrawn(std::function<void()> drawn) { drawn_ = std::move(drawn); }
   /// s, of the last drawing.
   double lastSeconds() const { return lastSeconds_; }
   int drawings() const { return drawings_; }
@@ -40,6 +43,7 @@ class RenderSurface {
 
  private:
   QWidget* over_ = nullptr;
+  std::function<void()> drawn_;
   double lastSeconds_ = 0;
   int drawings_ = 0;
 };

@@ -53,6 +53,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
 
   overlay_ = new ViewOverlay(this);
   surface_->setOver(*overlay_);
+  surface_->setDrawn([this] { tellOfFit(); });
   tools_ = makePlane("overlay");
   tools_->setParent(this);
   setMargins(new QVBoxLayout(tools_), 3, 1);
@@ -118,6 +119,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(&session_.project.document(), &Document::projectChanged, this, &Viewport::followSystem);
   connect(&session_.playback, &Playback::frameChanged, this, &Viewport::showFrame);
   connect(&session_.display, &Display::changed, this, &Viewport::takeDisplay);
+  connect(&session_.compared, &ComparedResults::changed, this, &Viewport::applySettings);
   connect(&session_.run, &CurrentRun::progressed, this, &Viewport::showEmptyState);
   connect(&session_.project, &CurrentProject::opened, this, [this] {
     standing_.reset();
@@ -276,15 +278,14 @@ SceneSettings Viewport::screenSettings() const {
   settings.smooth_outlines = false;
   if (showsJoints()) settings.rock_opacity = rock_with_joints;
   settings.text_height = theme::now().type.small * devicePixelRatioF();
+  if (!session_.compared.runs().empty()) settings.title = session_.compared.nameOfOpen().toStdString();
   return settings;
 }
 
 void Viewport::applySettings() {
   if (!scene_) return;
   SceneSettings settings = screenSettings();
-  const JobState state = session_.run.job().state();
-  const bool computing = state == JobState::running || state == JobState::meshing || state == JobState::stopping;
-  settings.fine = still_ && drag_ == Drag::none && !computing;
+  settings.fine = still_ && drag_ == Drag::none && !isComputing();
   settings.parallel_projection = scene_->settings().parallel_projection;
   if (!showsField()) settings.field.reset();
   if (session_.display.page() != WorkflowPage::results) settings.probed_line.reset();
@@ -317,6 +318,12 @@ void Viewport::applyJoints() {
 Selection& Viewport::selection() const { return session_.project.selection(); }
 
 bool Viewport::isRunning() const { return session_.run.isBusy(); }
+
+/// A run that pauses does not.
+bool Viewport::isComputing() const {
+  const JobState state = session_.run.job().state();
+  return state == JobState::running || state == JobState::meshing || state == JobState::stopping;
+}
 
 const SceneSettings& Viewport::displayed() const { return session_.display.settings(); }
 
@@ -351,7 +358,7 @@ void Viewport::flyTo(const CameraPose& pose) {
 
 void Viewport::render() {
   if (!scene_) return;
-  if (!session_.run.job().isBusy() || drag_ != Drag::none) {
+  if (!isComputing() || drag_ != Drag::none) {
     drawNow();
     return;
   }
@@ -365,7 +372,17 @@ void Viewport::render() {
 void Viewport::drawNow() {
   sinceDrawing_.start();
   surface_->requestRender();
+  told_ = pose();
   emit redrawn();
+}
+
+/// Of another size the view is fitted anew, which is known when it has been drawn.
+void Viewport::tellOfFit() {
+  if (!scene_) return;
+  const CameraPose now = scene_->pose();
+  if (told_ && now.position == told_->position && now.parallel_scale == told_->parallel_scale) return;
+  told_ = now;
+  QMetaObject::invokeMethod(this, &Viewport::redrawn, Qt::QueuedConnection);
 }
 
 void Viewport::moveTo(const CameraPose& pose) {
@@ -410,37 +427,11 @@ void Viewport::toggleProjection() {
   moveCamera(withOtherProjection(scene_->pose()));
 }
 
-void Viewport::hideSelected() {
-  if (!scene_) return;
-  const std::vector<int> chosen = selectedInView();
-  hidden_.insert(hidden_.end(), chosen.begin(), chosen.end());
-  scene_->set_hidden(hidden_);
-  session_.project.selection().clear();
-  render();
-}
-
-void Viewport::isolateSelected() {
-  const std::vector<int> chosen = selectedInView();
-  if (!scene_ || chosen.empty()) return;
-  hidden_.clear();
-  for (int block = 0; block < static_cast<int>(system_->blocks.size()); ++block)
-    if (!std::binary_search(chosen.begin(), chosen.end(), block)) hidden_.push_back(block);
-  scene_->set_hidden(hidden_);
-  render();
-}
-
 void Viewport::toggleExplosion() {
   if (!scene_) return;
   SceneSettings settings = session_.display.settings();
   settings.explosion = settings.explosion == 0 ? apart : 0;
   session_.display.set(settings);
-}
-
-void Viewport::showAll() {
-  if (!scene_) return;
-  hidden_.clear();
-  scene_->set_hidden({});
-  render();
 }
 
 std::optional<CameraPose> Viewport::pose() const {

@@ -166,12 +166,14 @@ class Viewport : public QWidget {
   WorkflowPage page() const;
   Selection& selection() const;
   bool isRunning() const;
+  bool isComputing() const;
   const SceneSettings& displayed() const;
   Display& display() const;
   Playback& playback() const;
   void moveCamera(const CameraPose& pose);
   void render();
   void drawNow();
+  void tellOfFit();
   void drawRoughlyFirst();
   void becomeStill();
   void showEmptyState();
@@ -230,6 +232,7 @@ class Viewport : public QWidget {
   bool still_ = true;
   QVariantAnimation flight_;
   CameraPose flightStart_, flightEnd_;
+  std::optional<CameraPose> told_;    ///< that those beside it follow
   std::optional<Standing> together_;  ///< to go back to when blocks are no longer drawn apart
   QElapsedTimer sinceDrawing_;
 

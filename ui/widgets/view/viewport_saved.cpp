@@ -24,6 +24,7 @@ std::optional<SavedView> Viewport::savedView() const {
   view.time = frame->time;
   view.settings = scene_->settings();
   view.settings.places.clear();
+  view.settings.title = displayed().title;  // not what tells it from those beside it
   if (const auto range = scene_->shown_range()) view.settings.range = range;
   if (displayed().field != view.settings.field) view.settings.range.reset();
   view.camera = scene_->pose();

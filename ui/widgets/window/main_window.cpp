@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScreen>
@@ -117,11 +118,11 @@ void MainWindow::makeCentre() {
   setMargins(column, 0, 0);
   viewport_ = new Viewport(session_);
   timeline_ = new Timeline(session_.project.document(), session_.run, session_.playback);
-  auto* views = new QHBoxLayout;
-  setMargins(views, 0, 1);
-  views->addWidget(viewport_, 1);
-  new ComparedViewports(session_.compared, *viewport_, *views);
-  column->addLayout(views, 1);
+  views_ = new QWidget;
+  auto* grid = new QGridLayout(views_);
+  setMargins(grid, 0, 1);
+  new ComparedViewports(session_.compared, *viewport_, *grid);
+  column->addWidget(views_, 1);
   column->addWidget(timeline_);
   centre_->addWidget(start_);
   centre_->addWidget(work);
@@ -296,13 +297,13 @@ ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) 
   task.stageNames = session_.run.stageNames();
   task.path = path;
   task.film.width = width;
-  task.film.height = heightFor(width);
+  task.film.height = heightFor(width, *viewport_);
   return task;
 }
 
-/// Of a picture of this width in the view's shape; films want even sizes.
-int MainWindow::heightFor(int width) const {
-  return width * viewport_->height() / std::max(1, viewport_->width()) / 2 * 2;
+/// Of a picture of this width in a view's shape; films want even sizes.
+int MainWindow::heightFor(int width, const QWidget& view) {
+  return width * view.height() / std::max(1, view.width()) / 2 * 2;
 }
 
 void MainWindow::savePicture(const std::filesystem::path& path) {
@@ -312,6 +313,13 @@ void MainWindow::savePicture(const std::filesystem::path& path) {
     task.frame = [frame](int) { return frame; };
     task.times = {frame->time};
     task.ghost = viewport_->ghost();
+    for (const auto& run : session_.compared.runs())
+      if (const auto beside = run->frame())
+        task.compared.push_back({run->results()->system,
+                                 {beside->time},
+                                 [beside](int) { return beside; },
+                                 session_.compared.nameOf(*run).toStdString()});
+    if (!task.compared.empty()) task.film.height = heightFor(task.film.width, *views_);
   }
   task.what = tr("Picture");
   session_.messages.settle(Problem::Of::picture);
@@ -323,6 +331,8 @@ void MainWindow::saveFilm(const std::filesystem::path& path, const FilmOptions& 
   ExportTask task = exportTask(path, film.width);
   task.film.fps = film.fps;
   task.film.camera = film.camera;
+  task.film.from = film.from;
+  task.film.to = film.to;
   task.settings.field = session_.display.settings().field;
   if (viewport_->showsSolids()) {  // a film is of the blocks
     task.system = session_.project.system();
@@ -340,9 +350,10 @@ void MainWindow::saveFilm(const std::filesystem::path& path, const FilmOptions& 
     task.compared.push_back(
         {results.system, results.frame_times, framesOf(results.folder), session_.compared.nameOf(*run).toStdString()});
   }
-  const int beside = film.over ? 1 : 1 + static_cast<int>(task.compared.size());
-  task.film.height = heightFor(film.width / beside);
-  task.settings.title = session_.project.document().name().toStdString();
+  if (task.compared.empty() || film.over)
+    task.settings.title = session_.project.document().name().toStdString();
+  else
+    task.film.height = heightFor(film.width, *views_);
   task.what = tr("Film");
   session_.messages.settle(Problem::Of::picture);
   exporter_.start(std::move(task));

@@ -111,7 +111,7 @@ class MainWindow : public QMainWindow {
   void showManual();
   void showAbout();
   ExportTask exportTask(const std::filesystem::path& path, int width);
-  int heightFor(int width) const;
+  static int heightFor(int width, const QWidget& view);
   QString folderForDialogs() const;
   /// What a dialog for saving begins with: beside the project under its name, or under its title where it has no file.
   QString proposedFile(const QString& ending) const;
@@ -129,6 +129,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* centre_;
   StartPage* start_;
   Viewport* viewport_;
+  QWidget* views_;  ///< of it and of those beside it
   Timeline* timeline_;
   ProjectTree* tree_;
   QDockWidget *left_, *right_, *bottom_;
