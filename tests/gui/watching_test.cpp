@@ -165,8 +165,23 @@ TEST_F(Watching, AFilmGoesAlongWithABlockAndRound) {
   choose(named<QComboBox>(*film, QStringLiteral("Width")), QStringLiteral("1920 pixels wide"));
   EXPECT_EQ(film->options().width, 1920);
   choose(named<QComboBox>(*film, QStringLiteral("Width")), QStringLiteral("1280 pixels wide"));
-
   auto* save = film->findChild<QPushButton*>(QStringLiteral("saveFilm"));
+  const auto typeMoment = [&](const char* name, const char* time) {
+    auto& field = named<QLineEdit>(*film, QString::fromLatin1(name));
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, QString::fromLatin1(time));
+    QTest::keyClick(&field, Qt::Key_Return);
+  };
+  EXPECT_FALSE(film->options().from || film->options().to);
+  typeMoment("Moment at which the film begins", "100 ms");
+  typeMoment("Moment at which the film ends", "0.05");
+  EXPECT_EQ(film->options().from, 0.1);
+  EXPECT_FALSE(save->isEnabled()) << "it ends before it begins";
+  typeMoment("Moment at which the film ends", "0.15");
+  EXPECT_EQ(film->options().to, 0.15);
+  EXPECT_TRUE(save->isEnabled());
+
   tick(QStringLiteral("Goes from key to key"));
   EXPECT_FALSE(save->isEnabled()) << "without keys";
   session->playback.showFrame(0);

@@ -51,6 +51,8 @@ FilmDialog::FilmDialog(Playback& playback, ComparedResults& compared, Viewport& 
       follows_(new QCheckBox(tr("Goes along with"))),
       goes_(new QCheckBox(tr("Goes from key to key"))),
       degrees_(new NumberField(turn_, {QStringLiteral("°"), QStringLiteral("°")})),
+      begin_(new NumberField({}, {QStringLiteral("s"), QStringLiteral("s")})),
+      end_(new NumberField({}, {QStringLiteral("s"), QStringLiteral("s")})),
       save_(makeButton(tr("Save film…"), "primary")),
       speed_(makeLabel({}, "muted")) {
   setWindowTitle(tr("Film"));
@@ -62,6 +64,23 @@ FilmDialog::FilmDialog(Playback& playback, ComparedResults& compared, Viewport& 
   size->addRow(tr("Size"), width_, tr("In the view's shape"));
   size->addRow(tr("Rate"), rate_);
   size->addRow(tr("Speed"), speed_, tr("That of play, which the timeline chooses"));
+  size->addRow(tr("Begins at"), begin_);
+  size->addRow(tr("Ends at"), end_);
+  const auto takeMoment = [this](NumberField* field, std::optional<double>& moment, const QString& none) {
+    field->allowNone(none);
+    const auto take = [this, &moment](std::optional<double> time) {
+      moment = time;
+      refresh();
+    };
+    connect(field, &NumberField::committed, this, take);
+    connect(field, &NumberField::cleared, this, [take] { take({}); });
+  };
+  takeMoment(begin_, from_, tr("first frame"));
+  takeMoment(end_, to_, tr("last frame"));
+  begin_->setAccessibleName(tr("Moment at which the film begins"));
+  begin_->setMeaning(tr("Moment of the model at which the film begins"));
+  end_->setAccessibleName(tr("Moment at which the film ends"));
+  end_->setMeaning(tr("Moment of the model at which the film ends"));
   others_->setToolTip(tr("Over the view those that were opened first for comparing are drawn"));
   size->addRow(tr("Compared results"), others_);
   connect(&compared_, &ComparedResults::changed, this, &FilmDialog::refresh);
@@ -103,13 +122,22 @@ FilmDialog::FilmDialog(Playback& playback, ComparedResults& compared, Viewport& 
   save_->setAutoDefault(false);
   connect(save_, &QPushButton::clicked, this, &FilmDialog::filmWanted);
   connect(&playback_, &Playback::framesChanged, this, [this] {
-    if (playback_.times().empty()) setKeys({});
+    if (playback_.times().empty()) forgetMoments();
     fillBlocks();
   });
   connect(&timeline_, &Timeline::speedChanged, this, &FilmDialog::refresh);
   fillBlocks();
   setKeys({});
   resizeWithin(*this, {520, 520});
+}
+
+/// They were of other results.
+void FilmDialog::forgetMoments() {
+  from_.reset();
+  to_.reset();
+  begin_->setValue({});
+  end_->setValue({});
+  setKeys({});
 }
 
 QWidget* FilmDialog::makeKeys() {
@@ -158,6 +186,8 @@ FilmOptions FilmDialog::options() const {
   film.width = width_->currentData().toInt();
   film.fps = rate_->currentData().toInt();
   film.speed = timeline_.speed();
+  film.from = from_;
+  film.to = to_;
   film.over = !compared_.runs().empty() && others_->currentIndex() == 1;
   if (turns_->isChecked()) film.camera.turn = turn_;
   if (follows_->isChecked() && block_->currentIndex() >= 0) film.camera.follow = block_->currentData().toInt();
@@ -232,11 +262,15 @@ void FilmDialog::refresh() {
   remove_->setEnabled(goes_->isChecked() && table_->currentRow() >= 0);
   const std::string speed = speed_text(timeline_.speed());
   speed_->setText(speed.empty() ? tr("real time") : text(speed));
+  const std::vector<double>& times = playback_.times();
   const bool lacksKeys = goes_->isChecked() && keys_.empty();
-  save_->setEnabled(!playback_.times().empty() && !lacksKeys);
-  save_->setToolTip(playback_.times().empty() ? tr("There are no frames yet")
-                    : lacksKeys               ? tr("Add a key, or let the camera stand still")
-                                              : QString());
+  const bool shows = !times.empty() && std::max(from_.value_or(times.front()), times.front()) <=
+                                           std::min(to_.value_or(times.back()), times.back());
+  save_->setEnabled(shows && !lacksKeys);
+  save_->setToolTip(times.empty() ? tr("There are no frames yet")
+                    : !shows      ? tr("No frames lie between its beginning and its end")
+                    : lacksKeys   ? tr("Add a key, or let the camera stand still")
+                                  : QString());
 }
 
 }  // namespace talus

@@ -38,6 +38,7 @@ class FilmDialog : public QDialog {
 
  private:
   QWidget* makeKeys();
+  void forgetMoments();
   void addKey();
   void removeKey();
   void readKeys();
@@ -51,12 +52,13 @@ class FilmDialog : public QDialog {
   Viewport& viewport_;
   Timeline& timeline_;
   Messages& messages_;
-  double turn_ = 360;  ///< degrees
+  double turn_ = 360;                ///< degrees
+  std::optional<double> from_, to_;  ///< s of the model; the first frame, the last
   std::vector<CameraKey> keys_;
   QComboBox *width_, *rate_, *block_, *others_;
   Section* pictures_;
   QCheckBox *turns_, *follows_, *goes_;
-  NumberField* degrees_;
+  NumberField *degrees_, *begin_, *end_;
   PlainTable* table_;
   QPushButton *add_, *remove_, *read_, *keep_, *save_;
   QLabel* speed_;
