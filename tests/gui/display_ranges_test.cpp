@@ -70,8 +70,12 @@ TEST_F(DrivenWindow, RangeOfTheLegendIsTypedAndStaysWhateverIsLookedAt) {
   session->display.set(settings);
   EXPECT_FALSE(session->display.typedRange()) << "it was of another field";
   EXPECT_FALSE(session->display.settings().only);
+  settings = session->display.settings();
   settings.field = field_named("displacement");
   session->display.set(settings);
+  ASSERT_TRUE(session->display.settings().only) << "each field keeps which values alone are drawn of it";
+  EXPECT_DOUBLE_EQ(session->display.settings().only->low, 0.02);
+  EXPECT_TRUE(only->isChecked());
   EXPECT_EQ(session->display.settings().range, (ValueRange{0, 0.025})) << "each field keeps what was typed of it";
   EXPECT_EQ(range->currentIndex(), 2);
 }

@@ -12,7 +12,7 @@ Display::Display(CurrentProject& project, Playback& playback)
   whole_.follow(settings_.field);
   connect(&playback_, &Playback::frameChanged, this, &Display::takeFrame);
   connect(&project_, &CurrentProject::systemChanged, this, [this] { mark({}); });  // they are places of other blocks
-  connect(&project_, &CurrentProject::opened, this, [this] { typedRanges_.clear(); });
+  connect(&project_, &CurrentProject::opened, this, [this] { forgetRanges(); });
   connect(&whole_, &RunRange::changed, this, [this] {
     const auto before = settings_.range;
     takeFrame();
@@ -34,7 +34,8 @@ std::optional<ValueRange> Display::legendRange() const {
   if (frame && typed) return typed;
   if (!frame || !settings_.field || !project_.system() || !rangeFollowsRun_) return std::nullopt;
   ValueRange range = whole_.known();
-  if (range.empty()) range = whole_.rangeOf(*frame);  // until the others are read
+  // Until the others are read; and a run shows moments beyond its last frame.
+  if (range.empty() || playback_.isLive()) range.include(whole_.rangeOf(*frame));
   return range.empty() ? std::nullopt : std::optional<ValueRange>(legend_range(*settings_.field, range));
 }
 
@@ -42,11 +43,31 @@ void Display::set(const SceneSettings& settings) {
   const bool anotherField = settings.field != settings_.field, sameOnly = settings.only == settings_.only;
   settings_ = settings;
   if (anotherField) {
-    if (sameOnly) settings_.only.reset();  // it was of the other field
+    if (sameOnly) settings_.only = kept(onlyRanges_);  // it was of the other field
     whole_.follow(settings_.field);
     takeFrame();
   }
+  keep(onlyRanges_, settings_.only);
   emit changed();
+}
+
+void Display::forgetRanges() {
+  typedRanges_.clear();
+  onlyRanges_.clear();
+  settings_.only.reset();
+}
+
+std::optional<ValueRange> Display::kept(const RangesOfFields& ranges) const {
+  const auto found = settings_.field ? ranges.find(settings_.field->name) : ranges.end();
+  return found == ranges.end() ? std::nullopt : std::optional<ValueRange>(found->second);
+}
+
+void Display::keep(RangesOfFields& ranges, const std::optional<ValueRange>& range) const {
+  if (!settings_.field) return;
+  if (range)
+    ranges.insert_or_assign(settings_.field->name, *range);
+  else
+    ranges.erase(settings_.field->name);
 }
 
 void Display::setRangeFollowsRun(bool follows) {
@@ -61,17 +82,10 @@ ValueRange Display::spannedRange() const {
   return legend_range(*settings_.field, whole_.rangeOf(*frame));
 }
 
-std::optional<ValueRange> Display::typedRange() const {
-  const auto found = settings_.field ? typedRanges_.find(settings_.field->name) : typedRanges_.end();
-  return found == typedRanges_.end() ? std::nullopt : std::optional<ValueRange>(found->second);
-}
+std::optional<ValueRange> Display::typedRange() const { return kept(typedRanges_); }
 
 void Display::setTypedRange(const std::optional<ValueRange>& range) {
-  if (!settings_.field) return;
-  if (range)
-    typedRanges_.insert_or_assign(settings_.field->name, *range);
-  else
-    typedRanges_.erase(settings_.field->name);
+  keep(typedRanges_, range);
   takeFrame();
   emit changed();
 }
@@ -83,6 +97,8 @@ void Display::show(const SceneSettings& saved) {
   settings.places = settings_.places;
   settings.joints = settings_.joints;
   set(settings);
+  settings_.only = saved.only;  // and not what the field has kept
+  keep(onlyRanges_, saved.only);
   setTypedRange(saved.range);
 }
 

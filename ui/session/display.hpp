@@ -33,7 +33,8 @@ class Display : public QObject {
   /// All frames of results on disk have been looked at for it.
   bool knowsRangeOfRun() const { return whole_.isWhole(); }
   /// What the legend spans of the field that is shown, whichever frames are looked at; empty: of the run or the frame.
-  /// Each field keeps its own, whichever are shown in between.
+  /// Each field keeps its own, as it keeps the values that alone are drawn (SceneSettings::only), whichever are shown
+  /// in between.
   std::optional<ValueRange> typedRange() const;
   void setTypedRange(const std::optional<ValueRange>& range);
   /// What the legend spans now, SI.
@@ -60,15 +61,21 @@ class Display : public QObject {
   void troubleWanted(const talus::ConvergenceTrouble& trouble);  ///< the view should go there
 
  private:
+  using RangesOfFields = std::map<std::string_view, ValueRange>;  ///< by the field's name
+
   void takeFrame();
+  void forgetRanges();
   std::optional<ValueRange> legendRange() const;
+  /// Of the field that is shown.
+  std::optional<ValueRange> kept(const RangesOfFields& ranges) const;
+  void keep(RangesOfFields& ranges, const std::optional<ValueRange>& range) const;
 
   CurrentProject& project_;
   Playback& playback_;
   WorkflowPage page_ = WorkflowPage::geometry;
   SceneSettings settings_;
   bool rangeFollowsRun_ = true;
-  std::map<std::string_view, ValueRange> typedRanges_;  ///< by the field's name
+  RangesOfFields typedRanges_, onlyRanges_;
   RunRange whole_;
 };
 
