@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "base/units.hpp"
@@ -277,8 +278,9 @@ KeyEntry Scene::State::meaning_of_arrows() const {
                                             longest(amount_text(largest_value(arrows), of_velocity ? "m/s" : "N"))};
 }
 
-void Scene::State::paint_actions(Painter& painter) const {
-  if (!settings.actions) return;
+std::vector<PixelRect> Scene::State::paint_actions(Painter& painter) const {
+  std::vector<PixelRect> taken = covered;
+  if (!settings.actions) return taken;
   std::vector<PlaceMark> marks;
   for (std::size_t i = 0; i < actions.size(); ++i) {
     if (actions[i].label.empty()) continue;
@@ -286,7 +288,10 @@ void Scene::State::paint_actions(Painter& painter) const {
     if (const auto pixel = pixel_of(actions[i].pushes ? from : to)) marks.push_back({*pixel, actions[i].label});
   }
   const auto [width, height] = size();
-  paint_labels(painter, marks, {settings.theme, text_height(), width, height, covered});
+  const MarkedPicture picture{settings.theme, text_height(), width, height, covered};
+  paint_labels(painter, marks, picture);
+  std::ranges::copy(label_places(marks, picture), std::back_inserter(taken));
+  return taken;
 }
 
 std::optional<ActionGlyph> Scene::State::action_at(const PixelPoint& pixel) const {

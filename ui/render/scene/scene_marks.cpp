@@ -59,7 +59,7 @@ CameraPose Scene::State::pose_at(const Vec3& place, double size) const {
   return wanted;
 }
 
-void Scene::State::paint_marks(Painter& painter) const {
+void Scene::State::paint_marks(Painter& painter, std::vector<PixelRect> taken) const {
   std::vector<PlaceMark> marks;
   const auto mark = [&](const Vec3& place, const std::string& label) {
     if (const auto pixel = pixel_of(place - origin)) marks.push_back({*pixel, label});
@@ -68,7 +68,7 @@ void Scene::State::paint_marks(Painter& painter) const {
     if (settings.troubles && !blocks_of(trouble).empty()) mark(place_of(trouble), contact_text(trouble));
   for (const MarkedPlace& place : settings.places) mark(place.at, place.label);
   const auto [width, height] = size();
-  talus::paint_marks(painter, marks, {settings.theme, text_height(), width, height, covered});
+  talus::paint_marks(painter, marks, {settings.theme, text_height(), width, height, std::move(taken)});
 }
 
 }  // namespace talus

@@ -144,8 +144,7 @@ Scene::State::State(const BlockSystem& blocks, SceneSettings wanted)
     const auto [width, height] = size();
     talus::paint(painter, overlay,
                  {width, height, right, towards_viewer.cross(right), towards_viewer, metres_per_pixel()});
-    paint_actions(painter);
-    paint_marks(painter);
+    paint_marks(painter, paint_actions(painter));
   };
   vtkNew<vtkContextActor> context;
   context->GetScene()->AddItem(item);

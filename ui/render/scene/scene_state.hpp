@@ -60,7 +60,8 @@ struct Scene::State {
   /// Looks the way the camera looks now, at something of a size [m] about a place [m].
   CameraPose pose_at(const Vec3& place, double size) const;
   std::vector<int> blocks_of(const ConvergenceTrouble& trouble) const;
-  void paint_marks(Painter& painter) const;
+  /// Labels keep out of what is taken.
+  void paint_marks(Painter& painter, std::vector<PixelRect> taken) const;
   /// The chosen colours; null where there are none of these blocks.
   const BlockColours* chosen_colours() const;
   Rgb colour_of(int block) const;
@@ -82,7 +83,8 @@ struct Scene::State {
     std::array<ActionGlyph::Principal, 3> principal;
   };
   std::vector<StressCross> stress_crosses() const;
-  void paint_actions(Painter& painter) const;
+  /// Returns what labels have to keep out of from now on: what covers the view, and its own labels.
+  std::vector<PixelRect> paint_actions(Painter& painter) const;
   std::optional<ActionGlyph> action_at(const PixelPoint& pixel) const;
   /// At the depth of the focal point.
   double metres_per_pixel() const;

@@ -1,5 +1,6 @@
 #include "widgets/kit/parts.hpp"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QEvent>
 #include <QPainter>
@@ -228,8 +229,22 @@ void resizeWithin(QWidget& dialog, const QSize& usual) {
   dialog.resize(window ? usual.boundedTo(window->size() - beside) : usual);
 }
 
+namespace {
+
+/// Its list is as wide as its entries, however narrow the box is.
+class Combo : public QComboBox {
+ public:
+  void showPopup() override {
+    constexpr int around = 32;  // of an entry, and what scrolls the list
+    view()->setMinimumWidth(view()->sizeHintForColumn(0) + around);
+    QComboBox::showPopup();
+  }
+};
+
+}  // namespace
+
 QComboBox* makeCombo(const QStringList& items, const QString& name) {
-  auto* box = new QComboBox;
+  auto* box = new Combo;
   box->addItems(items);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(4);
