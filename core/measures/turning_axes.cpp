@@ -40,10 +40,11 @@ TurningAxis axis_of(const Block& block, int number, std::size_t first, const Fra
   }
   const Vec3 turning = inertia.ldlt().solve(moment);
   axis.rate = turning.norm();
-  if (axis.rate < least_rate) return axis;
-  axis.direction = turning / axis.rate;
-  axis.point = middle + turning.cross(velocity) / turning.squaredNorm();
-  if ((axis.point - middle).norm() > farthest * axis.size) axis.rate = 0;
+  if (axis.rate >= least_rate) {
+    axis.direction = turning / axis.rate;
+    axis.point = middle + turning.cross(velocity) / turning.squaredNorm();
+  }
+  if (axis.rate < least_rate || (axis.point - middle).norm() > farthest * axis.size) axis.rate = 0;
   return axis;
 }
 

@@ -52,6 +52,7 @@ TEST(TurningAxes, AreNotOfBlocksThatStandStill) {
   EXPECT_EQ(turning_axes(system, frame).size(), 1u);
   frame.motions[1].came_to_rest = true;
   EXPECT_TRUE(turning_axes(system, frame).empty());
+  EXPECT_TRUE(turning_axes(system, turning(system, 1, Vec3(0, 0, 5e-7), Vec3(1, 1, 10))).empty()) << "rounding";
 }
 
 }  // namespace

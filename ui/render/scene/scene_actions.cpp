@@ -252,14 +252,29 @@ void Scene::State::shape_frame_arrows() {
       add_cross(cross.at, cross.principal, largest, colours(settings.theme).pick, size);
   }
   constexpr double least_seen = 0.03;  // of the longest
-  const std::vector<FrameArrow> arrows = frame_arrows();
-  const double longest = largest_value(arrows), em = metres_per_pixel() * text_height();
+  std::vector<FrameArrow> arrows = frame_arrows();
+  const double longest = largest_value(arrows);
+  std::erase_if(arrows, [&](const FrameArrow& arrow) { return !(arrow.value.norm() > least_seen * longest); });
+  const double among = size_among(arrows), em = among * metres_per_pixel() * text_height();
   for (const FrameArrow& arrow : arrows) {
     const double size = arrow.value.norm();
-    if (!(size > least_seen * longest)) continue;
     const Vec3 along = std::max(longest_arrow * size / longest, shortest_arrow) * em * arrow.value / size;
-    add_arrow(arrow.at, arrow.at + along, 1, colours(settings.theme).pick);
+    add_arrow(arrow.at, arrow.at + along, 1, colours(settings.theme).pick, among);
   }
+}
+
+double Scene::State::size_among(const std::vector<FrameArrow>& arrows) const {
+  constexpr double least = 0.3, over_distance = 2;  // of the usual size; of the longest one
+  if (arrows.size() < 2) return 1;
+  const CameraPose camera = pose();
+  const Vec3 to_viewer = (camera.position - camera.focal_point).normalized();
+  const Vec3 right = camera.view_up.cross(to_viewer).normalized(), up = to_viewer.cross(right);
+  Eigen::AlignedBox2d box;
+  for (const FrameArrow& arrow : arrows) box.extend(Eigen::Vector2d(right.dot(arrow.at), up.dot(arrow.at)));
+  const auto count = static_cast<double>(arrows.size());
+  const double side = box.sizes().maxCoeff(), apart = std::sqrt(std::max(box.volume(), side * side / count) / count);
+  const double usual = longest_arrow * metres_per_pixel() * text_height();
+  return std::clamp(over_distance * apart / usual, least, 1.0);
 }
 
 double Scene::State::largest_value(const std::vector<FrameArrow>& arrows) {

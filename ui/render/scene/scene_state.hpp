@@ -114,6 +114,8 @@ struct Scene::State {
   std::vector<FrameArrow> velocity_arrows() const;
   std::vector<FrameArrow> contact_arrows() const;
   static double largest_value(const std::vector<FrameArrow>& arrows);
+  /// Of their usual size, that of arrows which stand close on the screen: a crowd would hide the rock.
+  double size_among(const std::vector<FrameArrow>& arrows) const;
   double largest_stress() const;
   void shape_frame_arrows();
   KeyEntry meaning_of_arrows() const;
