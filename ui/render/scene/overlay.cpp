@@ -59,6 +59,14 @@ LegendLayout layout(const Overlay& overlay, double em, double picture_height) {
   return out;
 }
 
+/// A picture too low for both has the legend alone.
+bool has_room_for_triad(const Overlay& overlay, double picture_height) {
+  if (!overlay.legend) return true;
+  const double em = overlay.text_height;
+  return picture_height - margin * em - title_row(overlay) - layout(overlay, em, picture_height).height >=
+         triad_top * em - 1;
+}
+
 double width_of(const ColourKey& key, double em) {
   double widest = text_width(key.title, em, FontWeight::semibold);
   for (const KeyEntry& entry : key.entries) widest = std::max(widest, 1.2 * em + text_width(entry.meaning, em));
@@ -295,7 +303,7 @@ void paint(Painter& painter, const Overlay& overlay, const OverlayView& view) {
         {.height = 1.25 * em, .colour = colours(overlay.theme).text, .weight = FontWeight::semibold, .y = AlignY::top});
   if (overlay.legend) paint_legend(painter, overlay, view);
   if (overlay.colour_key && !overlay.legend) paint_colour_key(painter, overlay, view);
-  if (overlay.triad) paint_triad(painter, overlay, view);
+  if (overlay.triad && has_room_for_triad(overlay, view.height)) paint_triad(painter, overlay, view);
   if (overlay.scale_bar) paint_scale_bar(painter, overlay, view);
   const int rows = overlay.key.empty() ? 1 : paint_key(painter, overlay, view);
   paint_time(painter, overlay, view, rows);

@@ -50,7 +50,8 @@ SlidePanel::SlidePanel(MeasuredSlide& slide, Playback& playback, Display& displa
   left->addWidget(facts_, 1);
   sentence_->setAlignment(Qt::AlignCenter);
   left->addWidget(sentence_, 1);
-  row->addLayout(left, 3);
+  facts_->setMinimumWidth(220);
+  row->addLayout(left, 4);
   row->addWidget(map_, 5);
   row->addWidget(front_, 4);
   const auto setMoved = [this](std::optional<double> length) {

@@ -215,8 +215,8 @@ void Viewport::showScene(const Drawn& next) {
   });
   for (const Drawn& one : made_) one.scene->renderer()->SetDraw(one.scene == scene_);
   surface_->widget()->setVisible(system_ != nullptr);
-  tools_->setVisible(system_ != nullptr);
   showEmptyState();
+  placeOverlays();
   if (!scene_) return;
   scene_->set_stage_names(session_.run.stageNames());
   keepLabelsBesideTools();
@@ -477,8 +477,10 @@ void Viewport::resizeEvent(QResizeEvent*) {
 }
 
 void Viewport::placeOverlays() {
+  constexpr int away = 12;
   tools_->adjustSize();
-  tools_->move(width() - tools_->width() - 12, 12);
+  tools_->move(width() - tools_->width() - away, away);
+  tools_->setVisible(system_ && tools_->height() + 2 * away <= height());  // menus and keys have them too
   tools_->raise();
   keepLabelsBesideTools();
   picker_->adjustSize();

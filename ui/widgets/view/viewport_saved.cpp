@@ -45,6 +45,7 @@ void Viewport::show(const SavedView& view) {
 }
 
 std::vector<PixelRect> Viewport::coveredByTools() const {
+  if (tools_->isHidden()) return {};
   const double ratio = devicePixelRatioF();
   const QRect tools = tools_->geometry();
   return {PixelRect{tools.x() * ratio, (height() - tools.y() - tools.height()) * ratio,

@@ -65,5 +65,17 @@ TEST(Overlay, WordsDoNotMeetInPicturesOfAnySize) {
       }
 }
 
+TEST(Overlay, OfALowPictureHasTheLegendAndNoAxesInIt) {
+  for (const bool is_low : {true, false}) {
+    const double width = 320, height = is_low ? 190 : 300;
+    Overlay overlay = full_foot(width, height, {}, false);
+    overlay.legend = Legend{.title = "Displacement", .unit = "m", .map = &batlow()};
+    WordsPainter painter;
+    paint(painter, overlay, {width, height, Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitY(), 0.05});
+    const auto is_axis = [](const auto& word) { return word.text == "E" || word.text == "Z"; };
+    EXPECT_EQ(std::ranges::count_if(painter.words, is_axis), is_low ? 0 : 2);
+  }
+}
+
 }  // namespace
 }  // namespace talus
