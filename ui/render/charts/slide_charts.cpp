@@ -77,7 +77,8 @@ class DepositMap {
       return std::min((right - left) / across, (top - bottom) / up);
     };
     constexpr double much = 1.3;
-    turned_ = scale_of(ground_.up, ground_.across) > much * scale_of(ground_.across, ground_.up);
+    turned_ = ground_.up > ground_.across &&
+              scale_of(ground_.up, ground_.across) > much * scale_of(ground_.across, ground_.up);
     if (turned_) std::swap(ground_.across, ground_.up);
     scale_ = scale_of(ground_.across, ground_.up);
     const double across = scale_ * ground_.across, up = scale_ * ground_.up;

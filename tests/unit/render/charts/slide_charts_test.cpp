@@ -60,6 +60,10 @@ TEST(DepositMap, HasNorthUpWhereThatIsNoSmaller) {
     EXPECT_THAT(painted(slide_of(width, 1000), 700, 400), Not(HasSubstr(">north")));
 }
 
+TEST(DepositMap, IsNotTurnedToStandUprightInANarrowPlace) {
+  EXPECT_THAT(painted(slide_of(2000, 1000), 340, 150), Not(HasSubstr(">north")));
+}
+
 TEST(DepositMap, OfLongGroundNeedsLessHeight) {
   const double flat = deposit_map_height(slide_of(200, 1200), 700),
                square = deposit_map_height(slide_of(500, 500), 700);
