@@ -30,6 +30,7 @@
 #include "widgets/kit/number_field.hpp"
 #include "widgets/orientation/stereonet_panel.hpp"
 #include "widgets/orientation/stereonet_view.hpp"
+#include "widgets/view/compared_viewport.hpp"
 #include "widgets/window/bottom_panel.hpp"
 #include "widgets/window/command_search.hpp"
 #include "widgets/window/units_button.hpp"
@@ -321,6 +322,9 @@ void EveryPlace::solve() {
   window->saveFilm(folder / "slide.mp4");
   look("film");
   wait([&] { return !session->playback.isExporting(); });
+  look("film-dialog", "Save film…");
+  measureResults();
+  compareResults();
   QFile results(QString::fromStdString((session->playback.folder() / "results.h5").string()));
   results.open(QIODevice::ReadWrite);
   results.setFileTime(QDateTime(QDate(2026, 5, 12), QTime(14, 8)), QFileDevice::FileModificationTime);
@@ -335,6 +339,39 @@ void EveryPlace::solve() {
   command("Start page");
   look("start-recent");
   QTest::keyClick(window.get(), Qt::Key_Escape);
+}
+
+void EveryPlace::measureResults() {
+  auto* bottom = window->findChild<BottomPanel*>();
+  session->project.selection().select({Item::Kind::block, 2});
+  const auto lookAtTab = [&](const char* title, const char* place, auto isKnown) {
+    for (int tab = 0; tab < bottom->count(); ++tab)
+      if (bottom->tabText(tab) == QLatin1String(title)) bottom->setCurrentIndex(tab);
+    EXPECT_TRUE(wait(isKnown)) << title;
+    look(place);
+  };
+  lookAtTab("Histories", "results-histories", [] { return true; });
+  lookAtTab("Blocks' histories", "results-block-histories", [&] { return session->histories.history() != nullptr; });
+  lookAtTab("Run-out", "results-run-out", [&] { return session->slide.slide() != nullptr; });
+  lookAtTab("Joints that slipped", "results-slipped", [&] { return session->slips.slips() != nullptr; });
+  lookAtTab("Along a line", "results-line", [] { return true; });
+  session->project.selection().select({});
+  bottom->setCurrentIndex(bottom->count() - 1);
+}
+
+void EveryPlace::compareResults() {
+  const auto& runs = session->compared.runs();
+  for (const char* name : {"dry.results", "wet.results", "bolted.results"}) {
+    std::filesystem::copy(session->playback.folder(), folder / name, std::filesystem::copy_options::recursive);
+    const std::size_t before = runs.size();
+    window->compareWith(folder / name);
+    EXPECT_TRUE(wait([&] { return runs.size() > before; }));
+    for (const auto* view : window->findChildren<ComparedViewport*>())
+      EXPECT_TRUE(wait([&] { return view->scene() && view->run().frame(); }));
+    if (before == 0) look("results-beside");
+  }
+  look("results-four");
+  while (!runs.empty()) session->compared.close(*runs.front());
 }
 
 /// Of a run that is to pause, until it has made as many; the one that is under way ends first.

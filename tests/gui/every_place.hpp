@@ -33,6 +33,8 @@ class EveryPlace : public DrivenWindow {
   void showTroubles();
   void solve();
   void takeSteps(std::size_t count);
+  void measureResults();
+  void compareResults();
   void studyAndVerify();
   void openMenus();
 
