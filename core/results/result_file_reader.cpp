@@ -24,7 +24,7 @@ using hdf5::Table;
 namespace {
 
 /// Opening looks at the file's end and then at its superblock; a writer in another process may come between, which
-/// looks like a truncated file. It is gone at the next attempt.
+/// looks like a truncated file. It is gone at the next attempt. Where nobody writes the file is damaged.
 constexpr int attempts = 20;
 constexpr std::chrono::milliseconds between_attempts{2};
 
@@ -36,10 +36,10 @@ constexpr unsigned piece_attempts = 30, piece_attempts_in_closed_file = 20;
 Handle open_file(const std::filesystem::path& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  check(H5Pset_metadata_read_attempts(
-            access, is_written_to(path.parent_path()) ? piece_attempts : piece_attempts_in_closed_file),
+  const bool grows = is_written_to(path.parent_path());
+  check(H5Pset_metadata_read_attempts(access, grows ? piece_attempts : piece_attempts_in_closed_file),
         "cannot be told how often to read");
-  for (int attempt = 1; attempt < attempts; ++attempt) {
+  for (int attempt = 1; grows && attempt < attempts; ++attempt) {
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access);
     if (file >= 0) return Handle(file);
     std::this_thread::sleep_for(between_attempts);

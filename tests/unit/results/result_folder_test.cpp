@@ -2,11 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <thread>
 
 #include "base/error.hpp"
 #include "example_results.hpp"
+#include "results/result_file.hpp"
 
 namespace talus {
 namespace {
@@ -310,6 +313,18 @@ TEST(ResultFolder, WhatHoldsNoResultsIsAnInputError) {
   EXPECT_THROW(ResultReader reader(temporary.path), InputError);
   std::ofstream(temporary.path / "results.h5") << "not HDF5 at all";
   EXPECT_THROW(ResultReader reader(temporary.path), InputError);
+}
+
+TEST(ResultFolder, OnlyWhereARunWritesAFileThatCannotBeOpenedIsTriedAgain) {
+  const TemporaryFolder temporary;
+  std::ofstream(temporary.path / "results.h5") << "not HDF5 at all";
+  std::chrono::steady_clock::duration quickest = std::chrono::hours(1);
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_THROW(ResultFileReader reader(temporary.path / "results.h5"), InputError);
+    quickest = std::min(quickest, std::chrono::steady_clock::now() - begin);
+  }
+  EXPECT_LT(quickest, std::chrono::milliseconds(20)) << "the pauses of all attempts are 38 ms";
 }
 
 TEST(ResultFolder, WhateverBytesAreLostTheReaderKeepsWithinItsBounds) {
