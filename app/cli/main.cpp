@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
 
+#include "base/one_line.hpp"
 #include "base/progress.hpp"
 #include "command.hpp"
 #include "text/terminal.hpp"
@@ -16,25 +16,7 @@ namespace {
 using namespace talus;
 using namespace talus::cli;
 
-/// Where the UTF-8 character begins that the byte at `at` belongs to.
-std::size_t character_start(const std::string& text, std::size_t at) {
-  while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) --at;
-  return at;
-}
-
-/// One line that a person reads, whatever a file or a library put into its message: no control characters, and of a
-/// long one the beginning, which says where, and the end, which says what to do.
-void complain(std::string message) {
-  constexpr std::size_t most = 480, kept_at_end = 180;
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
-  if (message.size() > most) {
-    const std::size_t end = character_start(message, most - kept_at_end - 5);
-    const std::size_t again = character_start(message, message.size() - kept_at_end);
-    message = message.substr(0, end) + " … " + message.substr(again);
-  }
-  std::cerr << "talus-cli: " << message << '\n';
-}
+void complain(const std::string& message) { std::cerr << "talus-cli: " << one_line(message) << '\n'; }
 
 void describe(CLI::App& program) {
   program.description(
