@@ -240,6 +240,7 @@ struct ResultFileWriter::State : FrameTables {
   std::vector<double> nodes;
   hsize_t node_count = 0, tetrahedron_count = 0, block_count = 0;
   std::int64_t frames = 0, contact_end = 0, motion_end = 0;
+  std::int64_t announced = 0;  // frames; those that are written again among them
   Handle file, steps, step_count;
   Table points, parts, times;
   std::vector<Table> offsets;
@@ -264,9 +265,10 @@ void ResultFileWriter::State::open_growing() {
   step_count = Handle(check(H5Aopen(steps, "NSteps", H5P_DEFAULT), "cannot open NSteps"));
 }
 
-/// Of the same frames again the same is written: who reads them meanwhile sees no other.
+/// Of the same frames again the same is written: who reads them meanwhile sees no other, and they stay announced.
 void ResultFileWriter::State::go_back_to(std::int64_t frame_count) {
   frames = frame_count;
+  announced = hdf5::read_number_attribute<std::int64_t>(steps, "NSteps");
   const auto rows = static_cast<hsize_t>(frames);
   for (Table* table : {&parts, &times, &index, &stage, &contact_ends, &motion_ends}) table->go_back_to(rows);
   for (Table& table : offsets) table.go_back_to(rows);
@@ -312,8 +314,8 @@ void ResultFileWriter::State::announce(double time) {
   flush();
   times.append(&time, 1);
   flush();
-  ++frames;
-  check(H5Awrite(step_count, H5T_NATIVE_INT64, &frames), "cannot write NSteps");
+  announced = std::max(announced, ++frames);
+  check(H5Awrite(step_count, H5T_NATIVE_INT64, &announced), "cannot write NSteps");
   flush();
 }
 

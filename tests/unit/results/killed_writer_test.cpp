@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
+#include <hdf5.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <random>
@@ -10,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "example_results.hpp"
+#include "results/result_file.hpp"
 #include "results/superblock.hpp"
 
 namespace talus {
@@ -174,6 +177,35 @@ TEST(KilledWriter, ResultsCanBeReadWhileAnotherProcessWrites) {
     last = frames;
     for (const int i : {0, frames / 2, frames - 1}) ASSERT_TRUE(same(reader.frame(i), example_frame(system, i)));
   }
+}
+
+int announced_to_others(const fs::path& file) {
+  const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t steps = H5Aopen_by_name(opened, "/VTKHDF/Steps", "NSteps", H5P_DEFAULT, H5P_DEFAULT);
+  std::int64_t count = -1;
+  H5Aread(steps, H5T_NATIVE_INT64, &count);
+  H5Aclose(steps);
+  H5Fclose(opened);
+  return static_cast<int>(count);
+}
+
+TEST(KilledWriter, FramesThatAreWrittenAgainStayAnnounced) {
+  const BlockSystem system = example_system();
+  const TemporaryFolder temporary;
+  const fs::path file = temporary.path / "results.h5";
+  {
+    ResultFileWriter writer(file, example_project(), system);
+    for (int i = 0; i < 5; ++i) writer.add_frame(example_frame(system, i));
+  }
+  for (const int again : {1, 3, 5}) {  // from two frames on, so many of them
+    ResultFileWriter writer(file, system, 2);
+    for (int i = 2; i < 2 + again; ++i) writer.add_frame(example_frame(system, i));
+    EXPECT_EQ(announced_to_others(file), std::max(5, 2 + again));
+    EXPECT_EQ(writer.frame_times().size(), 2u + static_cast<std::size_t>(again));
+  }
+  const ResultFileReader reader(file);
+  ASSERT_EQ(reader.frame_times.size(), 7u);
+  for (int i = 0; i < 7; ++i) EXPECT_TRUE(same(reader.frame(i), example_frame(system, i))) << i;
 }
 
 TEST(KilledWriter, TheFileLooksClosedToProgramsThatKnowOfNoWriter) {
