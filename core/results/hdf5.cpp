@@ -165,7 +165,7 @@ std::size_t stored_count(hid_t dataset, const std::string& path) {
   hsize_t most = 0;
   check(H5Fget_filesize(file, &most), "cannot read the size of " + path);
   const hsize_t width = std::max<hsize_t>(extent.width, 1);
-  if (extent.rows > most / width) throw Error(path + " is larger than the file");
+  if (extent.rows > most / width || H5Dget_storage_size(dataset) > most) throw Error(path + " is larger than the file");
   return extent.rows * width;
 }
 
