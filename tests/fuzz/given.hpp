@@ -1,12 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <string>
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "base/temporary_folder.hpp"
 
 // What libFuzzer gives, as text or as a file. Bad input must end in an InputError; anything else is a finding.
@@ -24,11 +28,25 @@ inline std::filesystem::path file_of(std::string_view bytes, const char* name) {
   return file;
 }
 
-/// Input may be refused in one line.
+/// What was said of bad input; told when the program ends.
+struct Refusals {
+  std::uint64_t count = 0;
+  std::size_t longest = 0;  // characters
+
+  void add(const std::string& message) {
+    ++count;
+    longest = std::max(longest, one_line(message).size());
+  }
+  ~Refusals() { std::cerr << count << " times refused, at most in " << longest << " characters\n"; }
+};
+inline Refusals refusals;
+
+/// Input may be refused, in one line.
 void allow_refusal(auto read) {
   try {
     read();
-  } catch (const InputError&) {
+  } catch (const InputError& error) {
+    refusals.add(error.what());
   }
 }
 

@@ -137,7 +137,8 @@ class Watch:
     """Runs the program and counts how it ended."""
 
     def __init__(self, cli, keep):
-        self.cli, self.keep, self.ends, self.failures, self.slowest = cli, keep, collections.Counter(), 0, 0
+        self.cli, self.keep, self.ends = cli, keep, collections.Counter()
+        self.failures, self.slowest, self.longest = 0, 0, 0
 
     def run(self, name, inputs, arguments):
         before = processor_time()
@@ -153,6 +154,7 @@ class Watch:
         self.ends["crash" if code != "hang" and code < 0 else code] += 1
         if code in (0, 1):
             return
+        self.longest = max(self.longest, len(said.decode("utf-8", "replace")))
         wrong = []
         if code != 2:
             wrong.append(f"ends with {code}")
@@ -266,7 +268,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         TRIES[chosen.what](watch, chosen.count, chosen.seed, pathlib.Path(folder))
     print(f"{chosen.count} runs: " + ", ".join(f"{n} end with {code}" for code, n in watch.ends.most_common()))
-    print(f"{watch.failures} failures; the slowest run took {watch.slowest:.1f} s")
+    print(f"{watch.failures} failures; the slowest run took {watch.slowest:.1f} s of the processor, the longest message "
+          f"has {watch.longest} characters")
     return min(watch.failures, 1)
 
 
