@@ -45,10 +45,12 @@ run_all() {
 
 addresses=("${meshless[@]/#/test_}")
 threads=()
+models=""  # of contacts all, each a parameter of the tests
+[[ $kind != quick ]] || models=/0
 for test in "${threaded[@]/#/test_}"; do
   case $test in
     test_base) threads+=("$test Parallel*") ;;
-    test_contact) threads+=("$test *Threads*$([[ $kind == quick ]] && echo /0)") ;;
+    test_contact) threads+=("$test *Threads*$models") ;;
     test_solve) threads+=("$test *TwoThreads*") ;;
     *) threads+=("$test") ;;
   esac
