@@ -31,9 +31,9 @@ for target in "${targets[@]}"; do
   build/fuzz/tests/fuzz/fuzz_"$target" "$amount" -timeout=10 -rss_limit_mb=3000 -max_len=200000 -print_final_stats=1 \
     -artifact_prefix="build/fuzz/failures/$target/" "build/fuzz/corpus/$target" "tests/fuzz/corpus/$target" \
     >"$log" 2>&1 || found=1
-  ((!found)) || { failed=1 && grep -m 3 -E "^SUMMARY|ERROR|runtime error" "$log"; }
+  ((!found)) || { failed=1 && grep -a -m 3 -E "^SUMMARY|ERROR|runtime error" "$log"; }
   echo "$target: $(figure "$log" number_of_executed_units) inputs, $found faults," \
     "$(figure "$log" average_exec_per_sec) a second, the slowest $(figure "$log" slowest_unit_time_sec) s;" \
-    "$(grep "times refused" "$log")"
+    "$(grep -a "times refused" "$log")"
 done
 exit $failed
