@@ -156,8 +156,8 @@ struct EliminationTolerances {
   /// Larger: hardly anything is held. Smaller: what is hard stays in.
   double most_bodies = 0.5;
   /// Of the bodies that move. Those that a correction leaves far out of balance are balanced by themselves, and
-  /// corrected again, before all go on, unless there are more. Chosen. Larger: an iteration on them costs nearly as much
-  /// as one on all. Smaller: all go on after each correction.
+  /// corrected again, before all go on, unless there are more. Chosen. Larger: an iteration on them costs nearly as
+  /// much as one on all. Smaller: all go on after each correction.
   double few_bodies = 0.1;
   /// Iterations that they may take. Chosen: most take two to five. Smaller: what is hard stays in.
   int iterations = 30;
