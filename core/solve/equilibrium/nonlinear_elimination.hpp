@@ -14,8 +14,8 @@ namespace talus {
 /// and close as these move by a fraction of what is as good as nothing to them: it would set the pace of all. So, after
 /// an iteration, bodies that are far out of balance while nearly all others are not are taken out and balanced first
 /// (nonlinear elimination: Cai & Li 2011, "Inexact Newton methods with restricted additive Schwarz based nonlinear
-/// elimination"). An iteration on them looks at their contacts alone and solves small systems. Where these and their
-/// neighbours send each other round in circles, neighbours are to be taken out with them.
+/// elimination"). An iteration on them looks at their contacts alone and solves small systems. Where contacts of theirs
+/// were changed, those that touch them are taken out with them.
 class NonlinearElimination {
  public:
   NonlinearElimination(const EliminationTolerances& tolerances, LinearSettings linear)
