@@ -107,13 +107,9 @@ StudyFolder::StudyFolder(const std::filesystem::path& folder, StudyPlan plan)
 
 StudyFolder::StudyFolder(const std::filesystem::path& folder, const StudyPlan& plan, bool restart)
     : StudyFolder(folder, plan) {
-  check_free();
-  if (restart) forget_runs();
-  if (!restart && begun()) {
+  if (goes_on(restart)) {
     const StudyPlan old = read_plan(path());
-    if (const std::string other = difference(old, plan); !other.empty())
-      throw InputError(path().string(), "holds a study of " + other,
-                       "choose another folder with --out, or begin anew with --restart");
+    refuse_other(difference(old, plan));
     if (old.measure == plan.measure && old.repeats == plan.repeats) return;
   }
   write_plan(json_of(plan).dump(2) + "\n");

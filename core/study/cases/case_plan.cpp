@@ -78,13 +78,9 @@ CaseFolder::CaseFolder(const std::filesystem::path& folder, CasePlan plan)
 
 CaseFolder::CaseFolder(const std::filesystem::path& folder, const CasePlan& plan, bool restart)
     : CaseFolder(folder, plan) {
-  check_free();
-  if (restart) forget_runs();
-  if (!restart && begun()) {
+  if (goes_on(restart)) {
     const CasePlan old = read_plan(path());
-    if (const std::string other = difference(old, plan); !other.empty())
-      throw InputError(path().string(), "holds a study of " + other,
-                       "choose another folder with --out, or begin anew with --restart");
+    refuse_other(difference(old, plan));
     if (old.cases.size() == plan.cases.size()) return;
   }
   write_plan(json_of(plan).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");  // file names are any bytes

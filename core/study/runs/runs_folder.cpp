@@ -51,15 +51,20 @@ void RunsFolder::write(const std::string& name, const std::string& text) const {
   replace_whole_file(path_ / name, text);
 }
 
-bool RunsFolder::begun() const { return std::filesystem::exists(plan_file()); }
-
-void RunsFolder::check_free() const {
-  if (!std::filesystem::exists(path_) || begun()) return;
-  if (!std::filesystem::is_directory(path_) || !std::filesystem::is_empty(path_))
+bool RunsFolder::goes_on(bool restart) const {
+  const bool begun = std::filesystem::exists(plan_file());
+  if (std::filesystem::exists(path_) && !begun &&
+      (!std::filesystem::is_directory(path_) || !std::filesystem::is_empty(path_)))
     throw InputError(path_.string(), "is there already and holds no study", "choose another folder with --out");
+  if (restart) std::filesystem::remove_all(path_ / "runs");
+  return begun && !restart;
 }
 
-void RunsFolder::forget_runs() const { std::filesystem::remove_all(path_ / "runs"); }
+void RunsFolder::refuse_other(const std::string& other) const {
+  if (!other.empty())
+    throw InputError(path_.string(), "holds a study of " + other,
+                     "choose another folder with --out, or begin anew with --restart");
+}
 
 void RunsFolder::write_plan(const std::string& text) const {
   std::error_code failure;

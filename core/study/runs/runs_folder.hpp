@@ -31,12 +31,11 @@ class RunsFolder {
   void write_run(int number, const std::string& text) const;
   void write(const std::string& name, const std::string& text) const;
 
-  /// Whether a study was begun here.
-  bool begun() const;
-  /// Throws InputError where the folder is neither new nor empty nor a study's: only such a one is emptied.
-  void check_free() const;
-  /// What the runs left goes.
-  void forget_runs() const;
+  /// Whether a study that was begun here goes on. `restart`: what its runs left goes instead. Throws InputError where
+  /// the folder is neither new nor empty nor a study's: only such a one is emptied.
+  bool goes_on(bool restart) const;
+  /// Throws InputError where the study that goes on is of something `other`; nothing where that is empty.
+  void refuse_other(const std::string& other) const;
   /// Makes the folder, or writes another plan into it. Throws InputError where that cannot be.
   void write_plan(const std::string& text) const;
 
