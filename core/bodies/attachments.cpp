@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <type_traits>
 
 #include "bodies/finite_rotation.hpp"
 
@@ -154,16 +153,22 @@ void Attachments::join_dof_blocks(int index, DisjointSets& together) const {
   for (int i = point.turn_begin; i < point.turn_end; ++i) join(turns_[i].dof_block);
 }
 
+template <class Use>
+void Attachments::visit_force(const Point& point, const Increment& d, const Vec3& force, Arms arms,
+                              const Use& use) const {
+  for (int i = point.term_begin; i < point.term_end; ++i) use(terms_[i].dof_block, terms_[i].weight * force);
+  for (int i = point.turn_begin; i < point.turn_end; ++i)
+    use(turns_[i].dof_block, lever_at(turns_[i], d, arms).cross(force) / turns_[i].radius);
+}
+
 void Attachments::add_force(int index, const Increment& d, const Vec3& force, Arms arms, Eigen::VectorXd& sum) const {
   const Point& point = points_[index];
-  if (point.meeting >= 0) {
-    const RigidPair& pair = pair_of(point);
-    return meetings_[point.meeting].add_force(pair, pair.at(d), force, arms, sum);
-  }
-  for (int i = point.term_begin; i < point.term_end; ++i)
-    sum.segment<3>(3 * terms_[i].dof_block) += terms_[i].weight * force;
-  for (int i = point.turn_begin; i < point.turn_end; ++i)
-    sum.segment<3>(3 * turns_[i].dof_block) += lever_at(turns_[i], d, arms).cross(force) / turns_[i].radius;
+  const auto add = [&sum](int dof_block, const Vec3& on_block) { sum.segment<3>(3 * dof_block) += on_block; };
+  if (point.meeting < 0) return visit_force(point, d, force, arms, add);
+  const RigidPair& pair = pair_of(point);
+  MeetingForces of_pair;
+  of_pair.add(pair.at(d), meetings_[point.meeting], force, arms);
+  of_pair.take_out(pair, pair.at(d), arms, add);
 }
 
 void Attachments::add_spring(int index, const Increment& d, const Mat3& spring, SymmetricBlocks& sum) const {
@@ -231,46 +236,73 @@ void Attachments::add_turning(int index, const Increment& d, const Vec3& force, 
   }
 }
 
-template <class OfPair, class Blocks>
-void Attachments::PairSums<OfPair, Blocks>::add_met(int index, const auto&... what) {
+void Attachments::Forces::add(int index, std::size_t kind, const Vec3& force) {
   const Point& point = moves_.points_[index];
-  if (first_ < 0 || moves_.points_[first_].pair != point.pair) {
-    finish();
-    first_ = index;
+  const auto list = [&](int dof_block, const Vec3& on_block) { lists_[kind].push_back({dof_block, on_block}); };
+  if (point.meeting < 0) return moves_.visit_force(point, d_, force, arms_, list);
+  if (pair_ != point.pair) {
+    finish_pair();
+    pair_ = point.pair;
   }
-  springs_.add(moves_.pair_of(point).at(d_), moves_.meetings_[point.meeting], what...);
+  of_pair_[kind].add(moves_.pairs_[pair_].at(d_), moves_.meetings_[point.meeting], force, arms_);
 }
 
-template <class OfPair, class Blocks>
-void Attachments::PairSums<OfPair, Blocks>::finish() {
+void Attachments::Forces::finish_pair() {
+  if (pair_ < 0) return;
+  const RigidPair& pair = moves_.pairs_[pair_];
+  for (std::size_t kind = 0; kind < lists_.size(); ++kind)
+    of_pair_[kind].take_out(pair, pair.at(d_), arms_, [&](int dof_block, const Vec3& force) {
+      lists_[kind].push_back({dof_block, force});
+    });
+  pair_ = -1;
+}
+
+void Attachments::PairSums::add(int index, const PointTangent& at) {
+  if (!at.bears && !at.has_other && !at.has_set_down) return;
+  const Point& point = moves_.points_[index];
+  if (first_ < 0 || moves_.points_[first_].pair != point.pair) {
+    finish_pair();
+    first_ = index;
+  }
+  pair_.add(moves_.pair_of(point).at(d_), moves_.meetings_[point.meeting], at);
+}
+
+void Attachments::PairSums::finish_pair() {
   if (first_ < 0) return;
-  PairBlocks blocks;
   const RigidPair& pair = moves_.pair_of(moves_.points_[first_]);
-  springs_.find(pair, pair.at(d_), blocks);
-  const PairSlots slots(moves_, first_, sum_.pattern());
-  constexpr bool lower_alone = std::is_same_v<Blocks, SymmetricBlocks>;
-  for (int a = 0; a < RigidPair::part_count; ++a)
-    for (int b = 0; b < (lower_alone ? a + 1 : RigidPair::part_count); ++b)
-      sum_.add_at(slots.of(a, b), pair.dof_blocks()[a], pair.dof_blocks()[b], PairSlots::block(blocks, a, b));
-  springs_.clear();
+  const RigidPair::State& state = pair.at(d_);
+  PairSum& sum = list_.emplace_back();
+  sum.point = first_;
+  pair_.find_symmetric(pair, state, sum.symmetric);
+  if (with_unsymmetric_) pair_.find_unsymmetric(pair, state, sum.unsymmetric);
+  pair_.clear();
   first_ = -1;
 }
 
-template class Attachments::PairSums<PairSprings, SymmetricBlocks>;
-template class Attachments::PairSums<UnsymmetricPairSprings, UnsymmetricBlocks>;
-
-void Attachments::Springs::add(int index, const Mat3& spring) {
-  if (moves_.points_[index].meeting < 0) return moves_.add_spring(index, d_, spring, sum_);
-  add_met(index, spring);
+void Attachments::add(std::span<const PairSum> pairs, SymmetricBlocks* symmetric,
+                      UnsymmetricBlocks* unsymmetric) const {
+  for (const PairSum& sum : pairs) {
+    const std::array<int, RigidPair::part_count>& dof_blocks = pair_of(points_[sum.point]).dof_blocks();
+    const auto add_to = [&](auto& matrix, const PairBlocks& blocks, bool lower_alone) {
+      const PairSlots slots(*this, sum.point, matrix.pattern());
+      for (int a = 0; a < RigidPair::part_count; ++a)
+        for (int b = 0; b < (lower_alone ? a + 1 : RigidPair::part_count); ++b)
+          matrix.add_at(slots.of(a, b), dof_blocks[a], dof_blocks[b], PairSlots::block(blocks, a, b));
+    };
+    if (symmetric) add_to(*symmetric, sum.symmetric, true);
+    if (unsymmetric) add_to(*unsymmetric, sum.unsymmetric, false);
+  }
 }
 
-void Attachments::Tangent::add(int index, const Vec3& force, const Mat3& spring, const Mat3& other) {
-  const Point& point = moves_.points_[index];
-  if (point.meeting >= 0) return add_met(index, force, spring, other);
-  if (!other.isZero(0)) moves_.add_other_spring(index, d_, other, sum_);
-  if (point.turns() == 0) return;
-  moves_.add_turning(index, d_, force, arms_, sum_);
-  moves_.add_lever_difference(index, d_, spring + other, arms_, sum_);
+void Attachments::add_tangent(int index, const Increment& d, Arms arms, const PointTangent& at,
+                              SymmetricBlocks* symmetric, UnsymmetricBlocks* unsymmetric) const {
+  if (symmetric && at.bears) add_spring(index, d, at.spring, *symmetric);
+  if (symmetric && at.has_set_down) add_spring(index, d, at.set_down, *symmetric);
+  if (!unsymmetric) return;
+  if (at.has_other) add_other_spring(index, d, at.other, *unsymmetric);
+  if (points_[index].turns() == 0 || !(at.bears || at.has_other)) return;
+  add_turning(index, d, at.force, arms, *unsymmetric);
+  add_lever_difference(index, d, at.spring + at.other, arms, *unsymmetric);
 }
 
 }  // namespace talus

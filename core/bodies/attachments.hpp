@@ -2,18 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
 #include "bodies/body_set.hpp"
 #include "bodies/meeting.hpp"
-#include "bodies/pair_springs.hpp"
+#include "bodies/pair_tangent.hpp"
 #include "bodies/step_context.hpp"
 #include "linear/symmetric_blocks.hpp"
 #include "linear/unsymmetric_blocks.hpp"
 
 namespace talus {
+
+/// A force, or a moment over the radius of a rigid body, on a degree-of-freedom block.
+struct BlockForce {
+  int dof_block;
+  Vec3 force;  ///< N
+};
 
 /// Points that are fixed to bodies, or differences of such points, as the unknowns of a step move them
 /// (docs/theory.md):
@@ -45,14 +52,20 @@ class Attachments {
   /// sum += ∂/∂D of what add_force adds, at a constant force at a point that does not meet: the arms of turning bodies
   /// change [N/m].
   void add_turning(int point, const Increment& d, const Vec3& force, Arms arms, UnsymmetricBlocks& sum) const;
-  class Springs;
-  class Tangent;
-
- private:
-  template <class OfPair, class Blocks>
+  class Forces;
   class PairSums;
-
- public:
+  class Tangent;
+  /// What the points of a pair of bodies that meet add to the derivative [N/m].
+  struct PairSum {
+    int point;  ///< one of them
+    PairBlocks symmetric, unsymmetric;
+  };
+  /// Null: it is not asked for.
+  void add(std::span<const PairSum> pairs, SymmetricBlocks* symmetric, UnsymmetricBlocks* unsymmetric) const;
+  /// Of a point that does not meet; null: it is not asked for.
+  void add_tangent(int point, const Increment& d, Arms arms, const PointTangent& at, SymmetricBlocks* symmetric,
+                   UnsymmetricBlocks* unsymmetric) const;
+  bool meets(int point) const { return points_[point].meeting >= 0; }
   /// Whether some point lies on a rigid body: else add_turning adds nothing.
   bool any_turns() const { return !turns_.empty(); }
   /// The most negative change of direction·u that there can be when each degree-of-freedom block goes on from D by a
@@ -123,6 +136,9 @@ class Attachments {
   }
   static void move(const Turn& turn, const Increment& d);
   static Vec3 arm_at(const Turn& turn, const Increment& d) { return turn.arm + moved_by(turn, d); }
+  /// Calls use(degree-of-freedom block, force on it) of a force at a point that does not meet.
+  template <class Use>
+  void visit_force(const Point& point, const Increment& d, const Vec3& force, Arms arms, const Use& use) const;
   /// With which a force turns the body.
   static Vec3 lever_at(const Turn& turn, const Increment& d, Arms arms);
   /// With mean arms: what sum += Jᵀ spring J of a spring at the point lacks, since Jᵀ has other arms than J [N/m]. With
@@ -144,49 +160,81 @@ class Attachments {
   mutable std::vector<int> slots_;
 };
 
-/// What is added up of points that follow one upon the other between the same two bodies that meet, before it goes into
-/// the sum: PairSprings into SymmetricBlocks, of which the lower triangle is added, UnsymmetricPairSprings into
-/// UnsymmetricBlocks. All is in the sum when it is destroyed; D and all else outlive it.
-template <class OfPair, class Blocks>
-class Attachments::PairSums {
+/// Forces of several kinds at points, as what they are on degree-of-freedom blocks, a list a kind, three at most [N].
+/// What points that follow one upon the other between the same two bodies that meet have is added up before
+/// (MeetingForces). All is in the lists when it is destroyed; D and all else outlive it.
+class Attachments::Forces {
  public:
-  PairSums(const PairSums&) = delete;
-  PairSums& operator=(const PairSums&) = delete;
+  Forces(const Attachments& moves, const Increment& d, Arms arms, std::span<std::vector<BlockForce>> lists)
+      : moves_(moves), d_(d), arms_(arms), lists_(lists) {}
+  Forces(const Forces&) = delete;
+  Forces& operator=(const Forces&) = delete;
+  ~Forces() { finish_pair(); }
+  /// As add_force.
+  void add(int point, std::size_t kind, const Vec3& force);
 
- protected:
-  PairSums(const Attachments& moves, const Increment& d, Blocks& sum) : moves_(moves), d_(d), sum_(sum) {}
-  ~PairSums() { finish(); }
-  /// Adds what a point that meets has.
-  void add_met(int index, const auto&... what);
+ private:
+  void finish_pair();
 
   const Attachments& moves_;
   const Increment& d_;
-  Blocks& sum_;
-
- private:
-  void finish();
-
-  int first_ = -1;  // point of the pair that is added up; −1: none
-  OfPair springs_;
-};
-
-/// Adds springs at points, Σ Jᵀ spring J.
-class Attachments::Springs : PairSums<PairSprings, SymmetricBlocks> {
- public:
-  Springs(const Attachments& moves, const Increment& d, SymmetricBlocks& sum) : PairSums(moves, d, sum) {}
-  void add(int point, const Mat3& spring);
-};
-
-/// Adds what the derivative of forces at points has beside their springs (UnsymmetricPairSprings).
-class Attachments::Tangent : PairSums<UnsymmetricPairSprings, UnsymmetricBlocks> {
- public:
-  Tangent(const Attachments& moves, const Increment& d, Arms arms, UnsymmetricBlocks& sum)
-      : PairSums(moves, d, sum), arms_(arms) {}
-  /// `force`: what add_force is given [N]; `spring`: what Springs is; `other`: by how much forces fall beside it.
-  void add(int point, const Vec3& force, const Mat3& spring, const Mat3& other);
-
- private:
   const Arms arms_;
+  std::span<std::vector<BlockForce>> lists_;
+  int pair_ = -1;  // that is added up; −1: none
+  std::array<MeetingForces, 3> of_pair_;
+};
+
+/// The derivative of forces at points that meet, one after the other, added up for each pair of bodies (PairTangent).
+/// All is in the list when it is destroyed; D and all else outlive it.
+class Attachments::PairSums {
+ public:
+  PairSums(const Attachments& moves, const Increment& d, bool with_unsymmetric, std::vector<PairSum>& list)
+      : moves_(moves), d_(d), with_unsymmetric_(with_unsymmetric), list_(list) {}
+  PairSums(const PairSums&) = delete;
+  PairSums& operator=(const PairSums&) = delete;
+  ~PairSums() { finish_pair(); }
+  void add(int point, const PointTangent& at);
+
+ private:
+  void finish_pair();
+
+  const Attachments& moves_;
+  const Increment& d_;
+  const bool with_unsymmetric_;
+  std::vector<PairSum>& list_;
+  int first_ = -1;  // point of the pair that is added up; −1: none
+  PairTangent pair_;
+};
+
+/// Adds the derivative of forces at points, one after the other [N/m]: the part of springs to `symmetric`, what is
+/// beside it to `unsymmetric`; null: it is not asked for. All is in the sums when it is destroyed; D and all else
+/// outlive it.
+class Attachments::Tangent {
+ public:
+  Tangent(const Attachments& moves, const Increment& d, Arms arms, SymmetricBlocks* symmetric,
+          UnsymmetricBlocks* unsymmetric)
+      : moves_(moves), d_(d), arms_(arms), symmetric_(symmetric), unsymmetric_(unsymmetric) {}
+  Tangent(const Tangent&) = delete;
+  Tangent& operator=(const Tangent&) = delete;
+  ~Tangent() {
+    pairs_.reset();
+    moves_.add(list_, symmetric_, unsymmetric_);
+  }
+  void add(int point, const PointTangent& at) {
+    if (moves_.meets(point))
+      pairs_->add(point, at);
+    else
+      moves_.add_tangent(point, d_, arms_, at, symmetric_, unsymmetric_);
+  }
+
+ private:
+  const Attachments& moves_;
+  const Increment& d_;
+  const Arms arms_;
+  SymmetricBlocks* symmetric_;
+  UnsymmetricBlocks* unsymmetric_;
+  std::vector<PairSum> list_;
+  std::optional<PairSums> pairs_{std::in_place, moves_, d_, unsymmetric_ != nullptr, list_};
 };
 
 }  // namespace talus

@@ -284,6 +284,7 @@ void BodySet::advance(const Increment& from, const Eigen::VectorXd& change, Incr
   to = from + change;
   for (const int r : turning) {
     const int first = 3 * rigid[r].rotation_dof_block;
+    if (change.segment<3>(first).isZero(0)) continue;
     const double radius = rigid[r].radius;
     to.segment<3>(first) = radius * composed(change.segment<3>(first) / radius, from.segment<3>(first) / radius);
   }

@@ -24,25 +24,22 @@ Vec3 Meeting::increment(const RigidPair::State& pair) const {
   return weight_ * (pair.apart + pair.first_turn * arm_ - pair.second_turn.cross(levers(pair).second));
 }
 
-void Meeting::add_force(const RigidPair& pair, const RigidPair::State& state, const Vec3& force, Arms arms,
-                        Eigen::VectorXd& sum) const {
-  const Levers& at = levers(state);
-  const Vec3 on_first = weight_ * force;
-  const auto add = [&](RigidPair::Part part, const Vec3& value) {
-    sum.segment<3>(3 * pair.dof_blocks()[part]) += value;
-  };
-  if (arms == Arms::mean) {
-    add(RigidPair::first_centre, on_first);
-    add(RigidPair::second_centre, -on_first);
-    add(RigidPair::first_turn, at.first.cross(on_first) / pair.first_radius());
-    add(RigidPair::second_turn, -at.second.cross(on_first) / pair.second_radius());
-    return;
-  }
-  const Vec3 moved = state.half_turned.transpose() * on_first;
-  add(RigidPair::first_centre, moved);
-  add(RigidPair::second_centre, -moved);
-  add(RigidPair::first_turn, at.end.cross(moved) / pair.first_radius());
-  add(RigidPair::second_turn, -state.tangent.transpose() * at.second.cross(on_first));
+void MeetingForces::add(const RigidPair::State& state, const Meeting& place, const Vec3& force, Arms arms) {
+  const Meeting::Levers& at = place.levers(state);
+  const Vec3 on_first = place.weight() * force;
+  any_ = true;
+  force_ += on_first;
+  first_moment_ +=
+      arms == Arms::mean ? at.first.cross(on_first) : at.end.cross(state.half_turned.transpose() * on_first);
+  second_moment_ -= at.second.cross(on_first);
+}
+
+MeetingForces::Forces MeetingForces::on_parts(const RigidPair& pair, const RigidPair::State& state, Arms arms) const {
+  const bool mean = arms == Arms::mean;
+  const Vec3 on_first = mean ? force_ : Vec3(state.half_turned.transpose() * force_);
+  const Vec3 second =
+      mean ? Vec3(second_moment_ / pair.second_radius()) : Vec3(state.tangent.transpose() * second_moment_);
+  return {on_first, -on_first, first_moment_ / pair.first_radius(), second};
 }
 
 }  // namespace talus

@@ -31,15 +31,34 @@ class Meeting {
   double weight() const { return weight_; }
 
   Vec3 increment(const RigidPair::State& pair) const;  ///< u [m]
-  /// sum += levers · force; with the arms at the end of the step (∂u/∂D)ᵀ · force.
-  void add_force(const RigidPair& pair, const RigidPair::State& state, const Vec3& force, Arms arms,
-                 Eigen::VectorXd& sum) const;
 
  private:
   double weight_;
   Vec3 arm_;
   mutable long number_ = 0;  // of the pair's state at which the levers were taken
   mutable Levers levers_;
+};
+
+/// Forces at places where two rigid bodies meet, added up before they go to the bodies.
+class MeetingForces {
+ public:
+  void add(const RigidPair::State& state, const Meeting& place, const Vec3& force, Arms arms);
+  /// Calls use(degree-of-freedom block, force on it) of Σ levers · force; with the arms at the end of the step of
+  /// Σ (∂u/∂D)ᵀ · force [N]. It is zero from then on.
+  void take_out(const RigidPair& pair, const RigidPair::State& state, Arms arms, const auto& use) {
+    if (!any_) return;
+    const Forces forces = on_parts(pair, state, arms);
+    for (int part = 0; part < RigidPair::part_count; ++part) use(pair.dof_blocks()[part], forces[part]);
+    *this = {};
+  }
+
+ private:
+  using Forces = std::array<Vec3, RigidPair::part_count>;
+  Forces on_parts(const RigidPair& pair, const RigidPair::State& state, Arms arms) const;
+
+  bool any_ = false;
+  Vec3 force_ = Vec3::Zero();                                        // N, on the first body
+  Vec3 first_moment_ = Vec3::Zero(), second_moment_ = Vec3::Zero();  // N m
 };
 
 }  // namespace talus

@@ -13,4 +13,13 @@ void ContactLinks::connect(Arms arms) {
   }
 }
 
+const std::vector<int>* ContactLinks::points_of(const PickedBodies* bodies, const std::vector<int>& all,
+                                                std::vector<int>& picked) const {
+  if (!bodies) return &all;
+  picked.clear();
+  for (const int i : all)
+    if (bodies->has[point(i).bodies[0]] || bodies->has[point(i).bodies[1]]) picked.push_back(i);
+  return &picked;
+}
+
 }  // namespace talus

@@ -63,17 +63,21 @@ struct ContactPoint {
   }
 };
 
+/// The order of contact points: those of two bodies together, and of these those that one carries; then by key.
+bool comes_before(const ContactPoint& p, const ContactPoint& q);
+
 inline std::pair<int, int> bodies_of(const ContactPoint& point) { return {point.bodies[0], point.bodies[1]}; }
 
 /// All contact points of a step, and lists of them by what their law calls for.
 struct ContactSet {
-  std::vector<ContactPoint> points;
-  std::vector<int> nodes;       ///< global node numbers of all stencils
-  std::vector<double> weights;  ///< Σ = +1 over the first body's nodes, −1 over the second's
+  std::vector<ContactPoint> points;  ///< of detect() in the order of comes_before
+  std::vector<int> nodes;            ///< global node numbers of all stencils
+  std::vector<double> weights;       ///< Σ = +1 over the first body's nodes, −1 over the second's
 
   std::vector<int> loose;    ///< numbers of the points without a bond, ascending
   std::vector<int> bonded;   ///< … of those with one
   std::vector<int> sheared;  ///< … of those that can carry shear: with friction, or with cohesion of a bond
+  std::vector<int> by_key;   ///< the numbers of all, by ascending keys
 
   void clear();
   /// Fills the lists from the points. For what detect() gives this has been done.

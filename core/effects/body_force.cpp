@@ -14,7 +14,7 @@ double BodyForce::energy(const Increment& d) const {
 void BodyForce::add_gradient(const Increment&, Arms, Eigen::VectorXd& sum) const {
   for (const Element& element : set_.elements)
     for (const int dof_block : element.dof_blocks) sum.segment<3>(3 * dof_block) -= element.mass / 4 * gravity_;
-  for (const int r : set_.turning)
+  for (const int r : PickedBodies::turning_of(picked_, set_))
     sum.segment<3>(3 * set_.nodes.dof_block[set_.rigid[r].centre]) -= set_.rigid[r].mass * gravity_;
 }
 

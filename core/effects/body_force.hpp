@@ -12,6 +12,7 @@ class BodyForce final : public Effect {
   BodyForce(const BodySet& set, const Vec3& gravity) : set_(set), gravity_(gravity) {}
   EffectKind kind() const override { return EffectKind::body_force; }
   EnergyAccount account() const override { return EnergyAccount::potential; }
+  void look_at(const PickedBodies* picked) override { picked_ = picked; }
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   double stored_energy() const override;  ///< above the reference positions
@@ -19,6 +20,7 @@ class BodyForce final : public Effect {
  private:
   const BodySet& set_;
   Vec3 gravity_;
+  const PickedBodies* picked_ = nullptr;
 };
 
 }  // namespace talus

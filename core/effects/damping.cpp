@@ -19,7 +19,7 @@ double Damping::energy(const Increment& d) const {
 void Damping::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const {
   for (const Element& element : set_.elements)
     add_mass_times(element, rate_of(element), set_.corner_increments(element, d), sum);
-  for (const int r : set_.turning) {
+  for (const int r : PickedBodies::turning_of(picked_, set_)) {
     const RigidBody& body = set_.rigid[r];
     const int centre = 3 * set_.nodes.dof_block[body.centre], turning = 3 * body.rotation_dof_block;
     sum.segment<3>(centre) += rate_of(body) * body.mass * d.segment<3>(centre);
@@ -38,7 +38,7 @@ void Damping::add_hessian(const Increment&, SymmetricBlocks& sum) const {
 }
 
 void Damping::add_unsymmetric(const Increment& d, Arms, UnsymmetricBlocks& sum) const {
-  for (const int r : set_.turning) {
+  for (const int r : PickedBodies::turning_of(picked_, set_)) {
     const RigidBody& body = set_.rigid[r];
     sum.add(body.rotation_dof_block, body.rotation_dof_block,
             rate_of(body) / (body.radius * body.radius) * (body.momentum_slope(body.theta(d)) - body.inertia_now()));

@@ -16,6 +16,7 @@ class Damping final : public Effect {
   EnergyAccount account() const override { return EnergyAccount::damping; }
   bool constant() const override { return set_.turning.empty(); }
   void begin_step(const StepContext& step) override { length_ = step.length; }
+  void look_at(const PickedBodies* picked) override { picked_ = picked; }
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
   void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
@@ -28,6 +29,7 @@ class Damping final : public Effect {
   const BodySet& set_;
   std::vector<double> rates_;
   double length_ = 1;
+  const PickedBodies* picked_ = nullptr;
 };
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 #include "base/state_archive.hpp"
 
 #include "bodies/body_set.hpp"
+#include "bodies/picked_bodies.hpp"
 #include "bodies/step_context.hpp"
 #include "effects/effect_kind.hpp"
 #include "linear/symmetric_blocks.hpp"
@@ -33,6 +34,8 @@ class Effect {
   virtual void add_couplings(std::vector<std::pair<int, int>>&) const {}
   /// The bodies stand at the start of the step; D is zero.
   virtual void begin_step(const StepContext&) {}
+  /// Until it is told null, what it adds is asked for of these bodies alone; it may leave out others or not.
+  virtual void look_at(const PickedBodies*) {}
   virtual double energy(const Increment& d) const = 0;  ///< J
   /// Moments on rigid bodies are taken with these arms; a gradient of `energy` has those at the end of the step [N].
   virtual void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const = 0;

@@ -38,7 +38,7 @@ void Inertia::add_gradient(const Increment& d, Arms, Eigen::VectorXd& sum) const
              alpha_m * start_acceleration(set_, step_, element.nodes[i]);
     add_mass_times(element, element.mass / 20, a, sum);
   }
-  add_rigid_inertia(set_, step_, d, sum);
+  add_rigid_inertia(set_, PickedBodies::turning_of(picked_, set_), step_, d, sum);
 }
 
 void Inertia::add_hessian(const Increment&, SymmetricBlocks& sum) const {
@@ -49,7 +49,7 @@ void Inertia::add_hessian(const Increment&, SymmetricBlocks& sum) const {
 }
 
 void Inertia::add_unsymmetric(const Increment& d, Arms, UnsymmetricBlocks& sum) const {
-  add_rigid_turning(set_, step_, d, sum);
+  add_rigid_turning(set_, PickedBodies::turning_of(picked_, set_), step_, d, sum);
 }
 
 void Inertia::accept(const Increment& d) {

@@ -19,6 +19,7 @@ class Inertia final : public Effect {
   EnergyAccount account() const override { return EnergyAccount::kinetic; }
   bool constant() const override { return set_.turning.empty(); }
   void begin_step(const StepContext& step) override { step_ = step; }
+  void look_at(const PickedBodies* picked) override { picked_ = picked; }
   void add_couplings(std::vector<std::pair<int, int>>& couplings) const override;
   double energy(const Increment& d) const override;
   void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
@@ -38,6 +39,7 @@ class Inertia final : public Effect {
  private:
   BodySet& set_;
   StepContext step_;
+  const PickedBodies* picked_ = nullptr;
 };
 
 }  // namespace talus

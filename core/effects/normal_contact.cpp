@@ -2,7 +2,7 @@
 
 namespace talus {
 
-double NormalContact::force(int i, double gap) const {
+double NormalContact::force_at_gap(int i, double gap) const {
   const ContactPoint& point = links_.point(i);
   if (!held_) return normal_force(point, gap);
   return (*held_)[i].closed ? point.multiplier - point.normal_stiffness * gap : -point.tension;
@@ -14,48 +14,36 @@ bool NormalContact::has_spring(int i, double gap) const {
 
 double NormalContact::energy(const Increment& d) const {
   double sum = 0;
-  for (const int i : *points_) {
+  for (const int i : points()) {
     const ContactPoint& point = links_.point(i);
-    const double g = links_.gap(i, d), force = this->force(i, g), k = point.normal_stiffness;
+    const double g = links_.gap(i, d), force = force_at_gap(i, g), k = point.normal_stiffness;
     sum += has_spring(i, g) ? force * force / (2 * k)
                             : -force * g - force * force / (2 * k) + force * point.multiplier / k;
   }
   return sum;
 }
 
-void NormalContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const {
-  for (const int i : *points_) {
-    const ContactPoint& point = links_.point(i);
-    const double force = this->force(i, links_.gap(i, d));
-    if (force != 0) links_.moves().add_force(i, d, -force * point.normal, arms, sum);
-  }
+Vec3 NormalContact::force(int i, const Vec3& u) const {
+  const ContactPoint& point = links_.point(i);
+  return force_at_gap(i, point.gap + point.normal.dot(u)) * point.normal;
 }
 
-void NormalContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  Attachments::Springs springs(links_.moves(), d, sum);
-  for (const int i : *points_) {
-    const ContactPoint& point = links_.point(i);
-    const double g = links_.gap(i, d);
-    if (has_spring(i, g) || (!held_ && touches(point, g, touching_)))
-      springs.add(i, point.normal_stiffness * point.normal * point.normal.transpose());
+void NormalContact::add_tangent(int i, const Vec3& u, PointTangent& sum) const {
+  const ContactPoint& point = links_.point(i);
+  const double gap = point.gap + point.normal.dot(u), force = force_at_gap(i, gap);
+  const bool has_spring = this->has_spring(i, gap);
+  const bool set_down = !has_spring && !held_ && touches(point, gap, touching_);
+  if (force != 0 || has_spring) {
+    sum.bears = true;
+    sum.force -= force * point.normal;
   }
-}
-
-void NormalContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
-  if (!links_.moves().any_turns()) return;
-  Attachments::Tangent tangent(links_.moves(), d, arms, sum);
-  for (const int i : *points_) {
-    const ContactPoint& point = links_.point(i);
-    const double gap = links_.gap(i, d), force = this->force(i, gap), stiffness = point.normal_stiffness;
-    const bool has_spring = this->has_spring(i, gap);
-    if (force != 0 || has_spring)
-      tangent.add(i, -force * point.normal, (has_spring ? stiffness : 0) * point.normal * point.normal.transpose(),
-                  Mat3::Zero());
-  }
+  if (!has_spring && !set_down) return;
+  (set_down ? sum.set_down : sum.spring) += point.normal_stiffness * point.normal * point.normal.transpose();
+  sum.has_set_down = sum.has_set_down || set_down;
 }
 
 void NormalContact::join_touching(const Increment& d, const Eigen::VectorXd& change, DisjointSets& together) const {
-  for (const int i : *points_) {
+  for (const int i : points()) {
     const ContactPoint& point = links_.point(i);
     const double least = links_.gap(i, d) + links_.moves().farthest_against(i, d, point.normal, change);
     const bool may_push = point.bonded || least < tolerances_.search_gap * point.size || normal_force(point, least) > 0;
@@ -65,16 +53,7 @@ void NormalContact::join_touching(const Increment& d, const Eigen::VectorXd& cha
 
 void NormalContact::accept(const Increment& d) {
   stored_ = 0;
-  for (const int i : *points_) stored_ += normal_spring_energy(links_.point(i), force(i, links_.gap(i, d)));
-}
-
-double NormalContact::work_on_held(const Increment& d) const {
-  double sum = 0;
-  for (const int i : *points_) {
-    const ContactPoint& point = links_.point(i);
-    sum -= links_.moves().work_on_held(i, force(i, links_.gap(i, d)) * point.normal);
-  }
-  return sum;
+  for (const int i : points()) stored_ += normal_spring_energy(links_.point(i), force_at_gap(i, links_.gap(i, d)));
 }
 
 }  // namespace talus

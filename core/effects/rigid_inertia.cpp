@@ -38,9 +38,10 @@ Vec3 end_moment(const BodySet& set, const RigidBody& body, const StepContext& st
   return moment_weight(beta, gamma, phi) * (body.momentum_of(theta) - free) / (length * length);
 }
 
-void add_rigid_inertia(const BodySet& set, const StepContext& step, const Increment& d, Eigen::VectorXd& sum) {
+void add_rigid_inertia(const BodySet& set, std::span<const int> bodies, const StepContext& step, const Increment& d,
+                       Eigen::VectorXd& sum) {
   const double alpha_m = step.integration.alpha_m;
-  for (const int r : set.turning) {
+  for (const int r : bodies) {
     const RigidBody& body = set.rigid[r];
     const Vec3 a0 = start_acceleration(set, step, body.centre), a1 = end_acceleration(set, step, body.centre, d);
     sum.segment<3>(3 * set.nodes.dof_block[body.centre]) += body.mass * ((1 - alpha_m) * a1 + alpha_m * a0);
@@ -60,8 +61,9 @@ void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks
   }
 }
 
-void add_rigid_turning(const BodySet& set, const StepContext& step, const Increment& d, UnsymmetricBlocks& sum) {
-  for (const int r : set.turning) {
+void add_rigid_turning(const BodySet& set, std::span<const int> bodies, const StepContext& step, const Increment& d,
+                       UnsymmetricBlocks& sum) {
+  for (const int r : bodies) {
     const RigidBody& body = set.rigid[r];
     if (body.theta(d).isZero(0)) continue;
     const double scale = (1 - step.integration.alpha_m) / (body.radius * body.radius);

@@ -12,11 +12,14 @@
 /// less than that of L in fixed ones.
 namespace talus {
 
-/// The forces and moments that the increment `d` asks for, on the left of the equation of motion [N].
-void add_rigid_inertia(const BodySet& set, const StepContext& step, const Increment& d, Eigen::VectorXd& sum);
+/// The forces and moments that the increment `d` asks for, on the left of the equation of motion [N]. `bodies`: of
+/// BodySet::turning.
+void add_rigid_inertia(const BodySet& set, std::span<const int> bodies, const StepContext& step, const Increment& d,
+                       Eigen::VectorXd& sum);
 /// Their derivative at d = 0, and the derivative at `d` less that [N/m].
 void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks& sum);
-void add_rigid_turning(const BodySet& set, const StepContext& step, const Increment& d, UnsymmetricBlocks& sum);
+void add_rigid_turning(const BodySet& set, std::span<const int> bodies, const StepContext& step, const Increment& d,
+                       UnsymmetricBlocks& sum);
 
 /// Ȧ₁, the rate of angular momentum at the end of the step [N m].
 Vec3 end_moment(const BodySet& set, const RigidBody& body, const StepContext& step, const Increment& d);

@@ -4,20 +4,23 @@
 
 namespace talus {
 
-Vec3 ShearContact::spring_force(int i, const Increment& d) const {
+Vec3 ShearContact::spring_force_at(int i, const Vec3& u) const {
   const ContactPoint& point = links_.point(i);
-  const Vec3 u = links_.moves().increment(i, d);
   return point.shear_start - point.shear_stiffness * (u - point.normal * point.normal.dot(u));
 }
 
 void ShearContact::update_strength(const Increment& d) {
-  strength_.assign(links_.contacts().points.size(), 0);
-  for (const int i : *points_)
-    strength_[i] = shear_strength(links_.point(i), normal_force(links_.point(i), links_.gap(i, d)));
+  clear_strength();
+  for (const int i : points()) follow(i, links_.moves().increment(i, d));
+}
+
+void ShearContact::follow(int i, const Vec3& u) {
+  const ContactPoint& point = links_.point(i);
+  strength_[i] = shear_strength(point, normal_force(point, point.gap + point.normal.dot(u)));
 }
 
 void ShearContact::join_with_strength(DisjointSets& together) const {
-  for (const int i : *points_)
+  for (const int i : points())
     if (strength_[i] > 0) links_.moves().join_dof_blocks(i, together);
 }
 
@@ -32,8 +35,8 @@ Vec3 ShearContact::turned(int i, const Vec3& spring) const {
   return held.across * (spring - along * along.dot(spring));
 }
 
-Vec3 ShearContact::force(int i, const Increment& d) const {
-  return is_free(i) ? Vec3(Vec3::Zero()) : force_of(i, spring_force(i, d));
+Vec3 ShearContact::force(int i, const Vec3& u) const {
+  return is_free(i) ? Vec3(Vec3::Zero()) : force_of(i, spring_force_at(i, u));
 }
 
 Vec3 ShearContact::force_of(int i, const Vec3& spring) const {
@@ -44,7 +47,7 @@ Vec3 ShearContact::force_of(int i, const Vec3& spring) const {
 
 double ShearContact::energy(const Increment& d) const {
   double sum = 0;
-  for (const int i : *points_) {
+  for (const int i : points()) {
     if (held_ && (*held_)[i].shear != ContactMode::stick) {
       const HeldContact& held = (*held_)[i];
       sum -= held.friction.dot(links_.moves().increment(i, d));  // (37)
@@ -59,20 +62,24 @@ double ShearContact::energy(const Increment& d) const {
   return sum;
 }
 
-void ShearContact::add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const {
-  for (const int i : *points_)
-    if (!is_free(i)) links_.moves().add_force(i, d, -force(i, d), arms, sum);
-}
-
-void ShearContact::add_hessian(const Increment& d, SymmetricBlocks& sum) const {
-  Attachments::Springs springs(links_.moves(), d, sum);
-  for (const int i : *points_) {
-    const ContactPoint& point = links_.point(i);
-    const bool set_down = !held_ && strength_[i] == 0 && touching_ > 0 && touches(point, links_.gap(i, d), touching_);
-    if (is_free(i) && !set_down) continue;
-    const Mat3 stuck = point.shear_stiffness * (Mat3::Identity() - point.normal * point.normal.transpose());
-    springs.add(i, set_down ? stuck : spring_at(i, spring_force(i, d)));
+void ShearContact::add_tangent(int i, const Vec3& u, PointTangent& sum) const {
+  const ContactPoint& point = links_.point(i);
+  if (!held_ && strength_[i] == 0) {
+    if (touching_ == 0 || !touches(point, point.gap + point.normal.dot(u), touching_)) return;
+    sum.set_down += point.shear_stiffness * (Mat3::Identity() - point.normal * point.normal.transpose());
+    sum.has_set_down = true;
+    return;
   }
+  if (is_free(i)) return;
+  const Vec3 trial = spring_force_at(i, u);
+  const double length = trial.norm();
+  sum.bears = true;
+  sum.force -= force_of(i, trial);
+  sum.spring += spring_at(i, trial);
+  if (held_ || !slides(i, length) || !resists_elastically(point, point.gap + point.normal.dot(u))) return;
+  // The strength grows as the gap closes.
+  sum.other += point.friction * point.normal_stiffness / length * trial * point.normal.transpose();
+  sum.has_other = true;
 }
 
 Mat3 ShearContact::spring_at(int i, const Vec3& trial) const {
@@ -90,7 +97,7 @@ Mat3 ShearContact::spring_at(int i, const Vec3& trial) const {
 bool ShearContact::let_slide(const Increment& d) {
   slides_on_.assign(links_.contacts().points.size(), false);
   bool any = false;
-  for (const int i : *points_) {
+  for (const int i : points()) {
     const ContactPoint& point = links_.point(i);
     const double strength = strength_[i];
     const bool slid =
@@ -102,30 +109,15 @@ bool ShearContact::let_slide(const Increment& d) {
   return any;
 }
 
-void ShearContact::add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
-  Attachments::Tangent tangent(links_.moves(), d, arms, sum);
-  for (const int i : *points_) {
-    const ContactPoint& point = links_.point(i);
-    if (is_free(i)) continue;
-    const Vec3 trial = spring_force(i, d);
-    const double length = trial.norm();
-    const bool follows_normal_force = !held_ && slides(i, length) && resists_elastically(point, links_.gap(i, d));
-    if (!follows_normal_force && !links_.moves().any_turns()) continue;
-    // N/m, of the strength as the gap closes
-    const double growth = follows_normal_force ? point.friction * point.normal_stiffness / length : 0;
-    tangent.add(i, -force_of(i, trial), spring_at(i, trial), growth * trial * point.normal.transpose());
-  }
-}
-
 void ShearContact::accept(const Increment& d) {
   stored_ = 0;
-  for (const int i : *points_) stored_ += shear_spring_energy(links_.point(i), force(i, d));
+  for (const int i : points()) stored_ += shear_spring_energy(links_.point(i), force_at(i, d));
 }
 
 double ShearContact::slip(int i, const Increment& d) const {
   const double roundings = tolerances_.slip_roundings * std::numeric_limits<double>::epsilon();
   const ContactPoint& point = links_.point(i);
-  const double spring = spring_force(i, d).norm(), excess = spring - force(i, d).norm();
+  const double spring = spring_force(i, d).norm(), excess = spring - force_at(i, d).norm();
   const double path = excess / point.shear_stiffness;
   return excess > tolerances_.least_excess * spring &&
                  path > roundings * (point.position.cwiseAbs().maxCoeff() + point.size)
@@ -135,13 +127,7 @@ double ShearContact::slip(int i, const Increment& d) const {
 
 double ShearContact::dissipated(const Increment& d) const {
   double sum = 0;
-  for (const int i : *points_) sum += force(i, d).norm() * slip(i, d);
-  return sum;
-}
-
-double ShearContact::work_on_held(const Increment& d) const {
-  double sum = 0;
-  for (const int i : *points_) sum -= links_.moves().work_on_held(i, force(i, d));
+  for (const int i : points()) sum += force_at(i, d).norm() * slip(i, d);
   return sum;
 }
 

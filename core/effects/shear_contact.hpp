@@ -1,8 +1,7 @@
 #pragma once
 
 #include "contact/contact_law.hpp"
-#include "contact/contact_links.hpp"
-#include "effects/effect.hpp"
+#include "effects/contact_effect.hpp"
 #include "effects/held_contact.hpp"
 #include "model/solver_tolerances.hpp"
 
@@ -17,52 +16,52 @@ namespace talus {
 /// between iterations where the paper takes it from the previous displacement. That the strength follows the normal
 /// force has no potential: its part of the tangent, tan φ k_n s⊗n, is what add_unsymmetric gives, beside the
 /// turning of arms.
-class ShearContact final : public Effect {
+class ShearContact final : public ContactEffect {
  public:
   /// Looks at the points that resist shear alone.
   explicit ShearContact(const ContactLinks& links, const EffectTolerances& tolerances = {})
-      : links_(links), tolerances_(tolerances), all_(links.contacts().sheared) {}
+      : ContactEffect(links, links.contacts().sheared), tolerances_(tolerances) {}
   EffectKind kind() const override { return EffectKind::shear_contact; }
-  EnergyAccount account() const override { return EnergyAccount::contact; }
-  bool quadratic() const override { return false; }
   double energy(const Increment& d) const override;
-  void add_gradient(const Increment& d, Arms arms, Eigen::VectorXd& sum) const override;
-  void add_hessian(const Increment& d, SymmetricBlocks& sum) const override;
-  /// The Hessian takes contacts that are open by less than this fraction of their size for closed and sticking.
-  void count_as_closed(double fraction) { touching_ = fraction; }
+  /// Takes the strength from the normal force, paper (36).
+  void follow(int point, const Vec3& u) override;
+  /// At the strength that was taken last.
+  Vec3 force(int point, const Vec3& u) const override;
+  /// Points that count as closed count as sticking.
+  void add_tangent(int point, const Vec3& u, PointTangent& sum) const override;
   /// Until `stick` is called, the tangent takes points for sliding that slid at the end of the last step and are above
   /// their strength at `d`, although they are on the border of sticking. True if there are any.
   bool let_slide(const Increment& d);
   void stick() { slides_on_.clear(); }
   /// Until it is told null, points are as these say, one a point of the contact set: then Π is quadratic in D.
   void hold(const std::vector<HeldContact>* held) { held_ = held; }
-  /// Until it is told null, its points are these alone.
-  void look_at(const std::vector<int>* points) { points_ = points ? points : &all_; }
-  const std::vector<int>& all_points() const { return all_; }
   /// What the law makes of a point at D, whose strength is known.
   ContactMode mode(int point, const Increment& d) const;
-  void add_unsymmetric(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const override;
   void accept(const Increment& d) override;
   void archive(StateArchive& state) override { state(strength_, slides_on_, stored_); }
   double stored_energy() const override { return stored_; }
   double dissipated(const Increment& d) const override;
-  double work_on_held(const Increment& d) const override;
 
-  /// Takes the strength of every point from the normal forces at D, paper (36).
+  /// Every point that it looks at follows from now on; those of others are zero.
+  void clear_strength() { strength_.assign(links_.contacts().points.size(), 0); }
+  /// Takes the strength of every point from the normal forces at D.
   void update_strength(const Increment& d);
   /// Joins the degree-of-freedom blocks of points with a strength: while strengths are held, one that has opened since
   /// shears on.
   void join_with_strength(DisjointSets& together) const;
   /// Force on the first body that the spring would bear if the contact could not slide, τ* [N].
-  Vec3 spring_force(int point, const Increment& d) const;
+  Vec3 spring_force(int point, const Increment& d) const {
+    return spring_force_at(point, links_.moves().increment(point, d));
+  }
   /// Shear force on the first body at D [N].
-  Vec3 force(int point, const Increment& d) const;
+  Vec3 force_at(int point, const Increment& d) const { return force(point, links_.moves().increment(point, d)); }
   /// Length slipped in the step at D [m], the excess of the spring's force over its stiffness; 0 where that is within
   /// the rounding of coordinates.
   double slip(int point, const Increment& d) const;
   double strength(int point) const { return strength_[point]; }
 
  private:
+  Vec3 spring_force_at(int point, const Vec3& u) const;
   bool slides(int point, double spring_force) const {
     if (held_) return (*held_)[point].shear == ContactMode::slip;
     return spring_force > strength_[point] || (!slides_on_.empty() && slides_on_[point]);
@@ -77,13 +76,9 @@ class ShearContact final : public Effect {
   /// Whether a point bears no shear.
   bool is_free(int point) const { return held_ ? (*held_)[point].shear == ContactMode::open : strength_[point] == 0; }
 
-  const ContactLinks& links_;
   EffectTolerances tolerances_;
-  const std::vector<int>& all_;
-  const std::vector<int>* points_ = &all_;
   std::vector<double> strength_;  ///< N, a point of the contact set; zero where it does not resist shear
   std::vector<bool> slides_on_;   ///< a point of the contact set; empty: none
-  double touching_ = 0;
   const std::vector<HeldContact>* held_ = nullptr;
   double stored_ = 0;  ///< J, in the springs at the end of the last step
 };

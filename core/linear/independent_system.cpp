@@ -16,11 +16,6 @@ namespace {
 constexpr double largest_sparse_fraction = 0.9;
 /// A matrix that is solved more often than this gets a factor of the whole system, which costs nothing from then on.
 constexpr int few_solves = 3;
-/// An incomplete factor leaves an error everywhere, a whole one only where something slides: GMRES goes on to so much
-/// of its tolerance. Piles of 1 000 cubes take 25 iterations of Newton's method for 34, of GMRES a quarter more.
-constexpr double more_exact = 0.01;
-/// A system of fewer blocks gets a whole factor at once: it fills in little, and leaves exacter last digits.
-constexpr int many_blocks = 500;
 
 }  // namespace
 
@@ -102,17 +97,9 @@ void IndependentSystem::solve_densely(LinearWork& work) {
 }
 
 bool IndependentSystem::solve_without_factor(const LinearSettings& settings, Trials& trials, LinearWork& work) {
-  if (size() < many_blocks || !trials.is_due()) return false;
+  if (size() < IncompleteSolver::many_blocks || !trials.is_due()) return false;
   const Stopwatch watch(work.solve_seconds);
-  Sparse& s = *sparse_;
-  const auto precondition = [&s](const Eigen::VectorXd& from, Eigen::VectorXd& to) { s.incomplete.solve(from, to); };
-  int iterations = settings.incomplete_limit;
-  if (s.incomplete.factor(matrix_)) {
-    iterations = solve_tangent(s.gmres, matrix_, unsymmetric_, precondition, right_, more_exact * settings.tolerance,
-                               settings.incomplete_limit, solution_);
-    work.gmres_iterations += iterations;
-  }
-  const bool solved = iterations < settings.incomplete_limit;
+  const bool solved = sparse_->incomplete.solve(matrix_, unsymmetric_, right_, settings, work, solution_);
   trials.note(solved);
   return solved;
 }
@@ -140,11 +127,8 @@ void IndependentSystem::solve_parts(const LinearSettings& settings, double negli
       dense.solve(s.right, s.solution);
       ++work.dense_factorisations;
     } else {
-      s.large_part.factor(matrix_, unsymmetric_, nodes);
-      const int iterations = s.large_part.solve(s.right, settings, s.solution);
-      work.gmres_iterations += iterations;
-      if (iterations >= settings.limit) ++work.gmres_limits;
-      ++work.factorisations;
+      s.large_part.take(matrix_, unsymmetric_, nodes);
+      s.large_part.solve(s.right, settings, work, s.solution);
     }
     for (Eigen::Index k = 0; k < count; ++k)
       s.solution_of_parts.segment<3>(3 * nodes[k]) = s.solution.segment<3>(3 * k);

@@ -7,7 +7,7 @@
 #include "base/trials.hpp"
 #include "linear/coupled_parts.hpp"
 #include "linear/dense_solver.hpp"
-#include "linear/incomplete_cholesky.hpp"
+#include "linear/incomplete_solver.hpp"
 #include "linear/linear_work.hpp"
 #include "linear/sparse_part.hpp"
 #include "linear/tangent_factor.hpp"
@@ -51,8 +51,7 @@ class IndependentSystem {
 
  private:
   struct Sparse {
-    IncompleteCholesky incomplete;
-    Gmres gmres;
+    IncompleteSolver incomplete;
     TangentFactor factor;
     bool analysed = false;
     int patience = 5;    ///< GMRES iterations that cost as much as a factor

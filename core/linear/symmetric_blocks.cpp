@@ -27,6 +27,13 @@ bool SymmetricBlocks::assign_part(const SymmetricBlocks& whole, std::span<const 
   return changed;
 }
 
+void SymmetricBlocks::assign_columns(const SymmetricBlocks& other, std::span<const int> columns) {
+  const std::vector<int>& begin = pattern_.column_begin();
+  for (const int column : columns)
+    std::copy(other.values_.begin() + begin[column], other.values_.begin() + begin[column + 1],
+              values_.begin() + begin[column]);
+}
+
 double SymmetricBlocks::diagonal_norm() const { return diagonal_norm(0, pattern_.nodes()); }
 
 double SymmetricBlocks::diagonal_norm(int begin, int end) const {

@@ -35,8 +35,9 @@ class SymmetricBlocks {
   void set_weight(double weight) { weight_ = weight; }
 
   void set_zero();
-  /// Takes over the values of a matrix with the same pattern.
+  /// Takes over the values of a matrix with the same pattern: all, and those of some columns of the lower triangle.
   void assign(const SymmetricBlocks& other) { values_ = other.values_; }
+  void assign_columns(const SymmetricBlocks& other, std::span<const int> columns);
   /// Takes over the columns of some nodes of a larger matrix, of which this pattern is their part. Has a bit changed?
   bool assign_part(const SymmetricBlocks& whole, std::span<const int> nodes);
   /// Norm of the diagonal, and of its part from block `begin` to that before `end`.

@@ -19,7 +19,7 @@ void ContactOutcomes::take(ContactSet& contacts, const ContactLinks& links, cons
   for (int i = 0; i < static_cast<int>(contacts.points.size()); ++i) {
     ContactPoint& point = contacts.points[i];
     const double gap = links.gap(i, d), normal = normal_force(point, gap);
-    const Vec3 shear = composition.shear ? composition.shear->force(i, d) : Vec3(Vec3::Zero());
+    const Vec3 shear = composition.shear ? composition.shear->force_at(i, d) : Vec3(Vec3::Zero());
     const double slip = composition.shear ? composition.shear->slip(i, d) : 0;
     const bool pulled_off = point.bonded && gap > tolerances_.bond_opening * point.size;
     const bool yields = point.bonded && point.tension > 0 && normal <= -point.tension;

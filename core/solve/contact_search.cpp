@@ -99,7 +99,7 @@ void follow_couplings(SimulationState& s) {
   s.open_close.set_pattern(s.bodies.nodes.movable, couplings_of_contacts(s));
 }
 
-/// Those that go on as they are when the missed ones are taken in, by key.
+/// Those that go on as they are when the missed ones are taken in, in their order.
 std::vector<ContactPoint> corrected_so_far(const ContactSet& contacts,
                                            std::span<const ContactDetector::MissedContact> missed) {
   std::vector<char> begins_anew(contacts.points.size(), 0);
@@ -114,7 +114,7 @@ std::vector<ContactPoint> corrected_so_far(const ContactSet& contacts,
 /// The normals and springs that a step has come to so far: it would only come to them again.
 void keep_corrections(const std::vector<ContactPoint>& corrected, ContactSet& contacts) {
   for (ContactPoint& point : contacts.points) {
-    const auto same = std::ranges::lower_bound(corrected, point.key, {}, &ContactPoint::key);
+    const auto same = std::ranges::lower_bound(corrected, point, comes_before);
     if (same == corrected.end() || same->key != point.key) continue;
     point.normal = same->normal;
     point.gap = same->gap;

@@ -148,7 +148,7 @@ std::vector<EffectOutcome> Simulation::effects() const {
 RunWork Simulation::work() const {
   const SimulationState& s = *state_;
   const ContactWork& contact = s.detector.work();
-  const LinearWork& linear = s.open_close.linear_work();
+  const LinearWork linear = s.open_close.linear_work();
   RunWork work;
   work.body_pairs = contact.body_pairs;
   work.facet_searches = contact.searches;

@@ -5,6 +5,8 @@
 
 #include "bodies/body_set.hpp"
 #include "effects/effect.hpp"
+#include "mesh/structured_mesh.hpp"
+#include "support/solver_scenes.hpp"
 
 /// Effects of hardly any size, for what the solver makes of effects.
 namespace talus::test {
@@ -67,10 +69,15 @@ class Load final : public Effect {
   EnergyAccount account_;
 };
 
-/// Bodies without any rotation: unknowns add up.
-inline BodySet& no_bodies() {
-  static BodySet none{Project(), BlockSystem()};
-  return none;
+/// A body whose nodes are those of the chain and whose unknowns add up.
+inline BodySet chain_body() {
+  Block block;
+  block.name = "chain";
+  block.mesh = box_mesh(Vec3(0, 0, 0), Vec3(2, 1, 1), 2, 1, 1);
+  block.surface = boundary(block.mesh);
+  Project project = rock_project(30, {});
+  project.solver.strain = Strain::incremental;
+  return {project, block_system({block})};
 }
 
 inline StepContext step_of(double length) {

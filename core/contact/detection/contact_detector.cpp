@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/parallel.hpp"
@@ -57,6 +58,8 @@ struct ContactDetector::State {
   void bond(std::span<ContactPoint> points) const;
   void weaken_broken(std::span<ContactPoint> points) const;
   void write(double reach, ContactSet& contacts);
+  /// Of points by key, and of `origins`.
+  void put_in_order(std::vector<ContactPoint>& points);
   void change_rest(std::span<const int> changed);
 
   std::vector<ContactBody> bodies;
@@ -83,6 +86,10 @@ struct ContactDetector::State {
   std::vector<MissedContact> missed;
   std::vector<int> origins;             // of the points handed out: which one of `found` each was made of
   std::vector<std::uint64_t> families;  // of the points handed out
+  std::vector<int> given_as;            // of a point of `found`: its number among those handed out, or −1
+  std::vector<ContactPoint> by_key;     // the points handed out before they were put in order …
+  std::vector<int> by_key_origins;      // … with what they were made of
+  std::vector<int> order;               // … and what comes where
 };
 
 ContactDetector::ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws, PairJoints pair_joints,
@@ -242,7 +249,6 @@ void ContactDetector::State::weaken_broken(std::span<ContactPoint> points) const
 
 void ContactDetector::State::write(double reach, ContactSet& contacts) {
   contacts.clear();
-  families.clear();
   complete_all(contacts);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < origins.size(); ++i) {
@@ -259,12 +265,30 @@ void ContactDetector::State::write(double reach, ContactSet& contacts) {
     if (kept < i) contacts.points[kept] = p;
     origins[kept] = origins[i];
     ++kept;
-    families.push_back(f.family);
   }
   contacts.points.resize(kept);
   origins.resize(kept);
+  put_in_order(contacts.points);
   contacts.sort_out();
   work.points += static_cast<long>(kept);
+}
+
+void ContactDetector::State::put_in_order(std::vector<ContactPoint>& points) {
+  order.resize(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int p, int q) { return comes_before(points[p], points[q]); });
+  by_key.swap(points);
+  by_key_origins.swap(origins);
+  points.clear();
+  origins.clear();
+  families.clear();
+  given_as.assign(found.points.size(), -1);
+  for (const int i : order) {
+    given_as[by_key_origins[i]] = static_cast<int>(points.size());
+    points.push_back(by_key[i]);
+    origins.push_back(by_key_origins[i]);
+    families.push_back(found.points[by_key_origins[i]].family);
+  }
 }
 
 void ContactDetector::detect(std::span<const Vec3> x, double reach, ContactSet& contacts) {
@@ -288,9 +312,8 @@ ContactDetector::UpdatedNormal ContactDetector::updated_normal(int point, const 
 
 /// Which of the points handed out has this key; −1: none.
 int ContactDetector::State::given(std::uint64_t key) const {
-  const auto key_of = [&](int number) { return found.points[number].key; };
-  const auto same = std::ranges::lower_bound(origins, key, {}, key_of);
-  return same != origins.end() && key_of(*same) == key ? static_cast<int>(same - origins.begin()) : -1;
+  const auto same = std::ranges::lower_bound(found.points, key, {}, &FoundPoint::key);
+  return same != found.points.end() && same->key == key ? given_as[same - found.points.begin()] : -1;
 }
 
 std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts(std::span<const Vec3> start,
@@ -344,7 +367,7 @@ void ContactDetector::accept(const ContactSet& contacts, std::span<const Contact
   if (contacts.points.size() != s.families.size() || outcomes.size() != s.families.size()) {
     throw std::logic_error("ContactDetector::accept: outcomes of another set of contacts");
   }
-  s.memory.accept(contacts.points, s.families, outcomes);
+  s.memory.accept(contacts, s.families, outcomes);
   s.search.accept();
   for (int b = 0; !s.all_have_moved && b < static_cast<int>(s.bodies.size()); ++b) s.moved[b] |= !s.rests(b);
   s.all_have_moved = true;

@@ -186,14 +186,14 @@ bool ContactMemory::ever_broken(std::uint64_t family) const {
   return std::binary_search(broken_.begin(), broken_.end(), family);
 }
 
-void ContactMemory::accept(std::span<const ContactPoint> points, std::span<const std::uint64_t> families,
+void ContactMemory::accept(const ContactSet& contacts, std::span<const std::uint64_t> families,
                            std::span<const ContactOutcome> outcomes) {
   histories_.clear();
   keys_.clear();
   any_bonded_ = false;
   const std::size_t broken_before = broken_.size();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const ContactPoint& p = points[i];
+  for (const int i : contacts.by_key) {
+    const ContactPoint& p = contacts.points[i];
     const ContactOutcome& o = outcomes[i];
     const bool bonded = p.bonded && !o.broke;
     if (o.broke) broken_.push_back(families[i]);

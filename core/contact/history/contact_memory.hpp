@@ -79,7 +79,7 @@ class ContactMemory {
 
   /// Replaces everything by the outcomes of a step, but for contacts of bodies that both rest: they are not looked for.
   /// Contacts that are open and not bonded are forgotten. `families` belong to the points, which are sorted by key.
-  void accept(std::span<const ContactPoint> points, std::span<const std::uint64_t> families,
+  void accept(const ContactSet& contacts, std::span<const std::uint64_t> families,
               std::span<const ContactOutcome> outcomes);
 
   /// Bodies rest from now on or no longer: `changed` are those of which that may have changed. What was put aside goes

@@ -57,7 +57,7 @@ ContactStates::Judgement ContactStates::judge(const Composition& composition, co
       const bool closes = judged_[i].closed && !held_[i].closed;  // the round bore no normal force there, (36)
       if (judged_[i].shear != ContactMode::slip || closes) continue;
       take_friction(*composition.shear, i, d, judged_[i]);
-      const Vec3 change = judged_[i].friction - composition.shear->force(i, d);
+      const Vec3 change = judged_[i].friction - composition.shear->force_at(i, d);
       judgement.friction_error = std::max(judgement.friction_error, change.norm() / composition.shear->strength(i));
     }
   for (std::size_t i = 0; i < held_.size(); ++i) judgement.changed += !judged_[i].same_state(held_[i]);

@@ -97,10 +97,10 @@ void InteriorPointContacts::add_forces(const Increment& d, Arms arms, Eigen::Vec
 }
 
 void InteriorPointContacts::add_tangent(const Increment& d, Arms arms, UnsymmetricBlocks& sum) const {
-  Attachments::Tangent tangent(links_->moves(), d, arms, sum);
+  Attachments::Tangent tangent(links_->moves(), d, arms, nullptr, &sum);
   for (const Point& point : points_)
-    tangent.add(point.index, Vec3::Zero(), Mat3::Zero(),
-                point.directions * point.tangent * point.directions.transpose());
+    tangent.add(point.index,
+                {.other = point.directions * point.tangent * point.directions.transpose(), .has_other = true});
 }
 
 void InteriorPointContacts::find_changes(const Increment& from, const Increment& to) {

@@ -10,58 +10,60 @@ bool NonlinearElimination::begin(const Composition& composition, StepResidual& r
   if (!composition.links) return false;
   if (!pick_bodies(*composition.bodies, composition.links->contacts(), residual, most, contacts_away)) return false;
   split(residual.matrix().pattern());
-  pick_points(composition);
-  residual.look_at(dof_blocks_);
+  residual.look_at(&picked_);
   return true;
 }
 
-void NonlinearElimination::end(const Composition& composition, StepResidual& residual) {
-  dof_blocks_.clear();
-  for (NormalContact* normal : composition.normal) normal->look_at(nullptr);
-  if (composition.shear) composition.shear->look_at(nullptr);
-  residual.look_at({});
+void NonlinearElimination::end(StepResidual& residual) {
+  picked_.dof_blocks.clear();
+  residual.look_at(nullptr);
 }
 
 bool NonlinearElimination::pick_bodies(const BodySet& set, const ContactSet& contacts, const StepResidual& residual,
                                        double most, int contacts_away) {
-  residual.list_unbalanced(tolerances_.unbalanced, bodies_);
+  residual.list_unbalanced(tolerances_.unbalanced, picked_.places);
   const auto most_bodies = static_cast<std::size_t>(most * residual.bodies());
-  if (bodies_.empty() || bodies_.size() > most_bodies) return false;
-  is_picked_.assign(set.bodies.size(), 0);
-  for (const int b : bodies_) is_picked_[set.moving[b]] = 1;
+  if (picked_.places.empty() || picked_.places.size() > most_bodies) return false;
+  picked_.has.assign(set.bodies.size(), 0);
+  for (const int b : picked_.places) picked_.has[set.moving[b]] = 1;
   for (int away = 0; away < contacts_away && pick_neighbours(set, contacts, most_bodies); ++away) continue;
+  picked_.places.clear();
+  picked_.turning.clear();
   for (int b = 0; b < residual.bodies(); ++b) {
-    if (!is_picked_[set.moving[b]]) continue;
+    if (!picked_.has[set.moving[b]]) continue;
+    picked_.places.push_back(b);
     const auto [first, end] = residual.dof_blocks_of(b);
-    for (int block = first; block < end; ++block) dof_blocks_.push_back(block);
+    for (int block = first; block < end; ++block) picked_.dof_blocks.push_back(block);
   }
+  for (const int r : set.turning)
+    if (picked_.has[set.rigid[r].body]) picked_.turning.push_back(r);
   return true;
 }
 
 bool NonlinearElimination::pick_neighbours(const BodySet& set, const ContactSet& contacts, std::size_t most) {
-  touches_picked_ = is_picked_;
+  touches_picked_ = picked_.has;
   for (const ContactPoint& point : contacts.points)
-    if (is_picked_[point.bodies[0]] != is_picked_[point.bodies[1]])
+    if (picked_.has[point.bodies[0]] != picked_.has[point.bodies[1]])
       for (const int b : point.bodies) touches_picked_[b] = 1;
   const auto count =
       std::count_if(set.moving.begin(), set.moving.end(), [this](int b) { return touches_picked_[b] != 0; });
   if (static_cast<std::size_t>(count) > most) return false;
-  for (const int b : set.moving) is_picked_[b] = touches_picked_[b];
+  for (const int b : set.moving) picked_.has[b] = touches_picked_[b];
   return true;
 }
 
 /// Bodies that touch none of the others have equations of their own.
 void NonlinearElimination::split(const BlockPattern& pattern) {
   number_.resize(pattern.nodes(), -1);
-  for (std::size_t k = 0; k < dof_blocks_.size(); ++k) number_[dof_blocks_[k]] = static_cast<int>(k);
-  together_.reset(static_cast<int>(dof_blocks_.size()));
-  for (const int column : dof_blocks_)
+  for (std::size_t k = 0; k < picked_.dof_blocks.size(); ++k) number_[picked_.dof_blocks[k]] = static_cast<int>(k);
+  together_.reset(static_cast<int>(picked_.dof_blocks.size()));
+  for (const int column : picked_.dof_blocks)
     for (int slot = pattern.column_begin()[column]; slot < pattern.column_begin()[column + 1]; ++slot)
       if (const int row = number_[pattern.rows()[slot]]; row >= 0) together_.join(number_[column], row);
-  for (const int block : dof_blocks_) number_[block] = -1;
+  for (const int block : picked_.dof_blocks) number_[block] = -1;
   by_system_.clear();
-  for (int k = 0; k < static_cast<int>(dof_blocks_.size()); ++k)
-    by_system_.emplace_back(together_.first_of(k), dof_blocks_[k]);
+  for (int k = 0; k < static_cast<int>(picked_.dof_blocks.size()); ++k)
+    by_system_.emplace_back(together_.first_of(k), picked_.dof_blocks[k]);
   std::sort(by_system_.begin(), by_system_.end());
   grouped_.clear();
   system_ends_.clear();
@@ -70,20 +72,6 @@ void NonlinearElimination::split(const BlockPattern& pattern) {
     grouped_.push_back(by_system_[i].second);
   }
   system_ends_.push_back(grouped_.size());
-}
-
-void NonlinearElimination::pick_points(const Composition& composition) {
-  points_.resize(composition.normal.size() + 1);
-  const auto pick = [&](auto& effect, std::vector<int>& picked) {
-    picked.clear();
-    for (const int i : effect.all_points()) {
-      const ContactPoint& point = composition.links->point(i);
-      if (is_picked_[point.bodies[0]] || is_picked_[point.bodies[1]]) picked.push_back(i);
-    }
-    effect.look_at(&picked);
-  };
-  for (std::size_t i = 0; i < composition.normal.size(); ++i) pick(*composition.normal[i], points_[i]);
-  if (composition.shear) pick(*composition.shear, points_.back());
 }
 
 void NonlinearElimination::solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks& unsymmetric,
@@ -99,8 +87,8 @@ void NonlinearElimination::solve(const SymmetricBlocks& matrix, const Unsymmetri
       dense_.factor(matrix, unsymmetric.pairs(), system);
       dense_.solve(right_, solution_);
     } else {
-      sparse_.factor(matrix, unsymmetric.pairs(), system);
-      sparse_.solve(right_, linear_, solution_);
+      sparse_.take(matrix, unsymmetric.pairs(), system);
+      sparse_.solve(right_, linear_, work_, solution_);
     }
     for (std::size_t k = 0; k < system.size(); ++k) x.segment<3>(3 * system[k]) = solution_.segment<3>(3 * k);
   }

@@ -23,38 +23,41 @@ class NonlinearElimination {
 
   /// Picks the bodies that are to be balanced alone at the gradient of the residual, if they are no more than this
   /// fraction of all, and with them those that touch them over so many contacts, as long as that holds. If there are
-  /// any, contact effects and the residual look at them alone from now on.
+  /// any, effects and the residual look at them alone from now on.
   bool begin(const Composition& composition, StepResidual& residual, double most, int contacts_away);
   /// They look at all bodies again.
-  void end(const Composition& composition, StepResidual& residual);
-  bool is_active() const { return !dof_blocks_.empty(); }
-  const std::vector<int>& dof_blocks() const { return dof_blocks_; }  ///< of the bodies that were picked, ascending
+  void end(StepResidual& residual);
+  bool is_active() const { return !picked_.dof_blocks.empty(); }
+  const PickedBodies& picked() const { return picked_; }
 
   /// x = T⁻¹ b of the bodies that were picked, zero elsewhere: exactly, or to the tolerance of the settings where many
   /// touch each other. Throws NotPositiveDefinite.
   void solve(const SymmetricBlocks& matrix, const UnsymmetricBlocks& unsymmetric, const Eigen::VectorXd& b,
              Eigen::VectorXd& x);
+  const LinearWork& work() const { return work_; }
+
+  /// What it has cost.
+  void archive(auto& state) { state(work_); }
 
  private:
   bool pick_bodies(const BodySet& set, const ContactSet& contacts, const StepResidual& residual, double most,
                    int contacts_away);
   /// Those that touch one that was picked, while there are no more than so many. False: there would be.
   bool pick_neighbours(const BodySet& set, const ContactSet& contacts, std::size_t most);
-  void pick_points(const Composition& composition);
   void split(const BlockPattern& pattern);
 
   EliminationTolerances tolerances_;
   LinearSettings linear_;
-  std::vector<int> bodies_, dof_blocks_;
-  std::vector<char> is_picked_, touches_picked_;  // a body
-  std::vector<std::vector<int>> points_;          // of each normal contact, and of shear contact
-  std::vector<int> number_;                       // of a degree-of-freedom block: its place in dof_blocks_, or −1
-  std::vector<std::pair<int, int>> by_system_;    // the first of its system, a degree-of-freedom block; sorted
-  std::vector<int> grouped_;                      // degree-of-freedom blocks, system by system: they touch each other
-  std::vector<std::size_t> system_ends_;          // of each in grouped_
+  PickedBodies picked_;
+  std::vector<char> touches_picked_;            // a body
+  std::vector<int> number_;                     // of a degree-of-freedom block: its place among those picked, or −1
+  std::vector<std::pair<int, int>> by_system_;  // the first of its system, a degree-of-freedom block; sorted
+  std::vector<int> grouped_;                    // degree-of-freedom blocks, system by system: they touch each other
+  std::vector<std::size_t> system_ends_;        // of each in grouped_
   DisjointSets together_;
   DenseSolver dense_;
   SparsePart sparse_;
+  LinearWork work_;
   Eigen::VectorXd right_, solution_;
 };
 

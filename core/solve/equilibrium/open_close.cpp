@@ -61,6 +61,14 @@ SolveTimes OpenClose::times() const {
   return times;
 }
 
+LinearWork OpenClose::linear_work() const {
+  LinearWork work = linear_.work();
+  work.factorisations += elimination_.work().factorisations;
+  work.gmres_iterations += elimination_.work().gmres_iterations;
+  work.gmres_limits += elimination_.work().gmres_limits;
+  return work;
+}
+
 void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> couplings) {
   const Stopwatch watch(pattern_seconds_);
   residual_.set_pattern(nodes, std::move(couplings));
@@ -70,7 +78,6 @@ void OpenClose::set_pattern(int nodes, std::vector<std::pair<int, int>> coupling
 
 void OpenClose::follow_pattern() {
   const BlockPattern& pattern = residual_.matrix().pattern();
-  unsymmetric_.set_pattern(pattern);
   search_.set_size(pattern.nodes());
   zero_.setZero(3 * pattern.nodes());
 }
@@ -81,7 +88,7 @@ void OpenClose::archive(StateArchive& state, bool pattern_holds) {
     residual_.set_pattern(linear_.pattern());
     follow_pattern();
   }
-  state(residual_, interior_, trials_alone_, pattern_seconds_, elimination_seconds_, alone_);
+  state(residual_, interior_, elimination_, trials_alone_, pattern_seconds_, elimination_seconds_, alone_);
 }
 
 void OpenClose::begin_step(const StepContext& step) {
@@ -96,11 +103,9 @@ double OpenClose::residual_at(const Increment& d) {
 }
 
 void OpenClose::solve_at_step_start(Friction friction) {
-  residual_.assemble(zero_, tolerances_.first_closing);
+  residual_.assemble(zero_, tolerances_.first_closing, friction);
   linear_.demand_factors();  // solved exactly
-  unsymmetric_.set_zero();
-  if (friction == Friction::coupled) residual_.add_unsymmetric(zero_, unsymmetric_);
-  linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), {}, direction_);
+  linear_.solve(residual_.matrix(), residual_.unsymmetric(), residual_.gradient(), {}, direction_);
 }
 
 const Eigen::VectorXd& OpenClose::start_accelerations(const StepContext& step) {
@@ -129,11 +134,9 @@ OpenCloseResult OpenClose::converge_by_states(Increment& d) {
   residual_.evaluate(d, Friction::coupled);
   while (result.iterations < iteration_limit_) {
     ++result.iterations;
-    assemble(d, 0);
+    assemble(d, 0, Friction::coupled);
     linear_.demand_factors();  // solved exactly
-    unsymmetric_.set_zero();
-    residual_.add_unsymmetric(d, unsymmetric_);
-    linear_.solve(residual_.matrix(), unsymmetric_, residual_.gradient(), {}, direction_);
+    linear_.solve(residual_.matrix(), residual_.unsymmetric(), residual_.gradient(), {}, direction_);
     start_ = d;
     part_ = -direction_;
     composition_->bodies->advance(start_, part_, d);
@@ -166,7 +169,7 @@ OpenCloseResult OpenClose::converge(Increment& d, double enough) {
   } catch (const NotPositiveDefinite& error) {
     // Inertia leaves no motion without stiffness, unless an iterate has gone so far astray that it is lost in rounding.
     if (!is_dynamic_) throw beyond_reason(error);
-    if (elimination_.is_active()) elimination_.end(*composition_, residual_);
+    if (elimination_.is_active()) elimination_.end(residual_);
     OpenCloseResult lost;
     lost.residual = std::numeric_limits<double>::infinity();
     lost.worst_dof_block = error.node;
@@ -193,7 +196,7 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
       newton_iterations = 0;
       if (!converge_with_fallbacks(d, limit, result.iterations, interior_point_left)) break;
     } else {
-      assemble(d, result.iterations == 0 ? tolerances_.first_closing : 0);
+      assemble(d, result.iterations == 0 ? tolerances_.first_closing : 0, Friction::coupled);
       search_.set_all_pending();
       find_direction(d, Friction::coupled);
       iterate(d, newton_iterations < tolerances_.closing_iterations);
@@ -210,7 +213,7 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
 void OpenClose::balance_alone(Increment& d) {
   const Stopwatch watch(alone_.seconds);
   if (!elimination_.begin(*composition_, residual_, elimination_tolerances_.most_bodies, 0)) return;
-  if (!trials_alone_.is_due()) return elimination_.end(*composition_, residual_);
+  if (!trials_alone_.is_due()) return elimination_.end(residual_);
   trials_alone_.note(balance_picked(d));
   residual_.evaluate(d, Friction::coupled);
 }
@@ -222,7 +225,7 @@ bool OpenClose::balance_changed(Increment& d) {
   try {
     return elimination_.begin(*composition_, residual_, elimination_tolerances_.few_bodies, 1) && balance_picked(d);
   } catch (const NotPositiveDefinite&) {  // an iterate has gone far astray
-    elimination_.end(*composition_, residual_);
+    elimination_.end(residual_);
     d = before_alone_;
     return false;
   }
@@ -235,7 +238,7 @@ bool OpenClose::balance_picked(Increment& d) {
   const double unbalanced = residual_.norm();
   const OpenCloseResult alone = converge_within(elimination_tolerances_.iterations, false, d);
   if (!(alone.residual < unbalanced)) d = before_alone_;
-  elimination_.end(*composition_, residual_);
+  elimination_.end(residual_);
   return alone.residual < tolerances_.well_reduced * unbalanced;
 }
 
@@ -262,26 +265,25 @@ bool OpenClose::has_converged(const OpenCloseResult& now, bool stalled, const In
   return is_rounding || stands_still;
 }
 
-void OpenClose::assemble(const Increment& d, double touching) {
+void OpenClose::assemble(const Increment& d, double touching, Friction friction) {
   if (watch_) watch_(residual_.norm());
-  residual_.assemble(d, touching);
+  residual_.assemble(d, touching, friction);
   residual_.measure_rounding();
 }
 
 void OpenClose::find_direction(const Increment& d, Friction friction) {
-  unsymmetric_.set_zero();
-  if (friction == Friction::coupled) residual_.add_unsymmetric(d, unsymmetric_);
+  const UnsymmetricBlocks& unsymmetric = friction == Friction::coupled ? residual_.unsymmetric() : nothing_;
   search_.pick_pending(residual_.gradient(), part_);
   if (elimination_.is_active()) {
     const Stopwatch watch(elimination_seconds_);
-    elimination_.solve(residual_.matrix(), unsymmetric_, part_, direction_);
+    elimination_.solve(residual_.matrix(), unsymmetric, part_, direction_);
   } else {
     negligible_in_system_.resize(residual_.systems());
     for (int s = 0; s < residual_.systems(); ++s)
       negligible_in_system_[s] = balances(s)
                                      ? std::numeric_limits<double>::infinity()
                                      : tolerances_.negligible_system * tolerance_ * residual_.force_scale_of_system(s);
-    linear_.solve(residual_.matrix(), unsymmetric_, part_, negligible_in_system_, direction_);
+    linear_.solve(residual_.matrix(), unsymmetric, part_, negligible_in_system_, direction_);
   }
   // A chip that flies off must not hold all others back. But with frozen friction the direction leads downhill, and is
   // sure to do so as a whole only.
@@ -306,7 +308,7 @@ void OpenClose::iterate(Increment& d, bool early) {
   search_.go_back(start_, d);
   residual_.evaluate(d, Friction::coupled);
   residual_.freeze(d);
-  if (early) assemble(d, 0);
+  if (early) assemble(d, 0, Friction::frozen);
   find_direction(d, Friction::frozen);
   minimise_along_direction(d);
   residual_.evaluate(d, Friction::coupled);
@@ -314,7 +316,7 @@ void OpenClose::iterate(Increment& d, bool early) {
 
 bool OpenClose::another_iteration_leads_on(Increment& d) {
   second_start_ = start_;
-  assemble(d, 0);
+  assemble(d, 0, Friction::coupled);
   find_direction(d, Friction::coupled);
   start_ = d;
   advance_from_start(d, Friction::coupled);
@@ -378,7 +380,7 @@ int OpenClose::converge_with_frozen_friction(Increment& d, int limit) {
   int count = 0;
   residual_.freeze(d);
   for (; count < limit; ++count) {
-    assemble(d, 0);
+    assemble(d, 0, Friction::frozen);
     search_.set_all_pending();
     find_direction(d, Friction::frozen);
     start_ = d;
@@ -396,6 +398,7 @@ int OpenClose::converge_with_frozen_friction(Increment& d, int limit) {
 
 bool OpenClose::coupled_iteration_leads_on(Increment& d) {
   const double before = norm_left();
+  assemble(d, 0, Friction::coupled);
   search_.set_all_pending();
   find_direction(d, Friction::coupled);
   begin_search(d);

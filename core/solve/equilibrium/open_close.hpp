@@ -84,7 +84,7 @@ class OpenClose {
 
   const StepResidual& residual() const { return residual_; }  ///< as of the last D that was evaluated
   SolveTimes times() const;
-  const LinearWork& linear_work() const { return linear_.work(); }
+  LinearWork linear_work() const;
   const InteriorPoint& interior_point() const { return interior_; }
   const StepResidual::EffectWork& work_alone() const { return alone_; }  ///< of balancing bodies by themselves
 
@@ -96,7 +96,7 @@ class OpenClose {
   using Friction = StepResidual::Friction;
   void follow_pattern();
   /// An iteration begins from D: tells who watches, assembles the tangent and measures what rounding it makes.
-  void assemble(const Increment& d, double touching);
+  void assemble(const Increment& d, double touching, Friction friction);
   /// Newton's direction from D of the parts that are pending, no longer than bodies may go in an iteration.
   void find_direction(const Increment& d, Friction friction);
   void solve_at_step_start(Friction friction);
@@ -153,7 +153,7 @@ class OpenClose {
   bool balances_alone_;
   ContactStates states_;  ///< of the paper's method
   StepResidual residual_;
-  UnsymmetricBlocks unsymmetric_;
+  const UnsymmetricBlocks nothing_;
   LinearSettings linear_settings_;
   LinearSystem linear_;
   PartwiseLineSearch search_;

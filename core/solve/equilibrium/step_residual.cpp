@@ -32,6 +32,18 @@ void StepResidual::begin_stage(Composition& composition) {
   works_.assign(composition.effects.size(), 0);
   norms_.assign(composition.effects.size(), 0);
   step_.length = 0;
+  find_contact_effects();
+}
+
+void StepResidual::find_contact_effects() {
+  std::vector<ContactEffect*> effects;
+  contact_numbers_.clear();
+  for (std::size_t i = 0; i < composition_->effects.size(); ++i)
+    if (auto* effect = dynamic_cast<ContactEffect*>(composition_->effects[i].get())) {
+      effects.push_back(effect);
+      contact_numbers_.push_back(i);
+    }
+  contact_.set(std::move(effects));
 }
 
 void StepResidual::put_in(const PutIn& where) {
@@ -42,6 +54,7 @@ void StepResidual::put_in(const PutIn& where) {
   make_room(works_, 0.0);
   make_room(norms_, 0.0);
   step_.length = 0;
+  find_contact_effects();
 }
 
 void StepResidual::set_pattern(int dof_blocks, std::vector<std::pair<int, int>> couplings) {
@@ -53,6 +66,7 @@ void StepResidual::set_pattern(const BlockPattern& pattern) {
   constant_.set_pattern(pattern);
   of_step_.set_pattern(pattern);
   matrix_.set_pattern(pattern);
+  unsymmetric_.set_pattern(pattern);
   zero_.setZero(3 * pattern.nodes());
   pattern_changed_ = true;
   rounding_ = rounding_of_positions_ = 0;
@@ -63,6 +77,7 @@ void StepResidual::set_pattern(const BlockPattern& pattern) {
     body_begins_.push_back(body_begins_.back() + (body.rigid >= 0 ? 2 : body.free_count()));
   }
   body_roundings_.setZero(this->bodies());
+  body_forces_.setZero(this->bodies());
   find_systems(pattern);
 }
 
@@ -82,19 +97,11 @@ void StepResidual::find_systems(const BlockPattern& pattern) {
 
 void StepResidual::measure_systems(const Eigen::VectorXd& vector, double System::*norm) {
   for (System& system : systems_) system.*norm = 0;
-  for (std::size_t n = 0; n < system_of_.size(); ++n)
-    systems_[system_of_[n]].*norm += vector.segment<3>(3 * n).squaredNorm();
+  each_body([&](int b) {
+    for (int block = body_begins_[b]; block < body_begins_[b + 1]; ++block)
+      systems_[system_of_[block]].*norm += vector.segment<3>(3 * block).squaredNorm();
+  });
   for (System& system : systems_) system.*norm = std::sqrt(system.*norm);
-}
-
-void StepResidual::add_works(const Increment& d) {
-  for (System& system : systems_) system.work_of_effect = 0;
-  for (std::size_t n = 0; n < system_of_.size(); ++n)
-    systems_[system_of_[n]].work_of_effect += part_.segment<3>(3 * n).dot(d.segment<3>(3 * n));
-  for (System& system : systems_) {
-    system.work += system.work_of_effect;
-    system.works_together += std::abs(system.work_of_effect);
-  }
 }
 
 bool StepResidual::each_body_within(int system, double fraction) const {
@@ -114,16 +121,6 @@ bool StepResidual::each_body_within_rounding() const {
   return true;
 }
 
-double StepResidual::norm_of_body(const Eigen::VectorXd& vector, int body) const {
-  const auto [begin, end] = dof_blocks_of(body);
-  return vector.segment(3 * begin, 3 * (end - begin)).norm();
-}
-
-void StepResidual::norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const {
-  norms.resize(bodies());
-  for (int b = 0; b < bodies(); ++b) norms[b] = norm_of_body(vector, b);
-}
-
 bool StepResidual::body_within(int body, double fraction) const {
   return norm_of_body(gradient_, body) <= fraction * body_forces_[body];
 }
@@ -134,12 +131,25 @@ void StepResidual::list_unbalanced(double fraction, std::vector<int>& bodies) co
     if (!body_within(b, fraction)) bodies.push_back(b);
 }
 
-void StepResidual::leave_out_others(Eigen::VectorXd& forces) {
-  if (looked_at_.empty()) return;
-  kept_.resize(forces.size());
-  for (const int block : looked_at_) kept_.segment<3>(3 * block) = forces.segment<3>(3 * block);
-  forces.setZero();
-  for (const int block : looked_at_) forces.segment<3>(3 * block) = kept_.segment<3>(3 * block);
+void StepResidual::look_at(const PickedBodies* picked) {
+  picked_ = picked;
+  others_left_out_ = !picked;
+  for (const auto& effect : composition_->effects) effect->look_at(picked);
+}
+
+template <class Use>
+void StepResidual::each_body(const Use& use) const {
+  if (picked_)
+    for (const int b : picked_->places) use(b);
+  else
+    for (int b = 0; b < bodies(); ++b) use(b);
+}
+
+void StepResidual::clear(Eigen::VectorXd& forces) const {
+  if (!picked_)
+    forces.setZero();
+  else
+    for (const int block : picked_->dof_blocks) forces.segment<3>(3 * block).setZero();
 }
 
 void StepResidual::assemble_constant() {
@@ -190,8 +200,7 @@ bool StepResidual::begin_step(const StepContext& step) {
     part_.setZero();
     effect.add_gradient(zero_, step_.arms, part_);
     momentum_scale_ = tolerances_.momentum_force_weight * part_.norm();
-    norms_by_body(part_, body_momenta_);
-    body_momenta_ *= tolerances_.momentum_force_weight;
+    for (int b = 0; b < bodies(); ++b) body_momenta_[b] = tolerances_.momentum_force_weight * norm_of_body(part_, b);
     measure_systems(part_, &System::momentum);
     for (System& system : systems_) system.momentum *= tolerances_.momentum_force_weight;
   }
@@ -200,40 +209,80 @@ bool StepResidual::begin_step(const StepContext& step) {
 
 void StepResidual::evaluate(const Increment& d, Friction friction) {
   const Stopwatch watch(times_.update);
-  if (composition_->shear && friction == Friction::coupled) composition_->shear->update_strength(d);
   const Arms arms = friction == Friction::frozen ? Arms::end : step_.arms;  // frozen forces have a potential
-  if (friction == Friction::frozen)
-    gradient_ = frozen_;
-  else
-    gradient_.setZero(d.size());
+  gradient_.resize(d.size());
   part_.resize(d.size());
   scaled_ = smooth_fraction_ * d;
-  force_scale_ = looked_at_.empty() ? momentum_scale_ : 0;
+  if (!std::exchange(others_left_out_, true)) gradient_.setZero();
+  clear(gradient_);
+  if (friction == Friction::frozen) each_body([&](int b) { of_body(gradient_, b) = of_body(frozen_, b); });
+  force_scale_ = picked_ ? 0 : momentum_scale_;
   for (System& system : systems_) {
-    system.scale = looked_at_.empty() ? system.momentum : 0;
+    system.scale = picked_ ? 0 : system.momentum;
     system.work = system.works_together = 0;
   }
-  body_forces_ = body_momenta_;
+  each_body([&](int b) { body_forces_[b] = body_momenta_[b]; });
   Laps laps;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
-    part_.setZero();
+    if (effect.account() == EnergyAccount::contact) continue;
+    clear(part_);
     effect.add_gradient(effect.smooth() ? scaled_ : d, arms, part_);
-    leave_out_others(part_);
+    add_effect(i, d, part_);
     ++effect_work_[i].evaluations;
-    gradient_ += part_;
-    works_[i] = part_.dot(d);
-    norms_[i] = part_.norm();
-    const double counts = effect.account() == EnergyAccount::elastic ? tolerances_.elastic_force_weight : 1;
-    force_scale_ = std::max(force_scale_, counts * norms_[i]);
-    measure_systems(part_, &System::of_effect);
-    add_works(d);
-    for (System& system : systems_) system.scale = std::max(system.scale, counts * system.of_effect);
-    norms_by_body(part_, body_norms_);
-    body_forces_ = body_forces_.cwiseMax(counts * body_norms_);
     laps.add_to(effect_work_[i].seconds);
   }
+  evaluate_contact(d, arms, friction);
   measure_systems(gradient_, &System::norm);
+}
+
+void StepResidual::evaluate_contact(const Increment& d, Arms arms, Friction friction) {
+  if (contact_.effects().empty()) return;
+  double seconds = 0;
+  Laps laps;
+  contact_parts_.resize(contact_.effects().size());
+  for (Eigen::VectorXd& part : contact_parts_) {
+    part.resize(d.size());
+    clear(part);
+  }
+  if (composition_->shear && friction == Friction::coupled) composition_->shear->clear_strength();
+  contact_.add_gradients(d, arms, friction == Friction::coupled, contact_parts_);
+  for (std::size_t k = 0; k < contact_parts_.size(); ++k) add_effect(contact_numbers_[k], d, contact_parts_[k]);
+  laps.add_to(seconds);
+  for (const std::size_t i : contact_numbers_) {
+    effect_work_[i].seconds += seconds / static_cast<double>(contact_numbers_.size());
+    ++effect_work_[i].evaluations;
+  }
+}
+
+void StepResidual::add_effect(std::size_t effect, const Increment& d, const Eigen::VectorXd& part) {
+  const bool elastic = composition_->effects[effect]->account() == EnergyAccount::elastic;
+  const double counts = elastic ? tolerances_.elastic_force_weight : 1;
+  for (System& system : systems_) system.of_effect = system.work_of_effect = 0;
+  each_body([&](int b) {
+    double square_of_body = 0;
+    for (int block = body_begins_[b]; block < body_begins_[b + 1]; ++block) {
+      const auto force = part.segment<3>(3 * block);
+      gradient_.segment<3>(3 * block) += force;
+      const double square = force.squaredNorm();
+      square_of_body += square;
+      System& system = systems_[system_of_[block]];
+      system.of_effect += square;
+      system.work_of_effect += force.dot(d.segment<3>(3 * block));
+    }
+    body_forces_[b] = std::max(body_forces_[b], counts * std::sqrt(square_of_body));
+  });
+  double square = 0;
+  works_[effect] = 0;
+  for (System& system : systems_) {
+    system.scale = std::max(system.scale, counts * std::sqrt(system.of_effect));
+    system.work += system.work_of_effect;
+    system.works_together += std::abs(system.work_of_effect);
+    square += system.of_effect;
+    works_[effect] += system.work_of_effect;
+  }
+  norms_[effect] = std::sqrt(square);
+  force_scale_ = std::max(force_scale_, counts * norms_[effect]);
 }
 
 void StepResidual::freeze(const Increment& d) {
@@ -267,19 +316,39 @@ double StepResidual::static_residual() const {
   return largest > 0 ? inertia / largest : 0;
 }
 
-void StepResidual::assemble(const Increment& d, double touching) {
+void StepResidual::assemble(const Increment& d, double touching, Friction friction) {
   const Stopwatch watch(times_.assemble);
   for (NormalContact* normal : composition_->normal) normal->count_as_closed(touching);
   if (composition_->shear) composition_->shear->count_as_closed(touching);
-  matrix_.assign(of_step_);
-  add_hessians(d, Contacts::included, matrix_);
+  if (picked_)
+    matrix_.assign_columns(of_step_, picked_->dof_blocks);
+  else
+    matrix_.assign(of_step_);
+  unsymmetric_.set_zero();
+  add_hessians(d, matrix_);
+  if (friction == Friction::coupled) add_unsymmetric(d, unsymmetric_);
+  add_contact_tangents(d, friction);
 }
 
-void StepResidual::add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix) {
+void StepResidual::add_contact_tangents(const Increment& d, Friction friction) {
+  if (contact_.effects().empty()) return;
+  double seconds = 0;
+  {
+    const Stopwatch watch(seconds);
+    UnsymmetricBlocks* const unsymmetric = friction == Friction::coupled ? &unsymmetric_ : nullptr;
+    contact_.add_tangents(d, step_.arms, matrix_, unsymmetric);
+  }
+  for (const std::size_t i : contact_numbers_) {
+    effect_work_[i].seconds += seconds / static_cast<double>(contact_numbers_.size());
+    ++effect_work_[i].assemblies;
+  }
+}
+
+void StepResidual::add_hessians(const Increment& d, SymmetricBlocks& matrix) {
   scaled_ = smooth_fraction_ * d;
   for (std::size_t i = 0; i < composition_->effects.size(); ++i) {
     const Effect& effect = *composition_->effects[i];
-    if (effect.quadratic() || (contacts == Contacts::left_out && effect.account() == EnergyAccount::contact)) continue;
+    if (effect.quadratic() || effect.account() == EnergyAccount::contact) continue;
     const Stopwatch of_effect(effect_work_[i].seconds);
     matrix.set_weight(effect.smooth() ? smooth_fraction_ : 1);
     effect.add_hessian(effect.smooth() ? scaled_ : d, matrix);
@@ -288,18 +357,13 @@ void StepResidual::add_hessians(const Increment& d, Contacts contacts, Symmetric
   matrix.set_weight(1);
 }
 
-void StepResidual::add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& sum) const {
+void StepResidual::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const {
   for (const auto& effect : composition_->effects)
-    if (contacts == Contacts::included || effect->account() != EnergyAccount::contact)
-      effect->add_unsymmetric(d, step_.arms, sum);
-}
-
-void StepResidual::add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) {
-  const Stopwatch watch(times_.assemble);
-  add_unsymmetric(d, Contacts::included, sum);
+    if (effect->account() != EnergyAccount::contact) effect->add_unsymmetric(d, step_.arms, sum);
 }
 
 void StepResidual::measure_rounding() {
+  if (picked_) return;  // that of all bodies holds
   const double stiffness = matrix_.diagonal_norm();
   rounding_ = std::numeric_limits<double>::epsilon() * step_.mesh_size * stiffness;
   const double of_positions = std::numeric_limits<double>::epsilon() * step_.extent;
@@ -322,8 +386,8 @@ void StepResidual::add_gradient_without_contacts(const Increment& d, Eigen::Vect
 void StepResidual::assemble_without_contacts(const Increment& d, SymmetricBlocks& matrix,
                                              UnsymmetricBlocks& unsymmetric) {
   matrix.assign(of_step_);
-  add_hessians(d, Contacts::left_out, matrix);
-  add_unsymmetric(d, Contacts::left_out, unsymmetric);
+  add_hessians(d, matrix);
+  add_unsymmetric(d, unsymmetric);
 }
 
 namespace {

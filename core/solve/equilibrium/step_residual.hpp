@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "effects/compose.hpp"
+#include "effects/contact_pass.hpp"
 #include "model/solver_tolerances.hpp"
 #include "solve/equilibrium/solve_times.hpp"
 
@@ -57,9 +58,9 @@ class StepResidual {
   bool each_body_balances(int system, double tolerance) const;
   /// Bodies with more than `fraction` of the forces on them out of balance, by their places in BodySet::moving.
   void list_unbalanced(double fraction, std::vector<int>& bodies) const;
-  /// From the next D on all forces but those on these degree-of-freedom blocks, ascending, are left out; none: all
+  /// From the next D on all forces but those on these bodies are left out, and effects look at them alone. Null: all
   /// count again.
-  void look_at(std::span<const int> dof_blocks) { looked_at_ = dof_blocks; }
+  void look_at(const PickedBodies* picked);
   /// The degree-of-freedom blocks of a place in BodySet::moving: the first, and the one behind the last.
   std::pair<int, int> dof_blocks_of(int body) const { return {body_begins_[body], body_begins_[body + 1]}; }
   int bodies() const { return static_cast<int>(body_begins_.size()) - 1; }
@@ -69,9 +70,11 @@ class StepResidual {
   /// equilibrium.
   double static_residual() const;
 
-  /// Assembles the Hessian at D. Contacts that are open by less than `touching`, of the mesh size, count as closed.
-  void assemble(const Increment& d, double touching);
-  const SymmetricBlocks& matrix() const { return matrix_; }  ///< N/m, as last assembled
+  /// Assembles the Hessian at D, and with coupled friction the unsymmetric part of the derivative of the gradient;
+  /// that is zero with frozen one. Contacts that are open by less than `touching`, of the mesh size, count as closed.
+  void assemble(const Increment& d, double touching, Friction friction);
+  const SymmetricBlocks& matrix() const { return matrix_; }              ///< N/m, as last assembled
+  const UnsymmetricBlocks& unsymmetric() const { return unsymmetric_; }  ///< N/m, as last assembled
   /// Estimates from that matrix how large a residual the rounding of deformations, and of positions at the start of the
   /// step, may leave.
   void measure_rounding();
@@ -80,9 +83,6 @@ class StepResidual {
   double rounding_of_positions() const { return rounding_of_positions_; }
   /// Whether on each body no more is out of balance than the rounding of positions may leave by its own stiffness.
   bool each_body_within_rounding() const;
-  /// Adds the unsymmetric part of the derivative of the gradient [N/m].
-  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum);
-
   /// The gradient of all effects but contact, added to `sum` [N].
   void add_gradient_without_contacts(const Increment& d, Eigen::VectorXd& sum);
   /// Their Hessian, and their unsymmetric part, which is added [N/m].
@@ -111,13 +111,20 @@ class StepResidual {
   }
 
  private:
-  enum class Contacts { included, left_out };
+  void find_contact_effects();
   void assemble_constant();
   /// Whether a body that deforms begins with its acceleration at the end where it did not in the step before, or the
   /// other way round.
   bool weights_of_inertia_changed();
   bool body_within(int body, double fraction) const;
-  void leave_out_others(Eigen::VectorXd& forces);
+  /// Calls with the place in BodySet::moving of each body that is looked at.
+  template <class Use>
+  void each_body(const Use& use) const;
+  /// Zero for the bodies that are looked at.
+  void clear(Eigen::VectorXd& forces) const;
+  /// Adds the gradient of an effect at D and measures it.
+  void add_effect(std::size_t effect, const Increment& d, const Eigen::VectorXd& part);
+  void evaluate_contact(const Increment& d, Arms arms, Friction friction);
   /// The largest fraction, at most 1, of a change that takes no node of a body farther than contacts were sought.
   double fraction_within_reach(const Eigen::VectorXd& change, int body) const;
   /// An independent system and what is measured of it.
@@ -129,14 +136,15 @@ class StepResidual {
   void find_systems(const BlockPattern& pattern);
   /// Norm of the part of a vector that belongs to each system.
   void measure_systems(const Eigen::VectorXd& vector, double System::*norm);
-  /// The work of the effect whose gradient at D is in `part_`.
-  void add_works(const Increment& d);
-  /// Norm of the part of a vector that belongs to a moving body, and to each of them.
-  double norm_of_body(const Eigen::VectorXd& vector, int body) const;
-  void norms_by_body(const Eigen::VectorXd& vector, Eigen::VectorXd& norms) const;
-  /// What effects that are not quadratic add at D.
-  void add_hessians(const Increment& d, Contacts contacts, SymmetricBlocks& matrix);
-  void add_unsymmetric(const Increment& d, Contacts contacts, UnsymmetricBlocks& sum) const;
+  /// The part of a vector that belongs to a moving body.
+  auto of_body(auto& vector, int body) const {
+    return vector.segment(3 * body_begins_[body], 3 * (body_begins_[body + 1] - body_begins_[body]));
+  }
+  double norm_of_body(const Eigen::VectorXd& vector, int body) const { return of_body(vector, body).norm(); }
+  /// What effects other than contact that are not quadratic add at D.
+  void add_hessians(const Increment& d, SymmetricBlocks& matrix);
+  void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const;
+  void add_contact_tangents(const Increment& d, Friction friction);
 
   ConvergenceTolerances tolerances_;
   Composition* composition_ = nullptr;
@@ -146,15 +154,19 @@ class StepResidual {
   SymmetricBlocks constant_;                  ///< what is constant through steps of this length of a stage …
   SymmetricBlocks of_step_;                   ///< … with what is constant through this step …
   SymmetricBlocks matrix_;                    ///< … with the rest
-  bool pattern_changed_ = false;              ///< since constant_ was assembled
+  UnsymmetricBlocks unsymmetric_;
+  ContactPass contact_;
+  std::vector<Eigen::VectorXd> contact_parts_;  ///< N, of each
+  std::vector<std::size_t> contact_numbers_;    ///< among all effects
+  bool pattern_changed_ = false;                ///< since constant_ was assembled
   Eigen::VectorXd gradient_, part_, zero_;
   Eigen::VectorXd frozen_;  ///< N, moments that frozen forces keep beside those that have a potential
   Increment scaled_;
   std::vector<double> works_, norms_;
-  std::span<const int> looked_at_;
-  Eigen::VectorXd kept_;
+  const PickedBodies* picked_ = nullptr;  ///< null: all bodies are looked at
+  bool others_left_out_ = true;           ///< of the gradient
   std::vector<int> body_begins_;  ///< first degree-of-freedom block of each moving body, and the end of the last
-  Eigen::VectorXd body_norms_, body_forces_, body_momenta_;  ///< N, of each: of an effect, the largest, of momentum
+  Eigen::VectorXd body_forces_, body_momenta_;  ///< N, of each: the largest of an effect, that of momentum
   std::vector<System> systems_;
   std::vector<int> system_of_;  ///< of each degree-of-freedom block
   double rounding_ = 0, rounding_of_positions_ = 0;

@@ -213,7 +213,7 @@ TEST_F(Derivatives, ShearContactSticking) {
   Touching touching(set_, contacts);
   ShearContact& shear = touching.shear;
   shear.update_strength(d_);
-  ASSERT_LT(shear.force(0, d_).norm(), shear.strength(0));
+  ASSERT_LT(shear.force_at(0, d_).norm(), shear.strength(0));
   test::expect_derivatives(shear, d_, 1e-5, 1e-7);
 }
 
@@ -223,7 +223,7 @@ TEST_F(Derivatives, ShearContactSliding) {
   ShearContact& shear = touching.shear;
   shear.update_strength(d_);
   ASSERT_GT(shear.strength(0), 0);
-  ASSERT_NEAR(shear.force(0, d_).norm(), shear.strength(0), 1e-9 * shear.strength(0));
+  ASSERT_NEAR(shear.force_at(0, d_).norm(), shear.strength(0), 1e-9 * shear.strength(0));
   test::expect_derivatives(shear, d_, 1e-6, 1e-6);
 }
 

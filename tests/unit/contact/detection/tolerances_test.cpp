@@ -64,7 +64,10 @@ TEST(Tolerances, TheTransferDistanceDecidesHowFarAForceGoes) {
     ContactMemory memory(2, false, {.transfer_across_features = within});
     const std::uint64_t family = 7;
     const ContactOutcome outcome{.shear_force = Vec3(5, 0, 0)};
-    memory.accept({&before, 1}, {&family, 1}, {&outcome, 1});
+    ContactSet contacts;
+    contacts.points.push_back(before);
+    contacts.sort_out();
+    memory.accept(contacts, {&family, 1}, {&outcome, 1});
     memory.transfer({&after, 1});
     const auto transferred = memory.transferred_to(0, 1);
     ASSERT_EQ(transferred.has_value(), within > 0.3);

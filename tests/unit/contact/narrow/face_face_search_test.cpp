@@ -355,8 +355,8 @@ TEST(FaceFaceSearch, StacksOfBlocksTouchTheirNeighboursAlone) {
   const ContactSet& contacts = scene.detect(reach);
   EXPECT_NEAR(total_area(contacts), 3, 1e-12);
   for (const ContactPoint& p : contacts.points) EXPECT_EQ(p.bodies[1], p.bodies[0] + 1);
-  EXPECT_TRUE(std::is_sorted(contacts.points.begin(), contacts.points.end(),
-                             [](const ContactPoint& p, const ContactPoint& q) { return p.key < q.key; }));
+  EXPECT_TRUE(std::ranges::is_sorted(contacts.points, comes_before));
+  EXPECT_TRUE(std::ranges::is_sorted(contacts.by_key, {}, [&](int i) { return contacts.points[i].key; }));
 }
 
 TEST(FaceFaceSearch, TwoFixedBodiesMakeNoContact) {

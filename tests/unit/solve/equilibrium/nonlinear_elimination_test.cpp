@@ -55,7 +55,7 @@ class ChipLeftBehind : public testing::Test {
         d_.segment<3>(3 * bodies_.nodes.dof_block[n]) =
             step.integration.beta * step.length * step.length * project_.gravity;
     residual_.evaluate(d_, StepResidual::Friction::coupled);
-    residual_.assemble(d_, 0);
+    residual_.assemble(d_, 0, StepResidual::Friction::coupled);
   }
   void touch(int first, int second, const Vec3& normal) {
     ContactPoint point;
@@ -100,7 +100,7 @@ TEST_F(ChipLeftBehind, IsTakenOutWithTheForcesOnItAlone) {
   EXPECT_TRUE(residual_.gradient().head(all.size() - 6).isZero(0));
   EXPECT_GT(all.head(all.size() - 6).norm(), 0) << "its neighbour is touched";
 
-  elimination_.end(composition_, residual_);
+  elimination_.end(residual_);
   EXPECT_FALSE(elimination_.is_active());
   residual_.evaluate(d_, StepResidual::Friction::coupled);
   EXPECT_EQ(residual_.gradient(), all);
@@ -109,13 +109,11 @@ TEST_F(ChipLeftBehind, IsTakenOutWithTheForcesOnItAlone) {
 TEST_F(ChipLeftBehind, IsSolvedForWithAllOthersHeld) {
   ASSERT_TRUE(elimination_.begin(composition_, residual_, 0.5, 0));
   residual_.evaluate(d_, StepResidual::Friction::coupled);
-  UnsymmetricBlocks unsymmetric;
-  unsymmetric.set_pattern(residual_.matrix().pattern());
-  residual_.add_unsymmetric(d_, unsymmetric);
+  residual_.assemble(d_, 0, StepResidual::Friction::coupled);
   Eigen::VectorXd x, y;
-  elimination_.solve(residual_.matrix(), unsymmetric, residual_.gradient(), x);
+  elimination_.solve(residual_.matrix(), residual_.unsymmetric(), residual_.gradient(), x);
   residual_.matrix().multiply(x, y);
-  UnsymmetricBlocks::add_product(unsymmetric.pairs(), x, y);
+  UnsymmetricBlocks::add_product(residual_.unsymmetric().pairs(), x, y);
   EXPECT_TRUE(x.head(x.size() - 6).isZero(0));
   EXPECT_LT((y - residual_.gradient()).tail(6).norm(), 1e-12 * residual_.gradient().norm());
 }
@@ -136,8 +134,8 @@ TEST_F(ChipLeftBehind, IsNotTakenOutWhereItIsInBalance) {
 TEST_F(ChipLeftBehind, IsTakenOutWithThoseThatTouchIt) {
   const auto taken_out = [&](double most, int contacts_away) {
     EXPECT_TRUE(elimination_.begin(composition_, residual_, most, contacts_away));
-    const std::vector<int> blocks = elimination_.dof_blocks();
-    elimination_.end(composition_, residual_);
+    const std::vector<int> blocks = elimination_.picked().dof_blocks;
+    elimination_.end(residual_);
     return blocks;
   };
   const auto [chip_begins, chip_ends] = residual_.dof_blocks_of(residual_.bodies() - 1);

@@ -12,7 +12,8 @@ namespace {
 TEST(OpenClose, FactorsLinearEquationsOnceAndTakesOneIterationAStep) {
   int assembled = 0;
   Composition composition;
-  composition.bodies = &test::no_bodies();
+  BodySet body = test::chain_body();
+  composition.bodies = &body;
   composition.effects.push_back(
       std::make_unique<test::SpringChain>(test::SpringChain::Stays::through_the_stage, assembled));
   composition.effects.push_back(std::make_unique<test::Load>());

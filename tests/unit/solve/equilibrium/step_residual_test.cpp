@@ -25,7 +25,7 @@ using Stays = SpringChain::Stays;
 class PulledSprings : public testing::Test {
  protected:
   PulledSprings() {
-    composition.bodies = &test::no_bodies();
+    composition.bodies = &body;
     composition.effects.push_back(std::make_unique<SpringChain>(Stays::through_the_stage, assembled));
   }
   void begin() {
@@ -39,6 +39,7 @@ class PulledSprings : public testing::Test {
     return force;
   }
   int assembled = 0;
+  BodySet body = test::chain_body();
   Composition composition;
   StepResidual residual;
   const Increment d = Increment::LinSpaced(3 * chain_nodes, -1, 3);
@@ -48,7 +49,8 @@ class PulledSprings : public testing::Test {
 TEST(StepResidual, AssemblesConstantPartsWhenLengthIntegrationOrPatternChange) {
   int constant = 0, of_step = 0;
   Composition composition;
-  composition.bodies = &test::no_bodies();
+  BodySet body = test::chain_body();
+  composition.bodies = &body;
   composition.effects.push_back(std::make_unique<SpringChain>(Stays::through_the_stage, constant));
   composition.effects.push_back(std::make_unique<SpringChain>(Stays::through_the_step, of_step));
   StepResidual residual;
@@ -91,7 +93,7 @@ TEST_F(PulledSprings, SumToTheResidualAndTellTheWorkOfEach) {
 TEST_F(PulledSprings, HaveTheDerivativeOfTheGradientForAMatrix) {
   composition.effects.push_back(std::make_unique<Load>());
   begin();
-  residual.assemble(d, 0);
+  residual.assemble(d, 0, Friction::frozen);
   Eigen::VectorXd changed;
   residual.matrix().multiply(load, changed);
   residual.evaluate(d, Friction::coupled);
