@@ -2,6 +2,8 @@
 
 #include <functional>
 
+#include "bodies/picked_bodies.hpp"
+#include "linear/dense_solver.hpp"
 #include "linear/sparse_lu.hpp"
 #include "solve/equilibrium/interior_point_contacts.hpp"
 #include "solve/equilibrium/solve_times.hpp"
@@ -20,6 +22,7 @@ class InteriorPoint {
     const BodySet& bodies;
     const ContactLinks& links;
     const BlockPattern& pattern;
+    const PickedBodies* picked = nullptr;  ///< few, that move alone; null: all
     Arms arms = Arms::end;
     std::function<void(const Increment& d, Eigen::VectorXd& sum)> add_gradient;                                 ///< N
     std::function<void(const Increment& d, SymmetricBlocks& matrix, UnsymmetricBlocks& unsymmetric)> assemble;  ///< N/m
@@ -50,7 +53,9 @@ class InteriorPoint {
   /// Changes of the contacts and of D, which would become `end_`. False: the matrix has no factor.
   bool find_changes(const Problem& problem, const Increment& d);
   /// Of the matrix with the unsymmetric part. False: it has no factor.
-  bool factor();
+  bool factor(const Problem& problem);
+  /// Direction for the right-hand side, zero for bodies that do not move.
+  void solve_with_factor(const Problem& problem);
   void solve(const Problem& problem, const Increment& d);
 
   InteriorPointTolerances tolerances_;
@@ -58,6 +63,9 @@ class InteriorPoint {
   SymmetricBlocks matrix_;
   UnsymmetricBlocks unsymmetric_;
   SparseLu lu_;
+  DenseSolver dense_;  // of few bodies
+  Eigen::VectorXd picked_right_, picked_direction_;
+  std::vector<int> picked_points_;
   Eigen::VectorXd gradient_, right_, direction_;
   Increment start_, end_;
   long failed_factorisations_ = 0;

@@ -9,16 +9,15 @@
 
 namespace talus {
 
-void InteriorPointContacts::begin(const ContactLinks& links, const Increment& d, const Eigen::VectorXd& flight,
-                                  const Increment& landed, double force) {
+void InteriorPointContacts::begin(const ContactLinks& links, const std::vector<int>& points, const Increment& d,
+                                  const Eigen::VectorXd& flight, const Increment& landed, double force) {
   links_ = &links;
-  const ContactSet& contacts = links.contacts();
   double deepest = 0, sum = 0;
-  for (const int i : contacts.loose) deepest = std::max({deepest, -links.gap(i, d), -links.gap(i, landed)});
+  for (const int i : points) deepest = std::max({deepest, -links.gap(i, d), -links.gap(i, landed)});
   points_.clear();
   double fastest = 0;
   for (Eigen::Index n = 0; n < flight.size(); n += 3) fastest = std::max(fastest, flight.segment<3>(n).norm());
-  for (const int i : contacts.loose) {
+  for (const int i : points) {
     const ContactPoint& contact = links.point(i);
     const double least_gap = links.gap(i, d) + links.moves().farthest_against(i, d, contact.normal, flight);
     if (least_gap > tolerances_.flight_gap * fastest + tolerances_.least_gap * contact.size) continue;

@@ -236,7 +236,7 @@ bool OpenClose::balance_picked(Increment& d) {
   before_alone_ = d;
   residual_.evaluate(d, Friction::coupled);
   const double unbalanced = residual_.norm();
-  const OpenCloseResult alone = converge_within(elimination_tolerances_.iterations, false, d);
+  const OpenCloseResult alone = converge_within(elimination_tolerances_.iterations, interior_point_applies(), d);
   if (!(alone.residual < unbalanced)) d = before_alone_;
   elimination_.end(residual_);
   return alone.residual < tolerances_.well_reduced * unbalanced;
@@ -370,7 +370,7 @@ bool OpenClose::converge_with_fallbacks(Increment& d, int limit, int& iterations
     return true;
   }
   interior_point_left = false;
-  d = first_guess_;
+  d = elimination_.is_active() ? before_alone_ : first_guess_;
   iterations += approach_by_interior_point(d, left);
   return !is_hopeless(limit - iterations);
 }
@@ -417,7 +417,9 @@ bool OpenClose::coupled_iteration_leads_on(Increment& d) {
 bool OpenClose::interior_point_applies() const {
   if (!composition_->links) return false;
   const ContactSet& contacts = composition_->links->contacts();
-  return !contacts.loose.empty() && contacts.bonded.empty() && zero_.size() <= tolerances_.interior_point_unknowns;
+  if (contacts.loose.empty() || !contacts.bonded.empty()) return false;
+  if (!elimination_.is_active()) return zero_.size() <= tolerances_.interior_point_unknowns;
+  return 3 * elimination_.picked().dof_blocks.size() <= DenseSolver::largest_part;
 }
 
 int OpenClose::approach_by_interior_point(Increment& d, int limit) {
@@ -425,6 +427,7 @@ int OpenClose::approach_by_interior_point(Increment& d, int limit) {
       .bodies = *composition_->bodies,
       .links = *composition_->links,
       .pattern = residual_.matrix().pattern(),
+      .picked = elimination_.is_active() ? &elimination_.picked() : nullptr,
       .arms = residual_.arms(),
       .add_gradient = [this](const Increment& at,
                              Eigen::VectorXd& sum) { residual_.add_gradient_without_contacts(at, sum); },

@@ -320,14 +320,18 @@ void StepResidual::assemble(const Increment& d, double touching, Friction fricti
   const Stopwatch watch(times_.assemble);
   for (NormalContact* normal : composition_->normal) normal->count_as_closed(touching);
   if (composition_->shear) composition_->shear->count_as_closed(touching);
-  if (picked_)
-    matrix_.assign_columns(of_step_, picked_->dof_blocks);
-  else
-    matrix_.assign(of_step_);
+  assign_of_step(matrix_);
   unsymmetric_.set_zero();
   add_hessians(d, matrix_);
   if (friction == Friction::coupled) add_unsymmetric(d, unsymmetric_);
   add_contact_tangents(d, friction);
+}
+
+void StepResidual::assign_of_step(SymmetricBlocks& matrix) const {
+  if (picked_)
+    matrix.assign_columns(of_step_, picked_->dof_blocks);
+  else
+    matrix.assign(of_step_);
 }
 
 void StepResidual::add_contact_tangents(const Increment& d, Friction friction) {
@@ -385,7 +389,7 @@ void StepResidual::add_gradient_without_contacts(const Increment& d, Eigen::Vect
 
 void StepResidual::assemble_without_contacts(const Increment& d, SymmetricBlocks& matrix,
                                              UnsymmetricBlocks& unsymmetric) {
-  matrix.assign(of_step_);
+  assign_of_step(matrix);
   add_hessians(d, matrix);
   add_unsymmetric(d, unsymmetric);
 }

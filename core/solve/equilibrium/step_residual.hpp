@@ -144,6 +144,8 @@ class StepResidual {
   /// What effects other than contact that are not quadratic add at D.
   void add_hessians(const Increment& d, SymmetricBlocks& matrix);
   void add_unsymmetric(const Increment& d, UnsymmetricBlocks& sum) const;
+  /// What is constant through the step, of the bodies that are looked at.
+  void assign_of_step(SymmetricBlocks& matrix) const;
   void add_contact_tangents(const Increment& d, Friction friction);
 
   ConvergenceTolerances tolerances_;

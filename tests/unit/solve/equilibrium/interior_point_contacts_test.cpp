@@ -53,7 +53,7 @@ class Interior : public testing::TestWithParam<Case> {
   /// Brings the complementarity down to a fraction while the bodies stand still at D.
   InteriorPointContacts brought_down(double fraction) {
     InteriorPointContacts interior;
-    interior.begin(links, d, still(), d, 1e6);
+    interior.begin(links, contacts.loose, d, still(), d, 1e6);
     const double least = fraction * interior.mean_complementarity();
     for (int i = 0; i < 60 && interior.mean_complementarity() > least; ++i) {
       interior.linearise(d);
@@ -114,7 +114,7 @@ TEST_P(Interior, TangentBecomesThatOfTheContactLaw) {
 
 TEST_P(Interior, ComplementarityComesDownToZero) {
   InteriorPointContacts interior;
-  interior.begin(links, d, still(), d, 1e6);
+  interior.begin(links, contacts.loose, d, still(), d, 1e6);
   const double before = interior.mean_complementarity();
   EXPECT_GT(before, 0);
   EXPECT_LT(brought_down(1e-10).mean_complementarity(), 1e-10 * before);
@@ -124,17 +124,17 @@ TEST_P(Interior, PointsThatCannotComeToBearTakeNoPart) {
   contacts.points[0].gap = 0.1;
   Eigen::VectorXd flight = still();
   InteriorPointContacts interior;
-  interior.begin(links, d, flight, d + flight, 1e6);
+  interior.begin(links, contacts.loose, d, flight, d + flight, 1e6);
   EXPECT_EQ(interior.size(), 0);
   Eigen::Ref<Vec3> fall = flight.segment<3>(3 * set.nodes.dof_block[set.rigid[0].centre]);
   fall.z() = -0.06;
-  interior.begin(links, d, flight, d + flight, 1e6);
+  interior.begin(links, contacts.loose, d, flight, d + flight, 1e6);
   EXPECT_EQ(interior.size(), 0);
   fall.z() = -0.12;
-  interior.begin(links, d, flight, d + flight, 1e6);
+  interior.begin(links, contacts.loose, d, flight, d + flight, 1e6);
   EXPECT_EQ(interior.size(), 1);
   fall.z() = 0.12;
-  interior.begin(links, d, flight, d + flight, 1e6);
+  interior.begin(links, contacts.loose, d, flight, d + flight, 1e6);
   EXPECT_EQ(interior.size(), 0);
 }
 

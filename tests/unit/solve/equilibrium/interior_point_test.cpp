@@ -33,13 +33,14 @@ class CornerOnGround : public testing::Test {
     links.connect();
   }
   /// D of the corner [m] under a load on it [N], after at most so many iterations.
-  Vec3 moved(const Vec3& on_corner, int limit = 60) {
+  Vec3 moved(const Vec3& on_corner, int limit = 60, const PickedBodies* picked = nullptr) {
     load.segment<3>(corner()) = on_corner;
     Increment d = Increment::Zero(set.unknowns());
     const InteriorPoint::Problem problem{
         .bodies = set,
         .links = links,
         .pattern = pattern,
+        .picked = picked,
         .add_gradient = [&](const Increment& at, Eigen::VectorXd& sum) { sum += stiffness * at - load; },
         .assemble =
             [&](const Increment&, SymmetricBlocks& matrix, UnsymmetricBlocks&) {
@@ -83,6 +84,20 @@ TEST_F(CornerOnGround, SticksBelowItsStrength) {
   EXPECT_NEAR(at.x(), 100 / (shear_stiffness + stiffness), 1e-4 * 100 / shear_stiffness);
   EXPECT_NEAR(at.y(), 200 / (shear_stiffness + stiffness), 1e-4 * 200 / shear_stiffness);
   EXPECT_LT(iterations, 20);
+}
+
+TEST_F(CornerOnGround, MovesAloneAsWithAll) {
+  const Vec3 with_all = moved(Vec3(900, 0, -1000));
+  PickedBodies picked;
+  picked.places = {0};
+  for (int block = 0; block < pattern.nodes(); ++block) picked.dof_blocks.push_back(block);
+  picked.has = {1, 0};
+  EXPECT_LT((moved(Vec3(900, 0, -1000), 60, &picked) - with_all).norm(), 1e-9 * with_all.norm());
+  EXPECT_LT(iterations, 20);
+  picked.places.clear();
+  picked.dof_blocks = {pattern.nodes() - 1};  // the corner is held
+  picked.has = {0, 0};
+  EXPECT_EQ(moved(Vec3(900, 0, -1000), 3, &picked), Vec3(Vec3::Zero()));
 }
 
 TEST_F(CornerOnGround, IsLiftedFreely) {
