@@ -7,7 +7,7 @@ if(TALUS_WINDOW)
   list(APPEND programs talus)
 endif()
 install(TARGETS ${programs} RUNTIME DESTINATION bin)
-install(TARGETS talus-mesher talus-height-grid RUNTIME DESTINATION libexec/talus LIBRARY DESTINATION libexec/talus)
+install(TARGETS talus-mesher talus-height-grid talus-mp4 RUNTIME DESTINATION libexec/talus LIBRARY DESTINATION libexec/talus)
 add_custom_target(programs DEPENDS ${programs} talus-mesher)
 
 # Samples without what was computed beside them.

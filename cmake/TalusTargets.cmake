@@ -117,15 +117,15 @@ function(talus_share_test_headers target)
   target_precompile_headers(${target} REUSE_FROM talus_test_headers)
 endfunction()
 
-# talus_library(FOLDER [QUICK] [META_OBJECTS] [EXCEPT subfolder] [APART room...] [TOGETHER "room..."...] [PUBLIC dep...]
+# talus_library(FOLDER [QUICK] [META_OBJECTS] [EXCEPT subfolder-or-file] [APART room...] [TOGETHER "room..."...] [PUBLIC dep...]
 # [PRIVATE dep...])  the folder with all rooms below it; META_OBJECTS: its headers ask for Qt's.
 function(talus_library folder)
   cmake_parse_arguments(ARG "QUICK;META_OBJECTS" "EXCEPT" "PUBLIC;PRIVATE;APART;TOGETHER" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.hpp)
   if(ARG_EXCEPT)
-    list(FILTER sources EXCLUDE REGEX "/${folder}/${ARG_EXCEPT}/")
-    list(FILTER headers EXCLUDE REGEX "/${folder}/${ARG_EXCEPT}/")
+    list(FILTER sources EXCLUDE REGEX "/${folder}/${ARG_EXCEPT}[/.]")
+    list(FILTER headers EXCLUDE REGEX "/${folder}/${ARG_EXCEPT}[/.]")
   endif()
   if(NOT sources)  # headers only
     add_library(talus_${folder} INTERFACE)

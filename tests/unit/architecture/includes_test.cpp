@@ -127,7 +127,7 @@ const std::vector<Fence> fences = {
     {"VTK", std::regex("vtk.*"),
      std::regex("ui/render/.*|ui/widgets/view/(\\w*viewport\\w*|render_surface)\\.(hpp|cpp)")},
     {"OpenGL", std::regex("(GL|EGL|GLES[23]|KHR)/.*"), std::regex("ui/render/.*\\.cpp")},
-    {"FFmpeg", std::regex("lib(av|sw)\\w+/.*"), std::regex("ui/render/.*\\.cpp")},
+    {"FFmpeg", std::regex("lib(av|sw)\\w+/.*"), std::regex("ui/render/film/mp4_encoder\\.cpp")},
     {"giflib", std::regex("gif_lib\\.h"), std::regex("ui/render/.*\\.cpp")},
     {"libpng", std::regex("png\\.h"), std::regex("ui/render/.*\\.cpp")},
     {"Cairo and Pango", std::regex("(cairo|pango).*"), std::regex("ui/(render/paint|report)/.*\\.cpp")},

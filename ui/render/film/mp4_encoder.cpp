@@ -9,7 +9,7 @@ extern "C" {
 #include <stdexcept>
 #include <string>
 
-#include "render/film/movie_encoder.hpp"
+#include "render/film/mp4_encoder.hpp"
 
 namespace talus {
 namespace {
@@ -141,9 +141,8 @@ class Mp4Encoder final : public MovieEncoder {
 };
 
 }  // namespace
-
-std::unique_ptr<MovieEncoder> make_mp4_encoder(const std::filesystem::path& path, int width, int height, int fps) {
-  return std::make_unique<Mp4Encoder>(path, width, height, fps);
-}
-
 }  // namespace talus
+
+talus::MovieEncoder* talus_new_mp4_encoder(const std::filesystem::path& path, int width, int height, int fps) {
+  return new talus::Mp4Encoder(path, width, height, fps);
+}
