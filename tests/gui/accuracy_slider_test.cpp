@@ -24,6 +24,7 @@ class AccuracySliderTest : public StudiedWindow {
 };
 
 TEST_F(AccuracySliderTest, MakesAStudyThatCanBeStoppedAndGoneOnWith) {
+  warmUp();
   qputenv("TALUS_CLI", TALUS_CLI);
   const auto file = slidingCube(20);
   openAndMesh(file);

@@ -400,7 +400,7 @@ TEST_F(BlocksPage, MeshIsRefinedNearAPlaceAndWhatItWillComeToIsTold) {
 
 // What the threads that draw in software take is the machine's; the window's own thread must stay free.
 TEST_F(BlocksPage, NoEventWaitsATenthOfASecondWithAThousandBlocks) {
-  rest(30);
+  warmUp();
   const double arriving = calmestWork([&] { cut(10); });
   ASSERT_EQ(session->project.system()->blocks.size(), 1001u);
   const double selecting = calmestWork([&] {
@@ -431,6 +431,7 @@ TEST_F(BlocksPage, NoEventWaitsATenthOfASecondWithAThousandBlocks) {
 }
 
 TEST_F(BlocksPage, AThousandBlocksAreExcavatedAndNamedWithoutHoldingTheWindowUp) {
+  warmUp();
   cut(10);
   session->project.selection().selectBlocks(inverted({1000}, 1001));
   rest(400);

@@ -22,6 +22,7 @@ class CostAheadTest : public StudiedWindow {
 };
 
 TEST_F(CostAheadTest, IsSaidOnceThereAreBlocksAndAnewWhenTheProjectChanges) {
+  warmUp();
   window->open(slidingCube(20000));  // too long to be measured to its end
   session->display.goTo(WorkflowPage::solve);
   EXPECT_TRUE(said().contains(QStringLiteral("once its blocks are cut")));

@@ -71,6 +71,11 @@ void DrivenWindow::openWindow() {
   rest(50);
 }
 
+void DrivenWindow::warmUp() {
+  QTimer::singleShot(0, &window->viewport(), &Viewport::warmUp);
+  rest(50);
+}
+
 void DrivenWindow::TearDown() {
   window.reset();
   std::filesystem::remove_all(folder);

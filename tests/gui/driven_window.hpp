@@ -78,6 +78,8 @@ class DrivenWindow : public ::testing::Test {
 
   /// A window as after a start; one that is there goes.
   void openWindow();
+  /// The view gets ready to draw, as it does before a user; in the window of most tests nothing would be drawn by it.
+  void warmUp();
   /// Copies samples/NAME into the folder and returns its project file.
   std::filesystem::path sample(const std::string& name);
   /// Two blocks, one fixed: a cube slides down a slope for `steps` steps.

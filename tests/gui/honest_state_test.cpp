@@ -227,8 +227,8 @@ TEST_F(HonestState, DamagedResultsLeaveOpenWhatIsOpen) {
 TEST_F(HonestState, APictureThatIsSavedWhileAFilmIsWrittenWaitsForItsTurn) {
   openAndMesh(slidingCube(400));
   solve();
-  window->saveFilm(folder / "film.mp4");
-  window->savePicture(folder / "picture.png");
+  window->saveFilm(folder / "film.mp4", {.width = 320});
+  window->savePicture(folder / "picture.png", 320);
   EXPECT_TRUE(window->exporter().isBusy());
   ASSERT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
   EXPECT_TRUE(std::filesystem::exists(folder / "film.mp4"));

@@ -267,7 +267,7 @@ TEST_F(HandlesWindow, ANetworkIsDrawnAsItsDiscsAsFarAsTheyAreInTheRock) {
 
 TEST_F(HandlesWindow, APictureThatIsSavedHasTheJoints) {
   const auto saved = [&](const char* name) {
-    window->savePicture(folder / name);
+    window->savePicture(folder / name, 640);
     EXPECT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
     return QImage(QString::fromStdString((folder / name).string()));
   };

@@ -112,6 +112,7 @@ TEST_F(DrivenWindow, ShowsWhatFailedAndWhatWasRepeated) {
 }
 
 TEST_F(DrivenWindow, CancelsACaseAndStaysUsableMeanwhile) {
+  warmUp();
   KnownAnswers dialog({quickCase("right", 1), endlessCase(), quickCase("after", 1)});
   dialog.show();
   PlainTable& list = listOf(dialog);

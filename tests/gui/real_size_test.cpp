@@ -132,6 +132,7 @@ class RealSize : public DrivenWindow {
     GTEST_SKIP() << "sanitizers make everything several times slower";
 #endif
     DrivenWindow::SetUp();
+    warmUp();
     std::ofstream grid(folder / "hill.asc");
     grid << "ncols " << points << "\nnrows " << points << "\nxllcenter 0\nyllcenter 0\ncellsize " << cell
          << "\nNODATA_value -9999\n";

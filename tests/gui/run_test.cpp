@@ -236,6 +236,7 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileASolveRuns) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers make everything several times slower";
 #endif
+  warmUp();
   openAndMesh(slidingCube(100000));
   SceneSettings display = session->display.settings();
   display.field = field_named("displacement");
@@ -263,6 +264,7 @@ TEST_F(DrivenWindow, NoEventWaitsATenthOfASecondWhileJiweishanIsMeshedAndSolved)
   const auto file = sample("jiweishan");
   expectNoWait([&](Watchdog& watchdog) {
     openWindow();
+    warmUp();
     window->open(file);
     rest(200);
     watchdog.restart();

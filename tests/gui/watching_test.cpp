@@ -62,11 +62,11 @@ TEST_F(Watching, TrailsOfAllOrOfSelectedBlocksAreDrawn) {
   keepPicture(*window, "trails.png");
   choose(trails, QStringLiteral("selected blocks"));
   EXPECT_EQ(seen(), without) << "nothing is selected";
-  window->savePicture(folder / "without.png");
+  window->savePicture(folder / "without.png", 640);
   ASSERT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
   session->project.selection().selectBlocks({1});
   EXPECT_NE(seen(), without);
-  window->savePicture(folder / "with.png");
+  window->savePicture(folder / "with.png", 640);
   ASSERT_TRUE(wait([&] { return !window->exporter().isBusy(); }));
   EXPECT_NE(QImage(QString::fromStdString((folder / "with.png").string())),
             QImage(QString::fromStdString((folder / "without.png").string())));

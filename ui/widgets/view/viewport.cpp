@@ -149,7 +149,6 @@ Viewport::Viewport(Session& session, QWidget* parent)
     render();
   });
   showScene({});
-  QTimer::singleShot(0, this, &Viewport::warmUp);
 }
 
 /// Blocks, once they are cut; where they are to be cut anew the Geometry page shows the solids that they will be cut

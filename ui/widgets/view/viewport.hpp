@@ -61,6 +61,8 @@ class Viewport : public QWidget {
   /// Blocks of other results over its own; without a system none.
   void setGhost(const Ghost& ghost);
   const Ghost& ghost() const { return ghost_; }
+  /// Draws once what is to be drawn quickly later; for a window that a user has before him, soon after it is shown.
+  void warmUp();
   /// Empty until there are blocks.
   std::optional<CameraPose> pose() const;
   /// As if the user had moved the camera there.
@@ -133,7 +135,6 @@ class Viewport : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void warmUp();
   std::shared_ptr<const BlockSystem> wantedSystem() const;
   void followSystem();
   /// A system and what is drawn of it; null: nothing.

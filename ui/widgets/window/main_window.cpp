@@ -11,6 +11,7 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 
 #include "base/error.hpp"
@@ -276,6 +277,7 @@ void MainWindow::present(std::optional<QSize> wanted) {
   else if (!restoreGeometry(QSettings().value(QStringLiteral("geometry")).toByteArray()))
     resize(size().boundedTo(screen()->availableSize()));
   show();
+  QTimer::singleShot(0, viewport_, &Viewport::warmUp);
 }
 
 ExportTask MainWindow::exportTask(const std::filesystem::path& path, int width) {
@@ -306,9 +308,9 @@ int MainWindow::heightFor(int width, const QWidget& view) {
   return width * view.height() / std::max(1, view.width()) / 2 * 2;
 }
 
-void MainWindow::savePicture(const std::filesystem::path& path) {
+void MainWindow::savePicture(const std::filesystem::path& path, int width) {
   if (!viewport_->shown()) return;
-  ExportTask task = exportTask(path, 1920);
+  ExportTask task = exportTask(path, width);
   if (const auto frame = session_.playback.frame(); frame && !viewport_->showsSolids()) {
     task.frame = [frame](int) { return frame; };
     task.times = {frame->time};

@@ -53,8 +53,8 @@ class MainWindow : public QMainWindow {
   void takeDropped(const std::filesystem::path& path);
   /// Asks what is to become of work that other windows left unsaved when they ended without closing.
   void offerRecovery();
-  /// In the view's shape, 1920 pixels wide.
-  void savePicture(const std::filesystem::path& path);
+  /// In the view's shape, so many pixels wide.
+  void savePicture(const std::filesystem::path& path, int width = 1920);
   /// The height is that of the view's shape, the speed that of play.
   void saveFilm(const std::filesystem::path& path, const FilmOptions& film = {});
   /// Of the results that are open: as HTML or PDF, by the file's ending; of STL the frame in view.
