@@ -27,6 +27,30 @@ Box box_of(const BodySet& bodies, int block) {
 
 }  // namespace
 
+OuterPlanes::OuterPlanes(const std::vector<SurfaceTriangle>& triangles, const std::vector<Vec3>& positions, int first,
+                         int count) {
+  constexpr std::size_t most = 24;
+  constexpr double rounding = 1e-9;  // of the block's size along the normal
+  const std::size_t stride = triangles.size() / most + 1;
+  for (std::size_t t = 0; t < triangles.size(); t += stride) {
+    const auto [a, b, c] = triangles[t].nodes;
+    const Vec3 &at = positions[first + a], normal = (positions[first + b] - at).cross(positions[first + c] - at);
+    double farthest = 0, nearest = 0;  // from the triangle, so that where the block lies costs no digits
+    for (int n = 0; n < count; ++n) {
+      const double along = normal.dot(positions[first + n] - at);
+      farthest = std::max(farthest, along);
+      nearest = std::min(nearest, along);
+    }
+    planes_.push_back({normal, at, farthest + rounding * (farthest - nearest)});
+  }
+}
+
+bool OuterPlanes::lie_before_one(const Vec3& a, const Vec3& b) const {
+  return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
+    return plane.normal.dot(a - plane.at) > plane.farthest && plane.normal.dot(b - plane.at) > plane.farthest;
+  });
+}
+
 double distance_to_triangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = (b - a).cross(c - a);
   const auto beside = [&](const Vec3& p, const Vec3& q) { return (q - p).cross(point - p).dot(normal) < 0; };
@@ -74,8 +98,8 @@ std::vector<Vec3> InterpenetrationCheck::points_of(const BodySet& bodies, int bl
   return points;
 }
 
-std::vector<Vec3> InterpenetrationCheck::inner_edge_points(const BodySet& bodies, int block, int other,
-                                                           const Box& box) const {
+std::vector<Vec3> InterpenetrationCheck::inner_edge_points(const BodySet& bodies, int block, int other, const Box& box,
+                                                           const OuterPlanes& planes) const {
   const auto node = [&](int b, int n) -> const Vec3& { return bodies.nodes.position[bodies.bodies[b].first_node + n]; };
   std::vector<Vec3> points;
   std::vector<double> fractions;
@@ -84,7 +108,7 @@ std::vector<Vec3> InterpenetrationCheck::inner_edge_points(const BodySet& bodies
     Box around;
     around.add(from);
     around.add(to);
-    if (!around.within(box, 0)) continue;
+    if (!around.within(box, 0) || planes.lie_before_one(from, to)) continue;
     fractions.clear();
     for (const auto& [nodes, joint] : surfaces_[other].triangles) {
       const auto fraction =
@@ -98,15 +122,16 @@ std::vector<Vec3> InterpenetrationCheck::inner_edge_points(const BodySet& bodies
   return points;
 }
 
-double InterpenetrationCheck::depth_in(const BodySet& bodies, int block, const Box& box,
-                                       const std::vector<Vec3>& points) const {
+double InterpenetrationCheck::depth_in(const BodySet& bodies, int block, const Box& box, const OuterPlanes& planes,
+                                       const std::vector<Vec3>& points, double known) const {
   const auto& triangles = surfaces_[block].triangles;
   const auto& positions = bodies.nodes.position;
   const int first = bodies.bodies[block].first_node;
-  double deepest = 0;
+  double deepest = known;
   for (const Vec3& point : points) {
     // A point that is no farther inside the box than the deepest so far is no deeper in the block.
     if ((point - box.lower).cwiseMin(box.upper - point).minCoeff() <= deepest) continue;
+    if (planes.lie_before_one(point, point)) continue;
     double depth = std::numeric_limits<double>::infinity();
     for (const SurfaceTriangle& triangle : triangles) {
       const auto [a, b, c] = triangle.nodes;
@@ -119,16 +144,24 @@ double InterpenetrationCheck::depth_in(const BodySet& bodies, int block, const B
   return deepest;
 }
 
-Interpenetration InterpenetrationCheck::deepest(const BodySet& bodies) const {
+Interpenetration InterpenetrationCheck::deepest(const BodySet& bodies, double known) const {
   const int count = static_cast<int>(bodies.bodies.size());
   std::vector<Box> boxes;
   for (int b = 0; b < count; ++b) boxes.push_back(box_of(bodies, b));
-  Interpenetration worst;
+  std::vector<std::optional<OuterPlanes>> planes(count);
+  const auto planes_of = [&](int b) -> const OuterPlanes& {
+    const Body& body = bodies.bodies[b];
+    if (!planes[b]) planes[b].emplace(surfaces_[b].triangles, bodies.nodes.position, body.first_node, body.node_count);
+    return *planes[b];
+  };
+  Interpenetration worst{known};
   const auto look = [&](int b, int other, const std::vector<Vec3>& points) {
     const double size = bodies.bodies[b].built_fixed()       ? surfaces_[other].size
                         : bodies.bodies[other].built_fixed() ? surfaces_[b].size
                                                              : std::min(surfaces_[b].size, surfaces_[other].size);
-    const double depth = depth_in(bodies, other, boxes[other], points) / size;
+    constexpr double rounding = 1e-12;  // what is as deep as the deepest may seem to be deeper
+    const double seen = (1 - rounding) * worst.depth * size;
+    const double depth = depth_in(bodies, other, boxes[other], planes_of(other), points, seen) / size;
     if (depth > worst.depth) worst = {depth, b, other};
   };
   const auto may_meet = [&](int b, int other) {
@@ -143,7 +176,7 @@ Interpenetration InterpenetrationCheck::deepest(const BodySet& bodies) const {
   // A corner that lies inside is told rather than the edges of the other block that go through this one.
   for (int b = 0; b < count; ++b)
     for (int other = 0; other < count; ++other)
-      if (may_meet(b, other)) look(b, other, inner_edge_points(bodies, b, other, boxes[other]));
+      if (may_meet(b, other)) look(b, other, inner_edge_points(bodies, b, other, boxes[other], planes_of(other)));
   return worst;
 }
 

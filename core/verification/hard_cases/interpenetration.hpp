@@ -9,6 +9,22 @@
 
 namespace talus {
 
+/// Planes that all nodes of a block lie behind: what lies before one of them is outside, without a look at the surface.
+class OuterPlanes {
+ public:
+  /// Along the block's triangles, some of them where they are many.
+  OuterPlanes(const std::vector<SurfaceTriangle>& triangles, const std::vector<Vec3>& positions, int first, int count);
+  /// Both lie before one of the planes.
+  bool lie_before_one(const Vec3& a, const Vec3& b) const;
+
+ private:
+  struct Plane {
+    Vec3 normal, at;
+    double farthest = 0;  ///< of the nodes along the normal from there, and what rounding may add
+  };
+  std::vector<Plane> planes_;
+};
+
 /// How deep a point of one block lies inside another.
 struct Interpenetration {
   double depth = 0;           ///< of the local mesh size: the smaller of the two blocks', a fixed one's does not count
@@ -23,15 +39,17 @@ class InterpenetrationCheck {
  public:
   /// `system` outlives the check.
   explicit InterpenetrationCheck(const BlockSystem& system);
-  /// The deepest, with the blocks where they are now.
-  Interpenetration deepest(const BodySet& bodies) const;
+  /// The deepest of those deeper than `known`, with the blocks where they are now.
+  Interpenetration deepest(const BodySet& bodies, double known = 0) const;
 
  private:
   std::vector<Vec3> points_of(const BodySet& bodies, int block) const;
-  /// The middles of what of the block's edges goes through another one, which lies in `box`.
-  std::vector<Vec3> inner_edge_points(const BodySet& bodies, int block, int other, const Box& box) const;
-  /// Deepest of `points` in the block's surface [m].
-  double depth_in(const BodySet& bodies, int block, const Box& box, const std::vector<Vec3>& points) const;
+  /// The middles of what of the block's edges goes through another one, which lies in `box` and behind `planes`.
+  std::vector<Vec3> inner_edge_points(const BodySet& bodies, int block, int other, const Box& box,
+                                      const OuterPlanes& planes) const;
+  /// Deepest of `points` in the block's surface [m], or `known` where none is deeper.
+  double depth_in(const BodySet& bodies, int block, const Box& box, const OuterPlanes& planes,
+                  const std::vector<Vec3>& points, double known) const;
 
   const BlockSystem& system_;
   std::vector<Surface> surfaces_;

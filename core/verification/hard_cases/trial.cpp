@@ -152,7 +152,7 @@ class TrialRun {
   }
 
   void look_for_interpenetration() {
-    const Interpenetration found = interpenetration_.deepest(simulation_->bodies());
+    const Interpenetration found = interpenetration_.deepest(simulation_->bodies(), trial_.interpenetration);
     if (found.depth <= trial_.interpenetration) return;
     trial_.interpenetration = found.depth;
     trial_.interpenetrating = scene_.system.blocks[found.block].name + " in " + scene_.system.blocks[found.into].name;
