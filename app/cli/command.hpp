@@ -27,6 +27,7 @@ void add_blocks(CLI::App& program, Invocation& invocation);
 void add_mesh(CLI::App& program, Invocation& invocation);
 void add_solve(CLI::App& program, Invocation& invocation);
 void add_render(CLI::App& program, Invocation& invocation);
+void add_baseline(CLI::App& program, Invocation& invocation);
 void add_animate(CLI::App& program, Invocation& invocation);
 void add_measure(CLI::App& program, Invocation& invocation);
 void add_plot(CLI::App& program, Invocation& invocation);

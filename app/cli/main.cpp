@@ -75,8 +75,8 @@ int main(int argc, char** argv) {
   CLI::App program("", "talus-cli");
   Invocation invocation;
   describe(program);
-  for (const auto add : {add_new, add_inspect, add_blocks, add_mesh, add_solve, add_render, add_animate, add_plot,
-                         add_measure, add_verify, add_study, add_info, add_export, add_report, add_stereonet})
+  for (const auto add : {add_new, add_inspect, add_blocks, add_mesh, add_solve, add_render, add_baseline, add_animate,
+                         add_plot, add_measure, add_verify, add_study, add_info, add_export, add_report, add_stereonet})
     add(program, invocation);
   for (CLI::App* command : program.get_subcommands({})) {
     command->add_flag("--json", invocation.json, "Print one JSON object instead of text; progress goes to stderr");

@@ -41,6 +41,7 @@ TEST_F(BashCompletion, OffersCommandsAndTheirParts) {
               AllOf(Contains("new"), Contains("verify"), Contains("completion"), Not(Contains("--help"))));
   EXPECT_THAT(offered("new wed"), ElementsAre("wedge"));
   EXPECT_THAT(offered("study ''"), ElementsAre("accuracy", "cases")) << "and not the hidden run";
+  EXPECT_THAT(offered("baseline ''"), ElementsAre("check", "update"));
 }
 
 TEST_F(BashCompletion, OffersTheOptionsOfACommand) {

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <array>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -99,8 +101,126 @@ TEST_F(Report, IsRefusedWithOneLineThatSaysWhatToDo) {
     EXPECT_FALSE(std::filesystem::exists(out));
   };
   refused(results(), place("r.docx"), "r.docx: reports are written as HTML or PDF; let the name end in .html or .pdf");
-  refused(place("none"), place("none.html"), "holds no results.h5");
+  refused(place("none"), place("none.html"), "none: cannot be read: no such file");
+  std::filesystem::create_directory(place("empty"));
+  refused(place("empty"), place("none.html"), "holds no results.h5");
   refused(results(), place("nowhere/r.html"), "nowhere/r.html: cannot be written");
+}
+
+/// A project whose results are made and used by its reports.
+class ReportOfAProject : public testing::Test {
+ protected:
+  ReportOfAProject() {
+    write_text(project, R"({"talus": 1, "name": "A fall", "output": {"every": 0.05}, "default_joint": "J1",
+  "materials": {"rock": {"density": 2600, "young": 25e9, "poisson": 0.24}}, "joints": {"J1": {"friction_angle": 30}},
+  "solids": [{"name": "cube", "material": "rock", "body": "rigid", "file": "cube.stl"}],
+  "stages": [{"name": "fall", "type": "dynamic", "time_step": 0.01, "duration": 0.1}]})");
+    write_cube(1);
+  }
+
+  /// Of a tetrahedron with edges of `size` m along the axes.
+  void write_cube(double size) {
+    const std::string s = std::to_string(size);
+    const std::string corners[] = {"0 0 0", s + " 0 0", "0 " + s + " 0", "0 0 " + s};
+    std::string text = "solid cube\n";
+    for (const auto& [a, b, c] : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})
+      text += "facet normal 0 0 0\nouter loop\nvertex " + corners[a] + "\nvertex " + corners[b] + "\nvertex " +
+              corners[c] + "\nendloop\nendfacet\n";
+    write_text(folder / "cube.stl", text + "endsolid cube\n");
+  }
+
+  /// Makes the report; whether the project was solved for it.
+  bool solves(const std::vector<std::string>& more = {}, const std::string& of = {}) {
+    std::vector<std::string> words{"report", of.empty() ? project : of, "--out", html(), "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    std::filesystem::remove(html());
+    said = talus_cli(words);
+    EXPECT_EQ(said.exit_code, 0) << said.err;
+    EXPECT_THAT(text_of(html()), HasSubstr("<h1>A fall</h1>"));
+    return nlohmann::json::parse(said.out)["solved"];
+  }
+
+  void change(const std::string& from, const std::string& to) {
+    std::string text = text_of(project);
+    text.replace(text.find(from), from.size(), to);
+    write_text(project, text);
+  }
+
+  std::string html() const { return (folder / "r.html").string(); }
+
+  Folder folder;
+  const std::string project = (folder / "fall.talus").string(), results = (folder / "fall.results").string();
+  Ending said;
+};
+
+TEST_F(ReportOfAProject, IsMadeByOneCommandWhichSolvesItFirst) {
+  EXPECT_TRUE(solves());
+  EXPECT_EQ(nlohmann::json::parse(said.out)["results"], results);
+  EXPECT_THAT(said.err, HasSubstr("Solves the project into " + results + ": there are no results yet"));
+  const auto solved = std::filesystem::last_write_time(results + "/results.h5");
+  EXPECT_FALSE(solves()) << "the results are there";
+  EXPECT_THAT(said.err, HasSubstr("Takes the results in " + results));
+  EXPECT_EQ(std::filesystem::last_write_time(results + "/results.h5"), solved);
+  EXPECT_TRUE(solves({"--anew"}));
+  EXPECT_NE(std::filesystem::last_write_time(results + "/results.h5"), solved);
+  EXPECT_TRUE(solves({"--results", (folder / "elsewhere").string()}));
+  EXPECT_TRUE(std::filesystem::exists(folder / "elsewhere" / "summary.json"));
+}
+
+TEST_F(ReportOfAProject, TakesNoResultsOfAnotherProject) {
+  EXPECT_TRUE(solves());
+  change("A fall\"", "A fall\" /* the same */");
+  EXPECT_FALSE(solves()) << "a comment changes nothing";
+  change("2600", "2700");
+  EXPECT_TRUE(solves());
+  EXPECT_THAT(said.err, HasSubstr("the project is not that of the results that were there"));
+  EXPECT_THAT(text_of(html()), HasSubstr("<td class=\"r\">2700</td>"));
+  EXPECT_FALSE(solves());
+  write_cube(2);
+  std::filesystem::last_write_time(folder / "cube.stl",
+                                   std::filesystem::file_time_type::clock::now() + std::chrono::seconds(1));
+  EXPECT_TRUE(solves());
+  EXPECT_THAT(said.err, HasSubstr("a file that the project names is newer"));
+  change("\"duration\": 0.1", "\"duration\": 0.2");
+  EXPECT_TRUE(solves());
+}
+
+TEST_F(ReportOfAProject, GoesOnWithARunThatWasStopped) {
+  EXPECT_EQ(talus_cli({"solve", project, "--max-wall", "0"}).exit_code, 1);
+  ASSERT_TRUE(std::filesystem::exists(results + "/checkpoint.h5"));
+  EXPECT_TRUE(solves());
+  EXPECT_THAT(said.err, HasSubstr("its run did not come to its end"));
+  EXPECT_THAT(said.err, HasSubstr("Goes on at t = "));
+  EXPECT_FALSE(solves());
+}
+
+TEST_F(ReportOfAProject, EndsWithOneWhereTheRunFellShort) {
+  change("\"output\"", R"("expect": [{"quantity": "cube.displacement.z", "time": 0.1, "value": 1, "tolerance": 0.01}],
+  "output")");
+  for (const bool again : {false, true}) {
+    const Ending ending = talus_cli({"report", project, "--out", html()});
+    EXPECT_EQ(ending.exit_code, 1) << again;
+    EXPECT_THAT(ending.err, HasSubstr("1 of 1 expectations are missed"));
+    EXPECT_THAT(text_of(html()), HasSubstr("<h1>A fall</h1>"));
+  }
+}
+
+TEST_F(ReportOfAProject, IsRefusedInItsOwnWords) {
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& what) {
+    std::vector<std::string> all{"report"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Ending ending = talus_cli(all);
+    EXPECT_EQ(ending.exit_code, 2) << ending.err;
+    EXPECT_THAT(ending.err, HasSubstr(what));
+    EXPECT_FALSE(std::filesystem::exists(html()));
+  };
+  refused({project, "--out", (folder / "r.docx").string()}, "let the name end in .html or .pdf");
+  EXPECT_FALSE(std::filesystem::exists(results)) << "before anything is solved";
+  refused({"-", "--out", html()}, "--results: standard input has no name");
+  refused({project, "--out", html(), "--results", folder.path().string()},
+          "holds files that are not results; choose another --results");
+  EXPECT_EQ(talus_cli({"solve", project}).exit_code, 0);
+  refused({results, "--out", html(), "--anew"}, "leave --results and --anew out, or name the project");
 }
 
 TEST_F(Report, ChartsAreDrawnForDocumentsToo) {

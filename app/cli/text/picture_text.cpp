@@ -37,14 +37,21 @@ nlohmann::ordered_json tile_json(const PictureTile& tile) {
   return {{"left", tile.left}, {"top", tile.top}, {"width", tile.width}, {"height", tile.height}};
 }
 
-std::string junit_text(const std::string& test, const std::string& failure) {
-  const bool passed = failure.empty();
-  const std::string outcome =
-      passed ? "/>\n" : ">\n      <failure message=\"" + xml_text(failure) + "\"/>\n    </testcase>\n";
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
-         "  <testsuite name=\"talus-cli render\" tests=\"1\" failures=\"" +
-         std::string(passed ? "0" : "1") + "\" errors=\"0\">\n    <testcase classname=\"pictures\" name=\"" +
-         xml_text(test) + "\"" + outcome + "  </testsuite>\n</testsuites>\n";
+std::string junit_text(const std::string& suite, const std::vector<PictureTest>& tests) {
+  std::string cases;
+  int failures = 0;
+  for (const PictureTest& test : tests) {
+    cases += "    <testcase classname=\"pictures\" name=\"" + xml_text(test.name) + "\"";
+    if (test.failure.empty()) {
+      cases += "/>\n";
+      continue;
+    }
+    ++failures;
+    cases += ">\n      <failure message=\"" + xml_text(test.failure) + "\"/>\n    </testcase>\n";
+  }
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"" + xml_text(suite) +
+         "\" tests=\"" + std::to_string(tests.size()) + "\" failures=\"" + std::to_string(failures) +
+         "\" errors=\"0\">\n" + cases + "  </testsuite>\n</testsuites>\n";
 }
 
 }  // namespace talus::cli

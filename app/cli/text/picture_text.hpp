@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "render/paint/picture_difference.hpp"
 
@@ -14,7 +15,11 @@ std::string pixels_text(int width, int height);
 /// where nothing does.
 std::string difference_text(const PictureDifference& found, double threshold);
 nlohmann::ordered_json tile_json(const PictureTile& tile);
-/// One test that passed or, where there is a `failure`, failed, as servers of continuous integration read it.
-std::string junit_text(const std::string& test, const std::string& failure);
+/// A picture that was held against its baseline; one without a `failure` passed.
+struct PictureTest {
+  std::string name, failure{};
+};
+/// As servers of continuous integration read it.
+std::string junit_text(const std::string& suite, const std::vector<PictureTest>& tests);
 
 }  // namespace talus::cli

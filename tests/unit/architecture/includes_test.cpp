@@ -109,6 +109,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"app/cli",
      {"app/version", "app/cli/text", "core/templates", "core/removability", "ui/render/film", "ui/render/views",
       "ui/report"}},
+    {"app/cli/pictures", {"app/cli"}},
     {"app/cli/values", {"app/cli"}},
     {"app/cli/studies", {"app/cli"}},
     {"app/window", {"app/version", "ui/widgets/window"}},

@@ -5,12 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "options.hpp"
 #include "output_file.hpp"
+#include "pictures/drawing.hpp"
+#include "pictures/picture_check.hpp"
 #include "render/paint/picture_difference.hpp"
-#include "render/scene/offscreen.hpp"
-#include "render/views/view_of_results.hpp"
-#include "side_by_side.hpp"
 #include "text/json_text.hpp"
 #include "text/picture_text.hpp"
 
@@ -27,46 +25,14 @@ struct PictureCheck {
 };
 
 struct RenderOptions {
-  std::vector<std::filesystem::path> results;
+  Drawing drawing;
   std::filesystem::path out;
-  FrameChoice choice;
-  PictureSize size{1600, 1000};
-  bool has_size = false;  ///< it was given
-  Look look;
-  bool over = false;  ///< the second results over the first
   PictureCheck check;
 };
 
-std::filesystem::path difference_file(std::filesystem::path out) { return out.replace_extension(".difference.png"); }
-
 void write_junit(const PictureCheck& check, const std::string& failure) {
-  if (!check.junit.empty()) write_output(check.junit, junit_text(check.baseline.filename().string(), failure));
-}
-
-/// In which way the pictures differ; empty where they do not.
-std::string compared(const PictureCheck& check, const Image& drawn, const std::filesystem::path& out,
-                     nlohmann::ordered_json& json, std::string& text) {
-  const Image expected = read_png(check.baseline);
-  const std::string differs = out.string() + " differs from " + check.baseline.string() + ": ";
-  if (expected.width != drawn.width || expected.height != drawn.height)
-    return differs + "it has " + pixels_text(drawn.width, drawn.height) + ", the baseline " +
-           pixels_text(expected.width, expected.height) + "; draw with --size " + std::to_string(expected.width) + "x" +
-           std::to_string(expected.height) + " or replace the baseline by --update";
-
-  const PictureDifference found = compare_pictures(expected, drawn, check.threshold);
-  json["similarity"] = found.similarity;
-  json["worst"] = tile_json(found.worst);
-  json["tiles"] = found.tiles;
-  json["differing"] = found.differing;
-  if (found.differing == 0) {
-    text += out.string() + " is as " + check.baseline.string() + ": " + difference_text(found, check.threshold) + '\n';
-    return {};
-  }
-  const std::filesystem::path picture = difference_file(out);
-  write_png(difference_picture(expected, drawn, check.threshold), picture);
-  json["region"] = tile_json(found.region);
-  json["difference_picture"] = picture.string();
-  return differs + difference_text(found, check.threshold) + "; look at " + picture.string();
+  if (!check.junit.empty())
+    write_output(check.junit, junit_text("talus-cli render", {{check.baseline.filename().string(), failure}}));
 }
 
 /// Drawing into `out` must not replace the baseline that it is compared with.
@@ -97,33 +63,17 @@ ExitCode check_picture(const PictureCheck& check, const Image& drawn, const std:
                      "look at " + out.string() + " and, if it is right, make it the baseline by --update");
   }
   json["threshold"] = check.threshold;
-  const std::string difference = compared(check, drawn, out, json, text);
-  json["same"] = difference.empty();
-  write_junit(check, difference);
-  if (difference.empty()) return done;
-  json["problem"] = difference;
-  text += difference + '\n';
+  const PictureVerdict verdict =
+      compare_with_baseline(drawn, out, check.baseline, check.threshold, difference_file(out));
+  json.update(verdict.json);
+  json["same"] = verdict.problem.empty();
+  write_junit(check, verdict.problem);
+  text += (verdict.problem.empty() ? out.string() + " is as " + check.baseline.string() + ": " + verdict.agreement
+                                   : verdict.problem) +
+          '\n';
+  if (verdict.problem.empty()) return done;
+  json["problem"] = verdict.problem;
   return failed;
-}
-
-SideBySide drawn_as_saved(const RenderOptions& options) {
-  if (options.results.size() > 1)
-    throw InputError("--view-file", "a view is drawn of one results folder",
-                     "leave the view out, or draw them one by one");
-  const std::filesystem::path& folder = options.results.front();
-  const ResultReader results(folder);
-  const SavedView view = read_view(options.look.view_file);
-  const bool other_frame = options.choice.time || options.choice.frame;
-  const int index =
-      about(folder, [&] { return other_frame ? frame_index(results, options.choice) : frame_of_view(view, results); });
-  const auto frame = std::make_shared<const Frame>(results.frame(index));
-  about(folder, [&] { need_field(results.system(), *frame, view.settings); });
-  const bool as_it_was = !options.has_size;
-  const auto scene = about(options.look.view_file,
-                           [&] { return scene_of_view(view, results, monitors_of(folder, results), as_it_was); });
-  scene->set_frame(frame);
-  return {as_it_was ? draw_view(*scene, view) : draw_image(*scene, options.size.width, options.size.height),
-          {{folder, index, frame->time}}};
 }
 
 void print(const RenderOptions& options, const std::vector<DrawnFrame>& frames, const std::string& verdict) {
@@ -136,10 +86,7 @@ void print(const RenderOptions& options, const std::vector<DrawnFrame>& frames, 
 
 ExitCode render(const RenderOptions& options, bool json) {
   refuse_to_overwrite_baseline(options.check, options.out);
-  const auto [drawn, frames] =
-      options.look.view_file.empty()
-          ? draw_side_by_side(options.results, options.choice, options.look, options.over, options.size)
-          : drawn_as_saved(options);
+  const auto [drawn, frames] = draw(options.drawing);
   write_png(drawn, options.out);
 
   nlohmann::ordered_json picture = {{"picture", options.out.string()},
@@ -165,17 +112,7 @@ void add_picture_check(CLI::App& command, PictureCheck& check) {
                                   "Compare with this picture, tile by tile; ends with 1 where they differ, and draws "
                                   "the difference into P.difference.png")
                       ->type_name("BASELINE.png");
-  command
-      .add_option_function<double>(
-          "--threshold",
-          [&check](double share) {
-            if (!(share >= 0 && share <= 1)) throw CLI::ValidationError("--threshold", "write a number from 0 to 1");
-            check.threshold = share;
-          },
-          "Similarity that the worst tile must have; 1: equal pictures")
-      ->type_name("T")
-      ->default_str("0.75")
-      ->needs(compare);
+  add_threshold(command, check.threshold)->needs(compare);
   auto* junit = command.add_option("--junit", check.junit, "Write the outcome of --compare as a JUnit report")
                     ->type_name("FILE.xml")
                     ->needs(compare);
@@ -190,19 +127,10 @@ void add_render(CLI::App& program, Invocation& invocation) {
   auto* command = program.add_subcommand(
       "render", "Draw one frame as a PNG, also of several results side by side; needs no display");
   auto options = std::make_shared<RenderOptions>();
-  command
-      ->add_option("RESULTS", options->results,
-                   "Results folder, also of a run that goes on or was killed; up to four are drawn side by side")
-      ->required()
-      ->type_name("DIR");
   command->add_option("--out", options->out, "Picture to write")->required()->type_name("P.png");
-  add_frame_choice(*command, options->choice);
-  const CLI::Option* size = add_size(*command, options->size);
-  add_over(*command, options->over);
-  add_look(*command, options->look);
+  add_drawing(*command, options->drawing);
   add_picture_check(*command, options->check);
-  command->callback([&invocation, options, size] {
-    options->has_size = size->count() > 0;
+  command->callback([&invocation, options] {
     invocation.run = [&invocation, options] { return render(*options, invocation.json); };
   });
 }
