@@ -198,12 +198,6 @@ std::vector<ActionGlyph> monitors_of(const std::filesystem::path& folder, const 
   return monitors;
 }
 
-void need_field(const BlockSystem& system, const Frame& frame, const SceneSettings& settings) {
-  if (!settings.field) return;
-  if (const std::string absent = why_absent(system, frame, *settings.field); !absent.empty())
-    throw InputError("field " + std::string(settings.field->name), absent, "solve the project again");
-}
-
 void tell_trails(const ResultReader& results, Scene& scene) {
   if (scene.settings().trails == Trails::none) return;
   NoProgress quiet;

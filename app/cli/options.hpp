@@ -51,8 +51,6 @@ void add_look(CLI::App& command, Look& look);
 SceneSettings scene_settings(const Look& look, const ResultReader& results);
 /// Those of the project that the results keep; none where that is gone.
 std::vector<ActionGlyph> monitors_of(const std::filesystem::path& folder, const ResultReader& results);
-/// Throws InputError where the frame does not tell of the field that is to be shown.
-void need_field(const BlockSystem& system, const Frame& frame, const SceneSettings& settings);
 /// Tells a scene that is to show trails the ways of all blocks.
 void tell_trails(const ResultReader& results, Scene& scene);
 /// Marks where the run was hard, if that was asked for; of a run that was killed nothing is known.

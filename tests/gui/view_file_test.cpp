@@ -1,9 +1,13 @@
 #include <QImage>
 #include <QTest>
 
+#include <QPainter>
+#include <algorithm>
 #include <cstdlib>
+#include <fstream>
 
 #include "driven_window.hpp"
+#include "widgets/view/compared_viewport.hpp"
 #include "widgets/view/render_surface.hpp"
 
 namespace talus {
@@ -29,6 +33,17 @@ class ViewFile : public DrivenWindow {
   }
 
   QImage shown() { return window->viewport().picture().toImage().convertToFormat(QImage::Format_RGB32); }
+
+  /// All that stands side by side, as it is seen but for its buttons.
+  QImage shownSideBySide() {
+    QWidget& area = *window->viewport().parentWidget();
+    QImage all = area.grab().toImage().convertToFormat(QImage::Format_RGB32);
+    QPainter painter(&all);
+    painter.drawPixmap(window->viewport().pos(), window->viewport().picture());
+    for (auto* view : area.findChildren<ComparedViewport*>())
+      if (view->isVisible()) painter.drawPixmap(view->pos(), view->surface().picture());
+    return all;
+  }
 
   /// How many pixels of two pictures of one size differ.
   static int differing(const QImage& a, const QImage& b) {
@@ -96,6 +111,62 @@ TEST_F(ViewFile, IsDrawnByTheCommandAsTheWindowShowsItToTheBit) {
   rest(600);
   EXPECT_EQ(differing(all, shown()), 0);
   EXPECT_TRUE(session->messages.problems().empty());
+}
+
+TEST_F(ViewFile, WithWhatIsComparedIsDrawnByTheCommandToTheBit) {
+  openResults();
+  for (const int steps : {30, 45}) {  // others end before the moment in view
+    const std::string name = (folder / ("steps" + std::to_string(steps))).string();
+    const std::string command = std::string(TALUS_CLI) + " solve " + slidingCube(steps).string() + " --out " + name +
+                                ".results > /dev/null 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    window->compareWith(name + ".results");
+  }
+  const auto& runs = session->compared.runs();
+  const auto areThere = [&] {
+    return runs.size() == 2 && std::ranges::all_of(runs, [](const auto& run) { return run->frame() != nullptr; });
+  };
+  ASSERT_TRUE(wait(areThere));
+  SceneSettings settings = session->display.settings();
+  settings.field = field_named("displacement");
+  session->display.set(settings);
+  session->compared.setOver(*runs[1], true);
+  std::filesystem::create_directory(folder / "views");
+  const auto view = folder / "views" / "both.view.json";
+  for (const bool dark : {false, true}) {
+    session->display.setDark(dark);
+    rest(600);
+    window->saveView(view);
+    EXPECT_EQ(differing(shownSideBySide(), drawnByCommand(view)), 0) << dark;
+  }
+  const QImage both = shownSideBySide();
+  keepPicture(*window, "view_of_three.png");
+
+  const std::string film = std::string(TALUS_CLI) + " animate " + session->playback.folder().string() +
+                           " --view-file " + view.string() + " --size 640x400 --json --out " +
+                           (folder / "three.mp4").string() + " > " + (folder / "said.json").string();
+  ASSERT_EQ(std::system(film.c_str()), 0);
+  std::ifstream said(folder / "said.json");
+  const std::string text(std::istreambuf_iterator<char>(said), {});
+  EXPECT_NE(text.find("\"frames\": 17"), std::string::npos) << "7, 4 and 6: " << text;
+
+  // The window shows it again.
+  while (!runs.empty()) session->compared.close(*runs.front());
+  session->display.setDark(false);
+  window->viewport().look(View::top);
+  rest(600);
+  window->openView(view);
+  ASSERT_TRUE(wait(areThere));
+  rest(1000);
+  EXPECT_TRUE(session->compared.isOver(*runs[1]));
+  EXPECT_EQ(differing(both, shownSideBySide()), 0);
+  EXPECT_TRUE(session->messages.problems().empty());
+
+  std::filesystem::rename(folder / "steps45.results", folder / "gone.results");
+  const std::string command = std::string(TALUS_CLI) + " render " + session->playback.folder().string() +
+                              " --view-file " + view.string() + " --out " + (folder / "no.png").string() +
+                              " > /dev/null 2>&1";
+  EXPECT_NE(std::system(command.c_str()), 0) << "nothing is left out without a word";
 }
 
 TEST_F(ViewFile, ThatIsWrongIsSaidAndChangesNothing) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/views/view_file.hpp"
 #include "results/folder.hpp"
 #include "session/messages.hpp"
 #include "session/playback.hpp"
@@ -42,6 +43,16 @@ void ComparedResults::open(const std::filesystem::path& folder) {
                             Problem::Of::results));
     return;
   }
+  ask(folder);
+}
+
+void ComparedResults::show(const std::vector<ViewBeside>& beside) {
+  closeAll();
+  for (const ViewBeside& one : beside)
+    if (const auto run = ask(one.results); one.over) setOver(*run, true);
+}
+
+std::shared_ptr<ComparedRun> ComparedResults::ask(const std::filesystem::path& folder) {
   const auto run = std::make_shared<ComparedRun>(folder, playback_);
   asked_.push_back(run);
   // Queued: it may be let go by what it says.
@@ -53,6 +64,13 @@ void ComparedResults::open(const std::filesystem::path& folder) {
         if (const auto one = run.lock(); one && !one->results()) close(*one);
       },
       Qt::QueuedConnection);
+  return run;
+}
+
+void ComparedResults::setOver(const ComparedRun& run, bool over) {
+  if (isOver(run) == over) return;
+  over_ = over ? &run : nullptr;
+  emit overChanged();
 }
 
 void ComparedResults::update() {
@@ -64,11 +82,13 @@ void ComparedResults::update() {
 }
 
 void ComparedResults::close(const ComparedRun& run) {
+  setOver(run, false);
   std::erase_if(asked_, [&run](const auto& one) { return one.get() == &run; });
   update();
 }
 
 void ComparedResults::closeAll() {
+  if (over_) setOver(*over_, false);
   asked_.clear();
   update();
 }

@@ -12,6 +12,7 @@ namespace talus {
 
 class Messages;
 class Playback;
+struct ViewBeside;
 
 /// Other results that are looked at beside those that are open, at the same moment: the frame nearest to it.
 class ComparedRun : public QObject {
@@ -47,6 +48,12 @@ class ComparedResults : public QObject {
   /// What cannot be read is said as a problem, and so is a fourth.
   void open(const std::filesystem::path& folder);
   void close(const ComparedRun& run);
+  /// What a saved view shows beside, and nothing else.
+  void show(const std::vector<ViewBeside>& beside);
+  /// Whether the edges of its blocks are drawn over the results that are open; of one at most.
+  bool isOver(const ComparedRun& run) const { return &run == over_; }
+  bool isAnyOver() const { return over_ != nullptr; }
+  void setOver(const ComparedRun& run, bool over);
   /// Those that are open, in the order in which they were asked for, whichever was read first.
   const std::vector<std::shared_ptr<ComparedRun>>& runs() const { return runs_; }
   /// What tells a run from the others: "phi20", or "wet/phi20" where there is another phi20.
@@ -55,18 +62,21 @@ class ComparedResults : public QObject {
   QString nameOfOpen() const;
 
  signals:
-  void changed();  ///< which there are
+  void changed();      ///< which there are
+  void overChanged();  ///< which one's edges are drawn over
 
  private:
   /// Takes up those that have become open since.
   void update();
   void closeAll();
+  std::shared_ptr<ComparedRun> ask(const std::filesystem::path& folder);
   /// Of those that are open first, then of the others.
   std::vector<std::string> names() const;
 
   Playback& playback_;
   Messages& messages_;
   std::vector<std::shared_ptr<ComparedRun>> asked_, runs_;
+  const ComparedRun* over_ = nullptr;  ///< one of those that were asked for
 };
 
 }  // namespace talus

@@ -74,17 +74,32 @@ void make_scenes_by_options(const AnimateOptions& options, const FilmedRuns& run
   point_camera(options.look, runs.front()->results, *runs.front()->scene);
 }
 
-void make_scene_as_saved(const AnimateOptions& options, const FilmedRuns& runs) {
-  if (runs.size() > 1)
+/// What the view file shows: the results that are named, and beside them those that it compares with them.
+SavedView take_view(AnimateOptions& options) {
+  if (options.results.size() > 1)
     throw InputError("--view-file", "a view is filmed of one results folder",
-                     "leave the view out, or film them one by one");
-  FilmedRun& run = *runs.front();
+                     "name that alone; what it is compared with is in the view");
   SavedView view = read_view(options.look.view_file);
+  for (const ViewBeside& one : view.beside) options.results.push_back(one.results);
+  options.film.over = options.film.over || (view.beside.size() == 1 && view.beside.front().over);
+  return view;
+}
+
+void make_scenes_as_saved(const AnimateOptions& options, SavedView view, const FilmedRuns& runs) {
   need_field_of_all(options, runs, view.settings);
   if (view.settings.field && !view.settings.range) view.settings.range = range_of_all(runs, *view.settings.field);
-  run.scene = about(options.look.view_file, [&] {
-    return scene_of_view(view, run.results, monitors_of(options.results.front(), run.results), false);
+  const std::vector<std::string> names = names_of_results(options.results);
+  if (runs.size() > 1) view.settings.title = names.front();
+  FilmedRun& first = *runs.front();
+  first.scene = about(options.look.view_file, [&] {
+    return scene_of_view(view, first.results, monitors_of(options.results.front(), first.results), false);
   });
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    FilmedRun& run = *runs[i];
+    run.scene = std::make_unique<Scene>(run.results.system(), settings_beside(first.scene->settings(), names[i]));
+    run.scene->set_stage_names(run.results.stage_names());
+    run.scene->set_pose(view.camera);
+  }
 }
 
 CameraMoves moves_of(const AnimateOptions& options, const BlockSystem& system) {
@@ -98,12 +113,14 @@ CameraMoves moves_of(const AnimateOptions& options, const BlockSystem& system) {
   return moves;
 }
 
-ExitCode animate(const AnimateOptions& options, bool json) {
+ExitCode animate(AnimateOptions options, bool json) {
   catch_interrupts();
+  std::optional<SavedView> view;
+  if (!options.look.view_file.empty()) view = take_view(options);
   need_few(options.results, options.film.over);
   FilmedRuns runs;
   for (const auto& folder : options.results) runs.push_back(std::make_unique<FilmedRun>(folder));
-  options.look.view_file.empty() ? make_scenes_by_options(options, runs) : make_scene_as_saved(options, runs);
+  view ? make_scenes_as_saved(options, *view, runs) : make_scenes_by_options(options, runs);
   const std::vector<std::string> names = names_of_results(options.results);
   std::vector<Filmed> films;
   for (const auto& run : runs)

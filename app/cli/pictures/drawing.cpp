@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "command.hpp"
-#include "render/scene/offscreen.hpp"
+#include "render/film/side_by_side.hpp"
 #include "render/views/view_of_results.hpp"
 
 namespace talus::cli {
@@ -15,7 +15,7 @@ namespace {
 SideBySide drawn_as_saved(const Drawing& drawing) {
   if (drawing.results.size() > 1)
     throw InputError("--view-file", "a view is drawn of one results folder",
-                     "leave the view out, or draw them one by one");
+                     "name that alone; what it is compared with is in the view");
   const std::filesystem::path& folder = drawing.results.front();
   const ResultReader results(folder);
   const SavedView view = read_view(drawing.look.view_file);
@@ -28,8 +28,17 @@ SideBySide drawn_as_saved(const Drawing& drawing) {
   const auto scene = about(drawing.look.view_file,
                            [&] { return scene_of_view(view, results, monitors_of(folder, results), as_it_was); });
   scene->set_frame(frame);
-  return {as_it_was ? draw_view(*scene, view) : draw_image(*scene, drawing.size.width, drawing.size.height),
-          {{folder, index, frame->time}}};
+  const std::vector<SceneBeside> beside =
+      about(drawing.look.view_file, [&] { return scenes_beside(view, folder, frame->time, *scene); });
+  std::vector<Scene*> scenes{scene.get()};
+  std::vector<DrawnFrame> frames{{folder, index, frame->time}};
+  for (const SceneBeside& one : beside) {
+    scenes.push_back(one.scene.get());
+    frames.push_back({one.folder, one.number, one.frame->time});
+  }
+  const PictureSize size = as_it_was ? PictureSize{view.width, view.height} : drawing.size;
+  SideBySideView whole(std::move(scenes), size.width, size.height, as_it_was ? Sampling::fast : Sampling::best);
+  return {whole.draw(), std::move(frames)};
 }
 
 }  // namespace

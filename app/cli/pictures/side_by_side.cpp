@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "command.hpp"
 #include "render/film/side_by_side.hpp"
+#include "render/views/view_of_results.hpp"
 #include "results/folder.hpp"
 
 namespace talus::cli {
@@ -79,9 +80,7 @@ SideBySide draw_side_by_side(const std::vector<std::filesystem::path>& results, 
   for (const auto& panel : panels)
     if (scenes.empty() || !over) scenes.push_back(panel->scene.get());
   if (over)
-    scenes.front()->set_ghost(
-        {std::shared_ptr<const BlockSystem>(std::shared_ptr<void>(), &panels[1]->results.system()), panels[1]->frame,
-         names_of_results(results)[1]});
+    scenes.front()->set_ghost({borrowed(panels[1]->results.system()), panels[1]->frame, names_of_results(results)[1]});
   SideBySideView view(std::move(scenes), size.width, size.height, Sampling::best);
   view.hold_camera();
   drawn.picture = view.draw();

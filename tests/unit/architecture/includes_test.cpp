@@ -83,7 +83,7 @@ const std::map<std::string, std::vector<std::string>> arrows = {
     {"ui/report", {"ui/render/scene", "ui/render/stereonet", "core/export", "core/io"}},
     {"ui/document", {"core/io"}},
     {"ui/jobs", {"core/study/forecast", "core/verification"}},
-    {"ui/session", {"ui/document", "ui/jobs", "ui/render/scene", "core/removability", "core/measures"}},
+    {"ui/session", {"ui/document", "ui/jobs", "ui/render/views", "core/removability", "core/measures"}},
     {"ui/widgets/kit", {"core/model", "ui/render/paint"}},
     {"ui/widgets/view", {"ui/widgets/kit", "ui/session", "ui/render/views"}},
     {"ui/widgets/project", {"ui/widgets/kit", "ui/session"}},

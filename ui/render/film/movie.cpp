@@ -106,11 +106,6 @@ CameraPose pose_for_turning(const std::vector<Filmed>& films, const CameraMoves&
   return held;
 }
 
-/// Of someone who outlives the film.
-std::shared_ptr<const BlockSystem> seen(const BlockSystem& system) {
-  return {std::shared_ptr<const BlockSystem>(), &system};
-}
-
 FilmClock clock_of(const std::vector<Filmed>& films, const FilmOptions& options) {
   FilmClock clock{films.front().times.front(), films.front().times.back(), options.speed, options.fps};
   for (const Filmed& film : films) {
@@ -163,7 +158,7 @@ int render_film(const std::vector<Filmed>& films, const FilmOptions& options, co
       const std::shared_ptr<const Frame> frame = films[k].frame(number);
       if (k == 0) leading = frame;
       if (k > 0 && options.over)
-        films.front().scene.set_ghost({seen(films[k].system), frame, films[k].name});
+        films.front().scene.set_ghost({borrowed(films[k].system), frame, films[k].name});
       else
         films[k].scene.set_frame(frame);
       shown[k] = number;

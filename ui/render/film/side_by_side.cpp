@@ -8,32 +8,20 @@ namespace talus {
 
 namespace {
 
-constexpr int between_panels = 3;  // pixels between two of them
-
 void paste(Image& whole, const Image& part, int left, int top) {
   for (int y = 0; y < part.height; ++y)
     std::copy_n(part.rgb.begin() + static_cast<std::ptrdiff_t>(y) * part.width * 3, part.width * 3,
                 whole.rgb.begin() + (static_cast<std::ptrdiff_t>(y + top) * whole.width + left) * 3);
 }
 
-/// Where a panel begins along a side, pixels; that behind the last one: where the side ends, and a line more.
-int begin_of(int panel, int panels, int side) { return panel * (side + between_panels) / panels; }
-
 }  // namespace
 
 SideBySideView::SideBySideView(std::vector<Scene*> scenes, int width, int height, Sampling sampling)
     : scenes_(std::move(scenes)), width_(width), height_(height) {
-  const int count = static_cast<int>(scenes_.size());
-  const auto [columns, rows] = panel_grid(count, width, height);
-  for (int i = 0; i < count; ++i) {
-    const int column = i % columns, row = i / columns, next = i + 1 < count ? column + 1 : columns;
-    const int left = begin_of(column, columns, width), top = begin_of(row, rows, height);
-    const int own_width = begin_of(next, columns, width) - left - between_panels;
-    const int own_height = begin_of(row + 1, rows, height) - top - between_panels;
-    panels_.push_back(
-        {std::make_unique<OffscreenView>(*scenes_[static_cast<std::size_t>(i)], own_width, own_height, sampling), left,
-         top});
-  }
+  const std::vector<PanelPlace> places = panel_places(static_cast<int>(scenes_.size()), width, height);
+  for (std::size_t i = 0; i < scenes_.size(); ++i)
+    panels_.push_back({std::make_unique<OffscreenView>(*scenes_[i], places[i].width, places[i].height, sampling),
+                       places[i].left, places[i].top});
 }
 
 SideBySideView::~SideBySideView() = default;

@@ -86,6 +86,11 @@ struct Ghost {
   std::string name;  ///< for the key
 };
 
+/// Blocks of someone who outlives who takes them.
+inline std::shared_ptr<const BlockSystem> borrowed(const BlockSystem& system) {
+  return {std::shared_ptr<const BlockSystem>(), &system};
+}
+
 /// Where the camera stands; to carry a view from the window to a picture.
 struct CameraPose {
   Vec3 position, focal_point, view_up;  ///< m, in the project's coordinates

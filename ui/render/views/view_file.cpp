@@ -162,6 +162,8 @@ std::string view_text(const SavedView& view) {
   for (const SettingSwitch& one : switches) json[one.key] = settings.*one.member;
   json["title"] = settings.title;
   json["text_height"] = settings.text_height;
+  for (const ViewBeside& one : view.beside)
+    json["compared"].push_back({{"results", one.results.generic_string()}, {"over", one.over}});
   Json covered = Json::array();
   for (const PixelRect& rect : view.covered) covered.push_back({rect.left, rect.bottom, rect.right, rect.top});
   json["covered"] = covered;
@@ -181,15 +183,22 @@ SavedView view_of_text(const std::string& text) {
   view.selected = json.value("selected", view.selected);
   for (const Json& rect : json.value("covered", Json::array()))
     view.covered.push_back({rect[0], rect[1], rect[2], rect[3]});
+  for (const Json& one : json.value("compared", Json::array()))
+    view.beside.push_back({one["results"].get<std::string>(), one.value("over", false)});
   return view;
 }
 
 SavedView read_view(const std::filesystem::path& file) {
-  return about_file(file, [&] { return view_of_text(read_whole_file(file)); });
+  SavedView view = about_file(file, [&] { return view_of_text(read_whole_file(file)); });
+  for (ViewBeside& one : view.beside) one.results = (file.parent_path() / one.results).lexically_normal();
+  return view;
 }
 
 void save_view(const SavedView& view, const std::filesystem::path& file) {
-  about_file(file, [&] { replace_whole_file(file, view_text(view)); });
+  SavedView seen = view;
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  for (ViewBeside& one : seen.beside) one.results = std::filesystem::proximate(one.results, folder);
+  about_file(file, [&] { replace_whole_file(file, view_text(seen)); });
 }
 
 std::vector<int> blocks_named(const BlockSystem& system, const std::vector<std::string>& names) {

@@ -1,8 +1,8 @@
 #include "widgets/results/export_job.hpp"
 
 #include "render/film/side_by_side.hpp"
+#include "render/views/view_of_results.hpp"
 #include "widgets/kit/text.hpp"
-#include "widgets/view/compared_viewport.hpp"
 
 namespace talus {
 
@@ -26,7 +26,8 @@ void draw(const ExportTask& task, Progress& progress) {
   std::vector<Filmed> films{{scene, *task.system, task.times, task.frame}};
   std::vector<std::unique_ptr<Scene>> others;
   for (const ComparedFilm& other : task.compared) {
-    others.push_back(std::make_unique<Scene>(*other.system, settingsBeside(settings, other.name)));
+    others.push_back(std::make_unique<Scene>(*other.system, settings_beside(settings, other.name)));
+    others.back()->set_stage_names(other.stageNames);
     others.back()->set_pose(task.pose);
     films.push_back({*others.back(), *other.system, other.times, other.frame, other.name});
   }

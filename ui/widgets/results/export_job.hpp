@@ -20,6 +20,7 @@ struct ComparedFilm {
   std::vector<double> times;                               ///< s, of the frames
   std::function<std::shared_ptr<const Frame>(int)> frame;  ///< by number, called on the exporting thread
   std::string name;
+  std::vector<std::string> stageNames{};
 };
 
 /// What a picture or film shows: the window's view, by value.

@@ -1,11 +1,16 @@
 #include "widgets/view/compared_viewport.hpp"
 
-#include <QGridLayout>
+#include <QPainter>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include <vtkRenderer.h>
 
+#include "render/paint/panel_grid.hpp"
+#include "render/paint/theme.hpp"
+#include "render/views/view_of_results.hpp"
 #include "widgets/kit/parts.hpp"
 #include "widgets/view/render_surface.hpp"
 #include "widgets/view/viewport.hpp"
@@ -17,15 +22,6 @@ namespace {
 constexpr int without_delay = 0;  // ms
 
 }  // namespace
-
-SceneSettings settingsBeside(const SceneSettings& view, const std::string& name) {
-  SceneSettings settings = view;
-  settings.title = name;
-  settings.legend = settings.triad = settings.scale_bar = false;  // the view beside it has the same
-  settings.places.clear();                                        // those are of the other's blocks
-  settings.block_colours.reset();
-  return settings;
-}
 
 ComparedViewport::ComparedViewport(ComparedResults& all, std::shared_ptr<ComparedRun> run, Viewport& viewport)
     : all_(all),
@@ -40,13 +36,12 @@ ComparedViewport::ComparedViewport(ComparedResults& all, std::shared_ptr<Compare
     tool->raise();
   }
   connect(end_, &QToolButton::clicked, this, [this] { all_.close(*run_); });
-  connect(over_, &QToolButton::toggled, this, &ComparedViewport::drawOver);
+  connect(over_, &QToolButton::toggled, this, [this](bool over) { all_.setOver(*run_, over); });
+  connect(&all_, &ComparedResults::overChanged, this, &ComparedViewport::drawOver);
   surface_->widget()->setAccessibleName(tr("The results that are compared"));
   surface_->widget()->installEventFilter(this);
   connect(run_.get(), &ComparedRun::frameChanged, this, &ComparedViewport::follow);
-  connect(run_.get(), &ComparedRun::frameChanged, this, [this] {
-    if (over_->isChecked()) drawOver();
-  });
+  connect(run_.get(), &ComparedRun::frameChanged, this, &ComparedViewport::drawOver);
   connect(&all_, &ComparedResults::changed, this, &ComparedViewport::follow);  // its name may be another
   connect(&viewport, &Viewport::redrawn, this, &ComparedViewport::follow);
   make();
@@ -59,17 +54,19 @@ ComparedViewport::~ComparedViewport() {
 }
 
 void ComparedViewport::end() {
-  over_->setChecked(false);
+  all_.disconnect(this);
   hide();
   deleteLater();
 }
 
 void ComparedViewport::make() {
+  drawOver();  // it may have been asked for before
   const auto work = [index = run_->results(), settings = viewport_.screenSettings()](Progress&) {
     return std::make_shared<Scene>(*index->system, settings);
   };
   drawing_.begin(work, [this](const std::shared_ptr<Scene>& scene) {
     scene_ = scene;
+    scene_->set_stage_names(run_->results()->stage_names);
     surface_->window().AddRenderer(scene_->renderer());
     follow();
   });
@@ -79,7 +76,7 @@ void ComparedViewport::make() {
 void ComparedViewport::follow() {
   const auto pose = viewport_.pose();
   if (!scene_ || !pose) return;
-  SceneSettings settings = settingsBeside(viewport_.screenSettings(), all_.nameOf(*run_).toStdString());
+  SceneSettings settings = settings_beside(viewport_.screenSettings(), all_.nameOf(*run_).toStdString());
   if (!viewport_.showsField()) settings.field.reset();
   settings.parallel_projection = pose->parallel;
   scene_->set_settings(settings);
@@ -89,8 +86,13 @@ void ComparedViewport::follow() {
 }
 
 void ComparedViewport::drawOver() {
-  if (!over_->isChecked()) return viewport_.setGhost({});
-  if (run_->frame()) viewport_.setGhost({run_->results()->system, run_->frame(), all_.nameOf(*run_).toStdString()});
+  const bool over = all_.isOver(*run_), was = std::exchange(isOver_, over);
+  const QSignalBlocker quiet(over_);
+  over_->setChecked(over);
+  if (over && run_->frame())
+    viewport_.setGhost({run_->results()->system, run_->frame(), all_.nameOf(*run_).toStdString()});
+  else if (was && !all_.isAnyOver())  // else that one draws its own
+    viewport_.setGhost({});
 }
 
 void ComparedViewport::resizeEvent(QResizeEvent*) {
@@ -108,16 +110,19 @@ bool ComparedViewport::eventFilter(QObject* watched, QEvent* event) {
   return QFrame::eventFilter(watched, event);
 }
 
-ComparedViewports::ComparedViewports(ComparedResults& all, Viewport& viewport, QGridLayout& grid)
-    : QObject(&viewport), all_(all), viewport_(viewport), grid_(grid) {
-  arrange();
-  grid_.parentWidget()->installEventFilter(this);
+ComparedViewports::ComparedViewports(ComparedResults& all, Viewport& viewport) : all_(all), viewport_(viewport) {
+  viewport_.setParent(this);
+  setMinimumSize(viewport_.minimumSize());
   connect(&all, &ComparedResults::changed, this, &ComparedViewports::follow);
 }
 
-bool ComparedViewports::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) arrange();
-  return QObject::eventFilter(watched, event);
+void ComparedViewports::resizeEvent(QResizeEvent*) { arrange(); }
+
+/// The lines between views, as in pictures of several results; one alone has what is behind the window's parts.
+void ComparedViewports::paintEvent(QPaintEvent*) {
+  if (views_.empty()) return;
+  const Rgb line = colours(viewport_.screenSettings().theme).frame;
+  QPainter(this).fillRect(rect(), QColor(line.red, line.green, line.blue));
 }
 
 void ComparedViewports::follow() {
@@ -129,29 +134,21 @@ void ComparedViewports::follow() {
   });
   for (std::size_t i = 0; i < runs.size(); ++i) {  // in their order, whichever came first
     if (i < views_.size() && &views_[i]->run() == runs[i].get()) continue;
-    views_.insert(views_.begin() + static_cast<std::ptrdiff_t>(i), new ComparedViewport(all_, runs[i], viewport_));
+    auto* view = new ComparedViewport(all_, runs[i], viewport_);
+    view->setParent(this);
+    view->show();
+    views_.insert(views_.begin() + static_cast<std::ptrdiff_t>(i), view);
   }
   arrange();
 }
 
 void ComparedViewports::arrange() {
-  std::vector<QWidget*> shown{&viewport_};
-  shown.insert(shown.end(), views_.begin(), views_.end());
-  const QSize all = grid_.parentWidget()->size();
-  const int count = static_cast<int>(shown.size());
-  const PanelGrid panels = panel_grid(count, all.width(), all.height());
-  if (shown == shown_ && panels == panels_) return;
-  shown_ = shown;
-  panels_ = panels;
-  const int columns = panels.columns;
-  while (grid_.count() > 0) delete grid_.takeAt(0);
-  for (int column = 0; column < grid_.columnCount(); ++column) grid_.setColumnStretch(column, 0);
-  for (int row = 0; row < grid_.rowCount(); ++row) grid_.setRowStretch(row, 0);
+  const int count = static_cast<int>(views_.size()) + 1;
+  const std::vector<PanelPlace> places = panel_places(count, width(), height());
   for (int i = 0; i < count; ++i) {
-    const int row = i / columns, column = i % columns;
-    grid_.addWidget(shown[static_cast<std::size_t>(i)], row, column, 1, i + 1 < count ? 1 : columns - column);
-    grid_.setColumnStretch(column, 1);
-    grid_.setRowStretch(row, 1);
+    const PanelPlace& place = places[static_cast<std::size_t>(i)];
+    QWidget* view = i == 0 ? static_cast<QWidget*>(&viewport_) : views_[static_cast<std::size_t>(i - 1)];
+    view->setGeometry(place.left, place.top, place.width, place.height);
   }
 }
 

@@ -1,25 +1,21 @@
 #pragma once
 
 #include <QFrame>
+#include <QWidget>
 #include <memory>
 #include <vector>
 
 #include "jobs/latest_job.hpp"
-#include "render/paint/panel_grid.hpp"
 #include "render/scene/scene.hpp"
 #include "session/compared_results.hpp"
 #include "widgets/view/camera_moves.hpp"
 
-class QGridLayout;
 class QToolButton;
 
 namespace talus {
 
 class RenderSurface;
 class Viewport;
-
-/// What results are shown by that are compared under a name, beside a view that is shown by `view`.
-SceneSettings settingsBeside(const SceneSettings& view, const std::string& name);
 
 /// Beside the view: results that are compared, at the same moment, from the same place and in the same colours. Either
 /// camera is moved by the other's: left drag turns, middle drag pans, the wheel zooms. Its blocks can be drawn over
@@ -51,32 +47,29 @@ class ComparedViewport : public QFrame {
   Viewport& viewport_;
   RenderSurface* surface_;
   QToolButton *end_, *over_;
+  bool isOver_ = false;  ///< its edges are those over the view
   std::shared_ptr<Scene> scene_;
   CameraMouse mouse_{0.35};  // as in the view beside it
   LatestJob drawing_;        ///< last: its thread ends before the others go
 };
 
-/// Keeps a view beside the first one for each run that is compared, in rows as they are largest.
-class ComparedViewports : public QObject {
+/// The first view and one beside it for each run that is compared, as panel_places places them.
+class ComparedViewports : public QWidget {
   Q_OBJECT
  public:
-  /// `grid`: all that its parent widget has; the first view is put there, too.
-  ComparedViewports(ComparedResults& all, Viewport& viewport, QGridLayout& grid);
+  ComparedViewports(ComparedResults& all, Viewport& viewport);
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   void follow();
-  /// Where another grid than now is the best one, or other views are in it.
   void arrange();
 
   ComparedResults& all_;
   Viewport& viewport_;
-  QGridLayout& grid_;
   std::vector<ComparedViewport*> views_;
-  std::vector<QWidget*> shown_;  ///< as they stand in the grid
-  PanelGrid panels_;
 };
 
 }  // namespace talus

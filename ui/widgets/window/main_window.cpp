@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScreen>
@@ -119,10 +118,7 @@ void MainWindow::makeCentre() {
   setMargins(column, 0, 0);
   viewport_ = new Viewport(session_);
   timeline_ = new Timeline(session_.project.document(), session_.run, session_.playback);
-  views_ = new QWidget;
-  auto* grid = new QGridLayout(views_);
-  setMargins(grid, 0, 1);
-  new ComparedViewports(session_.compared, *viewport_, *grid);
+  views_ = new ComparedViewports(session_.compared, *viewport_);
   column->addWidget(views_, 1);
   column->addWidget(timeline_);
   centre_->addWidget(start_);
@@ -320,7 +316,8 @@ void MainWindow::savePicture(const std::filesystem::path& path, int width) {
         task.compared.push_back({run->results()->system,
                                  {beside->time},
                                  [beside](int) { return beside; },
-                                 session_.compared.nameOf(*run).toStdString()});
+                                 session_.compared.nameOf(*run).toStdString(),
+                                 run->results()->stage_names});
     if (!task.compared.empty()) task.film.height = heightFor(task.film.width, *views_);
   }
   task.what = tr("Picture");
@@ -349,8 +346,8 @@ void MainWindow::saveFilm(const std::filesystem::path& path, const FilmOptions& 
   for (const auto& run : session_.compared.runs()) {
     const ResultsIndex& results = *run->results();
     if (results.frame_times.empty() || (film.over && !task.compared.empty())) continue;
-    task.compared.push_back(
-        {results.system, results.frame_times, framesOf(results.folder), session_.compared.nameOf(*run).toStdString()});
+    task.compared.push_back({results.system, results.frame_times, framesOf(results.folder),
+                             session_.compared.nameOf(*run).toStdString(), results.stage_names});
   }
   if (task.compared.empty() || film.over)
     task.settings.title = session_.project.document().name().toStdString();

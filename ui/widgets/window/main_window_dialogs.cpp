@@ -178,8 +178,13 @@ void MainWindow::askForView(bool save) {
 }
 
 void MainWindow::saveView(const std::filesystem::path& path) {
-  const auto view = viewport_->savedView();
+  auto view = viewport_->savedView();
   if (!view) return;
+  if (const auto& runs = session_.compared.runs(); !runs.empty()) {  // all that stands side by side
+    view->width = qRound(views_->width() * devicePixelRatioF());
+    view->height = qRound(views_->height() * devicePixelRatioF());
+    for (const auto& run : runs) view->beside.push_back({run->results()->folder, session_.compared.isOver(*run)});
+  }
   session_.messages.settle(Problem::Of::picture);
   try {
     save_view(*view, path);
@@ -195,6 +200,7 @@ void MainWindow::openView(const std::filesystem::path& path) {
     const SavedView view = read_view(path);
     session_.display.goTo(WorkflowPage::results);
     viewport_->show(view);
+    session_.compared.show(view.beside);
   } catch (const InputError& error) {
     session_.messages.add(problemOf(error, Problem::Of::picture));
   }

@@ -42,6 +42,7 @@ SavedView full_view() {
   view.hidden = {"B2"};
   view.selected = {"B1"};
   view.covered = {{1, 2, 3.5, 4}};
+  view.beside = {{"../wet/slope.results", true}, {"dry.results", false}};
   return view;
 }
 
@@ -68,6 +69,24 @@ TEST(ViewFile, KeepsAllOfAViewToTheBit) {
   EXPECT_TRUE(read.settings.contacts);
   EXPECT_EQ(read.hidden, written.hidden);
   EXPECT_EQ(read.covered, written.covered);
+  ASSERT_EQ(read.beside.size(), 2u);
+  EXPECT_EQ(read.beside[0].results, "../wet/slope.results");
+  EXPECT_TRUE(read.beside[0].over);
+  EXPECT_FALSE(read.beside[1].over);
+}
+
+TEST(ViewFile, NamesWhatItComparesFromItsOwnFolderOn) {
+  const std::filesystem::path root = std::filesystem::temp_directory_path() / "talus_view_file_test";
+  std::filesystem::remove_all(root);
+  std::filesystem::create_directories(root / "here/views");
+  SavedView view = full_view();
+  view.beside = {{root / "here/dry.results"}, {root / "wet.results"}};
+  save_view(view, root / "here/views/a.json");
+  std::filesystem::rename(root / "here", root / "there");  // as a whole
+  const SavedView read = read_view(root / "there/views/a.json");
+  EXPECT_EQ(read.beside[0].results, root / "there/dry.results");
+  EXPECT_EQ(read.beside[1].results, root / "wet.results");
+  std::filesystem::remove_all(root);
 }
 
 std::string with(const std::string& line) {
@@ -109,6 +128,8 @@ TEST(ViewFile, WhatIsWrongIsSaidWithPlaceAndRemedy) {
   EXPECT_THAT(complaint(with("\"section\": {\"point\": [0, 0, 0], \"towards\": [0, 0, 0]}")), HasSubstr("direction"));
   EXPECT_THAT(complaint(with("\"block_colours\": {\"title\": \"\", \"colours\": [\"red\"], \"key\": []}")),
               AllOf(HasSubstr("'red' is no colour"), HasSubstr("#77aadd")));
+  EXPECT_THAT(complaint(with("\"compared\": [{\"over\": true}]")),
+              AllOf(HasSubstr("/compared/0"), HasSubstr("'results' is missing")));
   EXPECT_THAT(complaint("{\"talus_view\": 2, \"size\": [640, 480], \"camera\": {}}"), HasSubstr("talus_view"));
   std::string nowhere = with("");
   nowhere.replace(nowhere.find("[0, -9, 2]"), 10, "[0, 0, 0]");
