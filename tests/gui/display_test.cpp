@@ -47,5 +47,16 @@ TEST_F(OnADisplay, TheViewIsSeenWhenAProjectIsOpenedFromTheStartPage) {
   EXPECT_GT(shareThatIsSeen(), 0.95) << "the next one";
 }
 
+TEST_F(OnADisplay, RockFillsTheViewAsSoonAsTheWindowHasBecomeLarger) {
+  window->resize(1100, 700);
+  openAndMesh(sample("wedge"));
+  rest(300);
+  window->resize(1500, 950);
+  rest(500);
+  const Vec3 seen = window->viewport().pose()->position;
+  window->viewport().picture();  // draws once more
+  EXPECT_LT((window->viewport().pose()->position - seen).norm(), 1e-6 * seen.norm());
+}
+
 }  // namespace
 }  // namespace talus

@@ -470,9 +470,9 @@ void Viewport::showEmptyState() {
 }
 
 void Viewport::resizeEvent(QResizeEvent*) {
-  surface_->widget()->setGeometry(rect());
   overlay_->setGeometry(rect());
   placeOverlays();
+  surface_->widget()->setGeometry(rect());  // last: where a card draws, it does so at once, and rock keeps beside tools
 }
 
 void Viewport::placeOverlays() {
