@@ -154,5 +154,30 @@ INSTANTIATE_TEST_SUITE_P(Views, LinesImage,
                          testing::Values(std::array{150.0, 8.0}, std::array{172.0, 30.0}, std::array{96.0, 12.0},
                                          std::array{137.0, 20.0}, std::array{200.0, 5.0}));
 
+/// Of rock whose faces are all left out.
+TEST(LinesImage, OfRockThatIsLeftOutAreSeenOnEitherBackground) {
+  const BlockSystem slope = jointed_slope();
+  const auto frame = slid(slope, 14, 45);
+  for (const Theme theme : {Theme::light, Theme::dark}) {
+    SceneSettings settings;
+    settings.theme = theme;
+    settings.field = field_named("displacement");
+    settings.only = ValueRange{100, 200};
+    settings.legend = settings.triad = settings.scale_bar = settings.time_stamp = false;
+    Scene scene(slope, settings);
+    scene.set_frame(frame);
+    const Image image = draw_image(scene, 640, 400);
+    int seen = 0;
+    for (int y = 0; y < image.height; ++y) {
+      const auto brightness = [&](int x) {
+        const auto* pixel = &image.rgb[static_cast<std::size_t>(3 * (y * image.width + x))];
+        return (2 * pixel[0] + 5 * pixel[1] + pixel[2]) / 8;
+      };
+      for (int x = 1; x < image.width; ++x) seen += std::abs(brightness(x) - brightness(0)) > 40;
+    }
+    EXPECT_GT(seen, 1000) << (theme == Theme::dark ? "dark" : "light");
+  }
+}
+
 }  // namespace
 }  // namespace talus

@@ -273,8 +273,8 @@ void Scene::State::mark_face() {
 void Scene::State::apply_lines() {
   const ThemeColours& c = colours(settings.theme);
   const double unit = text_height() / 14;
-  // Where rock is seen through its edges lie on the background.
-  const bool on_dark = settings.theme == Theme::dark && opacity() < 1;
+  // Where rock is seen through, or faces are left out, edges lie on the background.
+  const bool on_dark = settings.theme == Theme::dark && (opacity() < 1 || leaves_out_faces());
   const Rgb edge = mix(c.edge, c.rock, on_dark ? 0.8 : 0.25);
   const double thin = std::max(0.9 * unit, 1.2);
   const double wide = settings.edges == Edges::none ? 0 : thin, fine = settings.edges == Edges::mesh ? 0.75 * unit : 0;

@@ -95,6 +95,8 @@ struct Scene::State {
   void fill_section();
   /// The field is one of the walls of joints: these have its colours, and the rock is in their way.
   bool shows_walls() const;
+  /// Of some blocks the edges alone may be drawn: the field has other values there than are wanted.
+  bool leaves_out_faces() const;
   /// The field has a value a block.
   bool shows_blocks() const;
   void draw_walls();

@@ -63,9 +63,12 @@ void Scene::State::draw_walls() {
   walls.show(fields.walls(), places, field_values, shown, {of_field, settings.only, settings.field->is_class()});
 }
 
+bool Scene::State::leaves_out_faces() const {
+  return settings.only && !field_values.empty() && !settings.field->is_class() && !shows_walls();
+}
+
 void Scene::State::keep_wanted_faces() {
-  const bool some = settings.only && !field_values.empty() && !settings.field->is_class() && !shows_walls();
-  if (!some) {
+  if (!leaves_out_faces()) {
     for (BlockActors* part : {&fixed, &movable}) part->keep({});
     return;
   }
