@@ -339,7 +339,7 @@ TEST(SceneImage, LegendAndRockDoNotOverlap) {
   settings.field = field_named("stress.min_principal");
   Scene scene(slope, settings);
   scene.set_frame(slid(slope, 5, 1));
-  for (const auto& [w, h] : {std::pair{800, 500}, {500, 500}, {1200, 400}}) {
+  for (const auto& [w, h] : {std::pair{800, 500}, {500, 500}, {1200, 400}, {400, 600}}) {
     OffscreenView view(scene, w, h);
     const Image image = view.draw();
     constexpr int drawn_for_each = 2;

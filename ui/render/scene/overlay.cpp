@@ -278,10 +278,31 @@ double automatic_text_height(double width, double height) {
   return std::max(11.0, std::round(std::min(height / 48, width / 64)));
 }
 
+namespace {
+
+/// How high rock, which mostly is wider than high, can be drawn there.
+double room_for_rock(const PixelRect& area) {
+  constexpr double rock = 1.5;  // its width over its height
+  return std::min(area.width() / rock, area.height());
+}
+
+/// `beside` the legend; or, in an upright picture, below it, where rock is much larger there.
+PixelRect beside_or_below_legend(const Overlay& overlay, const PixelRect& beside, double left, double height) {
+  constexpr double much = 1.15;
+  const double em = overlay.text_height;
+  PixelRect below = beside;
+  below.left = left;
+  below.top -= layout(overlay, em, height).height + margin * em;
+  return room_for_rock(below) > much * room_for_rock(beside) ? below : beside;
+}
+
+}  // namespace
+
 PixelRect free_area(const Overlay& overlay, double width, double height) {
   const double em = overlay.text_height;
   double left = margin * em;
   if (overlay.triad) left = std::max(left, (margin + triad_size) * em);
+  const double left_below = left;
   if (overlay.legend) left = std::max(left, 2 * margin * em + layout(overlay, em, height).width);
   if (overlay.colour_key) left = std::max(left, 2 * margin * em + width_of(*overlay.colour_key, em));
   const bool has_bottom =
@@ -289,6 +310,7 @@ PixelRect free_area(const Overlay& overlay, double width, double height) {
   const double above = static_cast<double>(remarks_above(overlay, width).size()) * line_height;
   const double bottom = (margin + (has_bottom ? bottom_row : 0) + above) * em;
   PixelRect area{left, bottom, width - margin * em, height - margin * em - title_row(overlay)};
+  if (overlay.legend) area = beside_or_below_legend(overlay, area, left_below, height);
   // A picture too small for its writing: the rock matters more.
   if (area.width() < 0.4 * width) area.left = area.right - 0.4 * width;
   if (area.height() < 0.4 * height) area.bottom = area.top - 0.4 * height;

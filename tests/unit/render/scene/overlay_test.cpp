@@ -77,5 +77,19 @@ TEST(Overlay, OfALowPictureHasTheLegendAndNoAxesInIt) {
   }
 }
 
+TEST(Overlay, LeavesRockItsPlaceBesideTheLegendOrBelowItInAnUprightPicture) {
+  Overlay overlay;
+  overlay.text_height = 11;
+  overlay.time = "t = 1 s";
+  const PixelRect plain = free_area(overlay, 408, 520);
+  overlay.legend = Legend{.title = "Displacement", .unit = "m", .map = &batlow()};
+  const PixelRect wide = free_area(overlay, 960, 600), upright = free_area(overlay, 408, 520);
+  EXPECT_GT(wide.left, 100) << "beside";
+  EXPECT_GT(wide.top, 580);
+  EXPECT_EQ(upright.left, plain.left) << "below";
+  EXPECT_LT(upright.top, plain.top - 100);
+  EXPECT_GT(upright.height(), 200);
+}
+
 }  // namespace
 }  // namespace talus
