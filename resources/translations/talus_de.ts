@@ -4824,6 +4824,21 @@ Pfeiltasten wählen einen Punkt, mit Strg verschieben sie ihn.</translation>
     </message>
 </context>
 <context>
+    <name>talus::EventList</name>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Time s</source>
+        <translation>Zeit s</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+</context>
+<context>
     <name>talus::ExportStrip</name>
     <message>
         <source>Cancel</source>

@@ -26,7 +26,13 @@ SideBySideView::SideBySideView(std::vector<Scene*> scenes, int width, int height
 
 SideBySideView::~SideBySideView() = default;
 
+/// All stand in their panel as the first one does, beside whose legend they have none.
+void SideBySideView::stand_alike() {
+  for (std::size_t i = 1; i < scenes_.size(); ++i) scenes_[i]->set_rock_area(scenes_.front()->rock_area());
+}
+
 void SideBySideView::hold_camera() {
+  stand_alike();
   const bool fits = scenes_.front()->fits_itself();
   panels_.front().view->hold_camera();
   CameraPose farthest = scenes_.front()->pose();
@@ -60,7 +66,10 @@ Image SideBySideView::draw() {
     whole.rgb[i + 1] = between.green;
     whole.rgb[i + 2] = between.blue;
   }
-  for (const Panel& panel : panels_) paste(whole, panel.view->draw(), panel.left, panel.top);
+  for (const Panel& panel : panels_) {
+    paste(whole, panel.view->draw(), panel.left, panel.top);
+    if (&panel == &panels_.front()) stand_alike();
+  }
   return whole;
 }
 

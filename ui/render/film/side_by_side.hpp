@@ -25,6 +25,8 @@ class SideBySideView {
   Image draw();
 
  private:
+  void stand_alike();
+
   struct Panel {
     std::unique_ptr<OffscreenView> view;
     int left = 0, top = 0;  ///< pixels, of the whole

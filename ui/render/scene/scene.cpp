@@ -210,6 +210,19 @@ void Scene::set_covered(std::vector<PixelRect> places) {
   state_->fit_is_stale = true;
 }
 
+PixelRect Scene::rock_area() const {
+  const auto [width, height] = state_->size();
+  state_->overlay.text_height = state_->text_height();
+  const PixelRect area = state_->area_for_rock(width, height);
+  return {area.left / width, area.bottom / height, area.right / width, area.top / height};
+}
+
+void Scene::set_rock_area(const std::optional<PixelRect>& part) {
+  if (part == state_->rock_part) return;
+  state_->rock_part = part;
+  state_->fit_is_stale = true;
+}
+
 std::optional<int> Scene::joint_at(double x, double y) const {
   const auto sight = sight_at(x, y);
   return sight ? state_->joints.cut_at(sight->from, sight->along) : std::nullopt;

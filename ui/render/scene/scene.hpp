@@ -192,6 +192,11 @@ class Scene {
   /// so does rock that is fitted, where that is along the right edge.
   void set_covered(std::vector<PixelRect> places);
 
+  /// The part of the picture in whose middle the camera looks, of its width and height: 0…1 from the lower left corner.
+  PixelRect rock_area() const;
+  /// That of a scene beside this one, so that rock stands alike in both; empty: what is written leaves it.
+  void set_rock_area(const std::optional<PixelRect>& part);
+
   /// The visible surface under a pixel counted from the picture's upper left corner; empty over the background.
   /// Needs a renderer that is in a window of known size, but no GL context.
   std::optional<Pick> pick(double x, double y) const;

@@ -410,6 +410,8 @@ void Scene::State::fit_to(double width, double height) {
 
 /// Beside what stands over the right edge, where that leaves enough.
 PixelRect Scene::State::area_for_rock(double width, double height) const {
+  if (rock_part)
+    return {rock_part->left * width, rock_part->bottom * height, rock_part->right * width, rock_part->top * height};
   constexpr double enough = 0.4, gap = 0.6;  // of the width; text heights
   PixelRect area = free_area(overlay, width, height);
   for (const PixelRect& place : covered)

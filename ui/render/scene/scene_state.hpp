@@ -182,7 +182,8 @@ struct Scene::State {
   Ghost ghost;
   std::optional<BlockSurface> ghost_surface;  ///< of its movable blocks
   std::vector<TurningAxis> axes_of_frame;
-  std::vector<PixelRect> covered;  ///< pixels of the window that labels keep out of, and rock that is fitted
+  std::optional<PixelRect> rock_part;  ///< as Scene::set_rock_area
+  std::vector<PixelRect> covered;      ///< pixels of the window that labels keep out of, and rock that is fitted
 
   std::shared_ptr<const Frame> frame;
   std::vector<Vec3> contact_dots;    ///< where the frame's contact points are drawn, m; none where they are not

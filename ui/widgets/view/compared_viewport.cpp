@@ -81,6 +81,7 @@ void ComparedViewport::follow() {
   settings.parallel_projection = pose->parallel;
   scene_->set_settings(settings);
   if (run_->frame()) scene_->set_frame(run_->frame());
+  scene_->set_rock_area(viewport_.rockArea());
   scene_->set_pose(*pose);
   surface_->requestRender();
 }

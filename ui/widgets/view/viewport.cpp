@@ -437,6 +437,10 @@ std::optional<CameraPose> Viewport::pose() const {
   return scene_ ? std::optional<CameraPose>(scene_->pose()) : std::nullopt;
 }
 
+std::optional<PixelRect> Viewport::rockArea() const {
+  return scene_ ? std::optional<PixelRect>(scene_->rock_area()) : std::nullopt;
+}
+
 bool Viewport::hasRock() const { return !project().solids.empty(); }
 
 void Viewport::showEmptyState() {

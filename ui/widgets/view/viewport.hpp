@@ -65,6 +65,8 @@ class Viewport : public QWidget {
   void warmUp();
   /// Empty until there are blocks.
   std::optional<CameraPose> pose() const;
+  /// As Scene::rock_area; empty until there are blocks.
+  std::optional<PixelRect> rockArea() const;
   /// As if the user had moved the camera there.
   void moveTo(const CameraPose& pose);
   /// What the user chose, as this screen wants it on this page.

@@ -1,5 +1,6 @@
 #include "widgets/window/bottom_panel.hpp"
 
+#include <QBoxLayout>
 #include <QPlainTextEdit>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -17,6 +18,7 @@
 #include "widgets/project/page_table.hpp"
 #include "widgets/project/problem_list.hpp"
 #include "widgets/results/block_history_panel.hpp"
+#include "widgets/results/event_list.hpp"
 #include "widgets/results/history_panel.hpp"
 #include "widgets/results/line_panel.hpp"
 #include "widgets/results/slide_panel.hpp"
@@ -34,7 +36,12 @@ BottomPanel::BottomPanel(Session& session, WindowActions& actions) : session_(se
   auto* column = new QVBoxLayout(page_);
   setMargins(column, 0, 0);
   column->addWidget(strip_);
-  column->addWidget(table_, 1);
+  auto* row = new QHBoxLayout;
+  setMargins(row, 0, 0);
+  row->addWidget(table_, 3);
+  events_ = new EventList(session.run, session.playback);
+  row->addWidget(events_, 2);
+  column->addLayout(row, 1);
   QList<QToolButton*> tools{makeActionButton(actions.blocks->byRule, true)};
   for (auto* action :
        {actions.blocks->everyOne, actions.blocks->others, actions.blocks->neighbours, actions.blocks->lasso})
@@ -109,6 +116,7 @@ void BottomPanel::showStrip() {
 void BottomPanel::showPage() {
   const WorkflowPage page = session_.display.page();
   showStrip();
+  events_->setWanted(page == WorkflowPage::solve || page == WorkflowPage::results);
   if (page == WorkflowPage::blocks)
     tables_->setCurrentWidget(blocks_);
   else if (page == WorkflowPage::mesh)

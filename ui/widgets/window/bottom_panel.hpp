@@ -9,6 +9,7 @@ class QWidget;
 namespace talus {
 
 class BlocksPanel;
+class EventList;
 class MeshPanel;
 class PageTable;
 class SplinterPanel;
@@ -34,6 +35,7 @@ class BottomPanel : public QTabWidget {
   QWidget* page_;           ///< the strip of stages, on their page, and the table
   QWidget* strip_;
   PageTable* table_;
+  EventList* events_;  ///< beside the table on pages that tell of a run
   BlocksPanel* blocks_;
   MeshPanel* mesh_;
   SplinterPanel* splinters_;  ///< has no tab while there are none
