@@ -231,7 +231,7 @@ def try_solids(watch, count, seed, folder):
     (folder / "grid.asc").write_text(heights, encoding="ascii")
     corpus = ROOT / "tests/fuzz/corpus"
     originals = [folder / "grid.asc", *sorted(corpus.glob("terrain/*")), *sorted(corpus.glob("stl/*"))]
-    originals += [ROOT / "samples/step_slope/slope.step", ROOT / "tests/gui/box.brep"] * 4
+    originals += [ROOT / "samples/step_slope/slope.step", ROOT / "tests/gui/box.brep"] * 3 + [corpus / "brep/hole.brep"] * 2
     for number in range(count):
         draw = random.Random(f"{seed} {number}")
         original = draw.choice(originals)

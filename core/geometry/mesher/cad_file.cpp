@@ -9,8 +9,10 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "geometry/mesher/brep_text.hpp"
 #include "geometry/mesher/occ_volumes.hpp"
 #include "geometry/mesher/placement.hpp"
+#include "geometry/mesher/sound_edges.hpp"
 #include "geometry/mesher/surfaces/triangle_file.hpp"
 
 namespace talus {
@@ -18,9 +20,11 @@ namespace {
 
 namespace occ = gmsh::model::occ;
 
+bool is_brep(const MesherSolid& solid) { return ending_of(solid.file) == ".brep"; }
+
 std::string format_of(const MesherSolid& solid) {
   if (is_iges(solid)) return "IGES";
-  return ending_of(solid.file) == ".brep" ? "BREP" : "STEP";
+  return is_brep(solid) ? "BREP" : "STEP";
 }
 
 /// OpenCASCADE crashes at IGES files that are none: their lines have the letter of their section in column 73.
@@ -56,6 +60,7 @@ class ReadingLimit {
 /// gmsh throws for some unreadable files and gives nothing for others: both end here as no shapes.
 gmsh::vectorpair shapes_in(const MesherSolid& solid) {
   if (is_iges(solid) && !begins_as_iges(solid.file)) return {};
+  if (is_brep(solid)) check_brep_text(solid);
   constexpr double millimetre = 1e-3;
   gmsh::option::setString("Geometry.OCCTargetUnit", "M");  // of STEP; millimetres otherwise, as of IGES always
   gmsh::option::setNumber("Geometry.OCCScaling", is_iges(solid) ? millimetre * solid.scale : solid.scale);
@@ -94,23 +99,6 @@ std::vector<int> sewn(const gmsh::vectorpair& faces) {
   return volumes_among(healed);
 }
 
-/// A damaged edge may go on for ever, and gmsh with it. Those of files that were read before are not looked at again.
-void check_edges(const MesherSolid& solid, const Eigen::AlignedBox3d& bounds) {
-  static int looked_at = 0;                        // the largest number; this program has one model
-  constexpr double farthest = 1e9, longest = 1e4;  // m; of the whole, for coasts have long edges
-  const double whole = bounds.diagonal().norm();
-  gmsh::vectorpair edges;
-  occ::getEntities(edges, 1);
-  for (const auto& [dimension, tag] : edges) {
-    double length = 0;
-    if (tag > looked_at) occ::getMass(dimension, tag, length);
-    if (whole <= farthest && length <= longest * whole) continue;
-    throw InputError(solid.file_as_written, "is damaged: an edge of its solid has no end",
-                     "export the solid again as " + format_of(solid));
-  }
-  looked_at = occ::getMaxTag(1);
-}
-
 }  // namespace
 
 bool is_iges(const MesherSolid& solid) {
@@ -130,7 +118,9 @@ std::vector<int> read_cad(const MesherSolid& solid) {
     throw InputError(solid.file_as_written, "holds surfaces but no closed solid", "export a closed solid");
   if (!(volume_of(volumes) > 0))
     throw InputError(solid.file_as_written, "holds a solid without volume or inside out", "export a closed solid");
-  check_edges(solid, bounds_of(volumes));
+  check_edge_lengths(solid, volumes);
+  occ::synchronize();
+  check_edges_on_faces(solid, volumes);
   place_volumes(solid.placement, volumes);
   return volumes;
 }
