@@ -151,30 +151,94 @@ void write_attribute(hid_t object, const std::string& name, const std::string& v
   check(H5Awrite(attribute, type, value.c_str()), "cannot write " + name);
 }
 
+namespace {
+
+/// Of the whole file, which may grow while it is read.
+hsize_t file_size(hid_t dataset, const std::string& path) {
+  const Handle file(check(H5Iget_file_id(dataset), "cannot read the size of " + path));
+  hsize_t size = 0;
+  check(H5Fget_filesize(file, &size), "cannot read the size of " + path);
+  return size;
+}
+
+/// Throws Error where `rows` of `bytes` each, packed behind each other at an address, would not be within the file.
+void check_whole(hid_t dataset, const std::string& path, hsize_t rows, hsize_t bytes) {
+  const hsize_t most = file_size(dataset, path), stored = H5Dget_storage_size(dataset);
+  if (rows > most / bytes) throw Error(path + " is larger than the file");
+  const haddr_t begin = H5Dget_offset(dataset);  // none where it stands in the header
+  const bool within = begin == HADDR_UNDEF || (begin <= most && stored <= most - begin);
+  if (stored < rows * bytes || !within) throw Error(path + " is not whole");
+}
+
+/// The same of the pieces that hold these rows. One that is not there at all is read as zeros.
+void check_pieces(hid_t dataset, const std::string& path, hid_t layout, hsize_t first, hsize_t count, hsize_t bytes) {
+  const Extent extent = extent_of(dataset, path);
+  const hsize_t columns = extent.width == 0 ? 1 : extent.width, most = file_size(dataset, path);
+  hsize_t piece[2] = {0, 1};
+  const int dimensions = extent.width == 0 ? 1 : 2, filters = H5Pget_nfilters(layout);
+  if (H5Pget_chunk(layout, 2, piece) != dimensions || piece[0] == 0 || piece[1] != columns)
+    throw Error(path + " is laid out as nothing else");
+  unsigned settings = 0;
+  std::size_t none = 0;
+  const bool checked = filters > 0;
+  if (filters > 1 ||
+      (checked && H5Pget_filter2(layout, 0, &settings, &none, nullptr, 0, nullptr, nullptr) != H5Z_FILTER_FLETCHER32))
+    throw Error(path + " is packed, which it should not be");
+  constexpr hsize_t checksum = 4;
+  for (hsize_t row = first / piece[0] * piece[0]; row < first + count; row += piece[0]) {
+    const hsize_t corner[] = {row, 0};
+    unsigned skipped = 0;
+    haddr_t address = HADDR_UNDEF;
+    hsize_t stored = 0;
+    check(H5Dget_chunk_info_by_coord(dataset, corner, &skipped, &address, &stored), "cannot read " + path);
+    if (address == HADDR_UNDEF) continue;
+    const bool within = address <= most && stored <= most - address && piece[0] <= most / (bytes * columns);
+    if (!within) throw Error(path + " is larger than the file");
+    if (skipped != 0 || stored != piece[0] * columns * bytes + (checked ? checksum : 0))
+      throw Error(path + " is not whole");
+  }
+}
+
+/// HDF5 (1.10) believes what a file says of the size and place of its numbers, and reads and writes beyond its memory
+/// by it: that is held to the size of the file, and numbers to their kind, before it reads rows.
+void check_rows(hid_t dataset, const std::string& path, hid_t type, hsize_t first, hsize_t count) {
+  const Handle stored(check(H5Dget_type(dataset), "cannot read " + path));
+  const H5T_class_t kind = H5Tget_class(type);
+  const bool same = H5Tget_class(stored) == kind &&
+                    (kind == H5T_COMPOUND || H5Tequal(stored, type) > 0 || H5Tequal(stored, H5T_NATIVE_FLOAT) > 0);
+  if (!same) throw Error(path + " holds something else");
+  const Handle layout(check(H5Dget_create_plist(dataset), "cannot read " + path));
+  const hsize_t bytes = H5Tget_size(stored);
+  const H5D_layout_t kind_of_layout = H5Pget_layout(layout);
+  if (kind_of_layout == H5D_CHUNKED) return check_pieces(dataset, path, layout, first, count, bytes);
+  if (kind_of_layout != H5D_CONTIGUOUS && kind_of_layout != H5D_COMPACT) throw Error(path + " lies elsewhere");
+  const Extent extent = extent_of(dataset, path);
+  check_whole(dataset, path, extent.rows, bytes * std::max<hsize_t>(extent.width, 1));
+}
+
+}  // namespace
+
+std::size_t stored_count(hid_t dataset, const std::string& path) {
+  const Extent extent = extent_of(dataset, path);
+  const hsize_t most = file_size(dataset, path), width = std::max<hsize_t>(extent.width, 1);
+  if (extent.rows > most / width) throw Error(path + " is larger than the file");
+  return extent.rows * width;
+}
+
 void read_rows(hid_t dataset, const std::string& path, hid_t type, void* data, hsize_t first, hsize_t count) {
   if (count == 0) return;
+  check_rows(dataset, path, type, first, count);
   const Handle file_space = selected_rows(dataset, path, first, count);
   const auto selected = static_cast<hsize_t>(check(H5Sget_select_npoints(file_space), "cannot select in " + path));
   const Handle memory_space = simple_space(selected, 0, false);
   check(H5Dread(dataset, type, memory_space, file_space, H5P_DEFAULT, data), "cannot read " + path);
 }
 
-std::size_t stored_count(hid_t dataset, const std::string& path) {
-  const Extent extent = extent_of(dataset, path);
-  const Handle file(check(H5Iget_file_id(dataset), "cannot read the size of " + path));
-  hsize_t most = 0;
-  check(H5Fget_filesize(file, &most), "cannot read the size of " + path);
-  const hsize_t width = std::max<hsize_t>(extent.width, 1);
-  if (extent.rows > most / width || H5Dget_storage_size(dataset) > most) throw Error(path + " is larger than the file");
-  return extent.rows * width;
-}
-
 template <class Number>
 std::vector<Number> read_all(hid_t parent, const std::string& path) {
   const Handle set = open_dataset(parent, path);
   std::vector<Number> data(stored_count(set, path));
-  if (!data.empty())
-    check(H5Dread(set, type_of<Number>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), "cannot read " + path);
+  read_rows(set, path, type_of<Number>(), data.data(), 0, extent_of(set, path).rows);
   return data;
 }
 template std::vector<double> read_all(hid_t, const std::string&);
@@ -185,20 +249,15 @@ template std::vector<std::int64_t> read_all(hid_t, const std::string&);
 std::vector<std::string> read_strings(hid_t parent, const std::string& path) {
   const Handle set = open_dataset(parent, path);
   const std::size_t count = stored_count(set, path);
-  std::vector<char*> texts(count, nullptr);
-  if (count == 0) return {};
-  check_strings(set, path, count);
-  const Handle type = text_type();
-  check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()), "cannot read " + path);
-  std::vector<std::string> strings;
-  for (const char* text : texts) strings.emplace_back(text == nullptr ? "" : text);
-  H5Dvlen_reclaim(type, simple_space(count, 0, false), H5P_DEFAULT, texts.data());
-  return strings;
+  return count == 0 ? std::vector<std::string>() : strings_in_heap(set, path, count);
 }
 
 std::string read_text_attribute(hid_t object, const std::string& name) {
   const Handle attribute = open_attribute(object, name);
   const Handle type(check(H5Aget_type(attribute), "cannot read " + name));
+  constexpr std::size_t longest = 1 << 16;  // of what fits into the header of an object
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || H5Tget_size(type) > longest)
+    throw Error(name + " is no text");
   std::string text(H5Tget_size(type), '\0');
   check(H5Aread(attribute, type, text.data()), "cannot read " + name);
   while (!text.empty() && text.back() == '\0') text.pop_back();
@@ -208,6 +267,8 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
 template <class Number>
 Number read_number_attribute(hid_t object, const std::string& name) {
   const Handle attribute = open_attribute(object, name);
+  const Handle type(check(H5Aget_type(attribute), "cannot read " + name));
+  if (H5Tequal(type, type_of<Number>()) <= 0) throw Error(name + " is no number");
   Number number{};
   check(H5Aread(attribute, type_of<Number>(), &number), "cannot read " + name);
   return number;

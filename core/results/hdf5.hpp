@@ -72,10 +72,9 @@ template <class Number>
 void write_attribute(hid_t object, const std::string& name, const std::vector<Number>& values);
 void write_attribute(hid_t object, const std::string& name, const std::string& value);
 
-/// How many numbers to make room for. Throws Error where they would be more than the file has bytes, for none is
-/// packed, or where it says that they take more: the library makes room for a piece of a checked data set before it
-/// looks.
+/// How many numbers to make room for. Throws Error where they would be more than the file has bytes: none is packed.
 std::size_t stored_count(hid_t dataset, const std::string& path);
+/// Throws Error also where the file says what cannot be of the size, place or kind of these rows.
 void read_rows(hid_t dataset, const std::string& path, hid_t type, void* data, hsize_t first, hsize_t count);
 template <class Number>
 std::vector<Number> read_all(hid_t parent, const std::string& path);

@@ -40,8 +40,8 @@ class FileBytes {
   std::uint64_t size_ = 0;
 };
 
-/// Sizes of a heap's pieces by their numbers.
-using Heap = std::map<std::uint16_t, std::uint64_t>;
+/// The texts of a heap by their numbers.
+using Heap = std::map<std::uint16_t, std::string>;
 
 Heap heap_at(FileBytes& file, std::uint64_t address) {
   const std::string header = file.read(address, heap_header_size);
@@ -56,7 +56,8 @@ Heap heap_at(FileBytes& file, std::uint64_t address) {
       break;
     }
     const bool fits = size <= left && piece_header_size + (size + 7) / 8 * 8 <= left;
-    if (!fits || !heap.emplace(number, size).second) throw Error("a heap of texts is damaged");
+    if (!fits || !heap.emplace(number, bytes.substr(at + piece_header_size, size)).second)
+      throw Error("a heap of texts is damaged");
     at += piece_header_size + (size + 7) / 8 * 8;
   }
   return heap;
@@ -64,22 +65,26 @@ Heap heap_at(FileBytes& file, std::uint64_t address) {
 
 }  // namespace
 
-void check_strings(hid_t dataset, const std::string& path, std::size_t count) {
+std::vector<std::string> strings_in_heap(hid_t dataset, const std::string& path, std::size_t count) {
   const Handle type(check(H5Dget_type(dataset), "cannot read " + path));
   const haddr_t begin = H5Dget_offset(dataset);
   if (H5Tis_variable_str(type) <= 0 || begin == HADDR_UNDEF) throw Error(path + " holds no texts");
   FileBytes file(dataset);
   const std::string references = file.read(begin, count * reference_size);
   std::map<std::uint64_t, Heap> heaps;
-  for (std::size_t at = 0; at < references.size(); at += reference_size) {
+  std::vector<std::string> strings(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = i * reference_size;
     const auto length = number_at<std::uint32_t>(references, at), piece = number_at<std::uint32_t>(references, at + 12);
     const auto address = number_at<std::uint64_t>(references, at + 4);
     if (address == 0) continue;  // none
     if (!heaps.contains(address)) heaps[address] = heap_at(file, address);
     const auto found = heaps[address].find(static_cast<std::uint16_t>(piece));
-    if (piece > UINT16_MAX || found == heaps[address].end() || found->second != length)
+    if (piece > UINT16_MAX || found == heaps[address].end() || found->second.size() != length)
       throw Error("a text of " + path + " is not there");
+    strings[i] = found->second.substr(0, found->second.find('\0'));
   }
+  return strings;
 }
 
 }  // namespace talus::hdf5
