@@ -151,9 +151,13 @@ void rename_file(const fs::path& fresh, const fs::path& file) {
 }
 
 void replace_file(const fs::path& file, std::string_view text) {
+  replace_file(file, [&](std::ostream& stream) { stream << text; });
+}
+
+void replace_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
   const fs::path fresh = file.string() + ".new";
   std::ofstream stream(fresh, std::ios::binary | std::ios::trunc);
-  stream << text;
+  write(stream);
   stream.close();
   if (!stream) throw WriteError(fresh);
   rename_file(fresh, file);

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -65,5 +67,7 @@ void rename_file(const std::filesystem::path& fresh, const std::filesystem::path
 /// Writes a file so that its old content, if any, stays until all of the new is there.
 /// Throws WriteError.
 void replace_file(const std::filesystem::path& file, std::string_view text);
+/// The same of a text that is too long to be held whole: `write` puts it there piece by piece.
+void replace_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
 }  // namespace talus

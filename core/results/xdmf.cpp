@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <ostream>
 #include <stdexcept>
 
 #include "base/xml_text.hpp"
@@ -131,9 +132,11 @@ void XdmfIndex::add_frame(double time) {
 
 void XdmfIndex::finish() {
   write_whole_frames();
-  std::string text = beginning();
-  for (std::size_t frame = 0; frame < times_.size(); ++frame) text += grid(frame, Frames::whole);
-  replace_file(path_, text + closing_tags);
+  replace_file(path_, [&](std::ostream& text) {
+    text << beginning();
+    for (std::size_t frame = 0; frame < times_.size(); ++frame) text << grid(frame, Frames::whole);
+    text << closing_tags;
+  });
 }
 
 void XdmfIndex::write_whole_frames() const {
