@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "base/resident_memory.hpp"
 #include "example_results.hpp"
 #include "results/result_file.hpp"
 
@@ -382,6 +383,25 @@ TEST(ResultFolder, AFullDiskIsAnErrorWithThePath) {
     EXPECT_THAT(error.what(), testing::HasSubstr("summary.json"));
   }
   EXPECT_FALSE(fs::exists(temporary.path / "summary.json"));
+}
+
+// HDF5 kept the last 521 pieces of each table, one a frame.
+TEST(ResultFolder, HoldsNoFramesThatAreWritten) {
+  const TemporaryFolder folder;
+  const BlockSystem system = example_system(40, 60);
+  ResultWriter writer(folder.path, example_project(), system, "{}");
+  const Frame frame = example_frame(system, 1);
+  const auto add = [&](int count) {
+    for (int i = 0; i < count; ++i) writer.add_frame(frame);
+  };
+  add(20);
+  ASSERT_TRUE(count_resident_memory_anew());
+  const double before = resident_memory().now;
+  constexpr int more = 400;
+  add(more);
+  const double written = more * 4 * 100 * 3 * 3 * sizeof(double);
+  EXPECT_GT(written, 10e6);
+  EXPECT_LT(resident_memory().now - before, written / 10);
 }
 
 }  // namespace
