@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/hash.hpp"
 #include "base/vector.hpp"
 
 /// Values as bytes, for the pipe between the program and the mesher it starts: same machine, same build, so native
@@ -58,6 +60,59 @@ class ByteWriter {
   void write(T& value) { value.fields(*this); }
 
   std::string bytes_;
+};
+
+/// What bytes a struct is written as, as a number that other fields make another one.
+class ByteLayout {
+ public:
+  std::uint64_t hash() const { return hash_; }
+
+  template <class... Values>
+  void operator()(Values&... values) {
+    (add(values), ...);
+  }
+
+ private:
+  enum Kind : std::uint64_t { whole = 1, real, text, vector, array, list, optional, begin, end };
+
+  void put(std::uint64_t what) { hash_ = hash_with(hash_, what); }
+  template <class T>
+  void put_one() {
+    T one{};
+    add(one);
+  }
+  template <PlainNumber T>
+  void add(T&) {
+    put(std::is_floating_point_v<T> ? real : whole);
+    put(sizeof(T));
+  }
+  void add(std::string&) { put(text); }
+  void add(Vec3&) { put(vector); }
+  template <class T, std::size_t N>
+  void add(std::array<T, N>&) {
+    put(array);
+    put(N);
+    put_one<T>();
+  }
+  template <class T>
+  void add(std::vector<T>&) {
+    put(list);
+    put_one<T>();
+  }
+  template <class T>
+  void add(std::optional<T>&) {
+    put(optional);
+    put_one<T>();
+  }
+  template <class T>
+  requires std::is_class_v<T>
+  void add(T& value) {
+    put(begin);
+    value.fields(*this);
+    put(end);
+  }
+
+  std::uint64_t hash_ = hash_of_nothing;
 };
 
 /// Throws std::runtime_error when the bytes end too early.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/byte_stream.hpp"
+#include "geometry/solid_surface.hpp"
 #include "mesh/cutting_report.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "model/project.hpp"
@@ -285,12 +286,26 @@ struct MesherFault {
 
 enum class MessageKind : std::uint64_t { job, ahead, cut, sizes, look, surface, progress, block, end, error, fault };
 
+/// Of all messages: a program and a mesher of different builds have different ones, and cannot understand each other.
+inline std::uint64_t layout_of_messages() {
+  ByteLayout layout;
+  const auto add = [&]<class... Messages>(Messages... messages) { layout(messages...); };
+  add(MesherJob(), MesherCutAhead(), MesherCutModel(), MesherSizes(), SolidSurface(), MesherProgress(), MesherBlock(),
+      MesherEnd(), MesherError(), MesherFault());
+  return layout.hash();
+}
+
 /// Precedes every message.
 struct MessageHeader {
+  std::uint64_t layout = 0;  ///< first, whatever may be changed behind it
   MessageKind kind = MessageKind::job;
   std::uint64_t size = 0;  ///< bytes that follow
 };
 static_assert(std::has_unique_object_representations_v<MessageHeader>, "all of its bytes are sent");
+
+inline MessageHeader header_of(MessageKind kind, const std::string& bytes) {
+  return {layout_of_messages(), kind, bytes.size()};
+}
 
 template <class T>
 std::string to_bytes(T value) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "base/error.hpp"
 #include "base/installed.hpp"
 
 namespace talus {
@@ -21,10 +22,10 @@ std::filesystem::path find_mesher() {
 
 }  // namespace
 
-MesherProcess::MesherProcess() : process_({.program = find_mesher()}) {}
+MesherProcess::MesherProcess() : program_(find_mesher()), process_({.program = program_}) {}
 
 void MesherProcess::send(MessageKind kind, const std::string& bytes) {
-  const MessageHeader header{kind, bytes.size()};
+  const MessageHeader header = header_of(kind, bytes);
   process_.send({reinterpret_cast<const char*>(&header), sizeof header});
   process_.send(bytes);
 }
@@ -41,6 +42,10 @@ std::optional<MesherProcess::Message> MesherProcess::receive() {
   };
   MessageHeader header;
   if (!receive_exactly(reinterpret_cast<char*>(&header), sizeof header)) return std::nullopt;
+  if (header.layout != layout_of_messages())
+    throw InputError(program_.string(), "is the mesher of another version of Talus",
+                     std::getenv("TALUS_MESHER") ? "unset TALUS_MESHER, or set it to the mesher of this version"
+                                                 : "install Talus again, with both");
   Message message{header.kind, std::string(header.size, '\0')};
   if (!receive_exactly(message.bytes.data(), message.bytes.size())) return std::nullopt;
   return message;

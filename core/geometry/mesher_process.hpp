@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -26,10 +27,12 @@ class MesherProcess {
   /// Whether something has come, or it has died, within the time.
   bool wait(int milliseconds) const { return process_.wait(milliseconds); }
 
-  /// The next message, after wait(); nothing once it has ended or died.
+  /// The next message, after wait(); nothing once it has ended or died. Throws InputError where it is of another
+  /// version of Talus, whose messages are not understood.
   std::optional<Message> receive();
 
  private:
+  std::filesystem::path program_;
   ChildProcess process_;
 };
 

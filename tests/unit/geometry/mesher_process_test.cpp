@@ -39,7 +39,7 @@ TEST(MesherProcess, WhatIsWrongWhileAFileIsReadIsSaidOfTheFile) {
   // A mesher that says that it reads, as talus-mesher does, and then dies or fails.
   const TemporaryFolder folder;
   const auto message = [](MessageKind kind, const std::string& bytes) {
-    const MessageHeader header{kind, bytes.size()};
+    const MessageHeader header = header_of(kind, bytes);
     return std::string(reinterpret_cast<const char*>(&header), sizeof header) + bytes;
   };
   const std::string reads = message(MessageKind::progress, to_bytes(MesherProgress{0.1, "reading rock"}));
@@ -52,6 +52,35 @@ TEST(MesherProcess, WhatIsWrongWhileAFileIsReadIsSaidOfTheFile) {
     std::ofstream(folder.path() / "mesher.says", std::ios::binary) << says;
     EXPECT_THAT(error_of(cube()), AllOf(HasSubstr(problem), HasSubstr("export the file again")));
   }
+}
+
+TEST(MesherProcess, OfAnotherVersionIsNotUnderstoodAndSaysSo) {
+  const TemporaryFolder folder;
+  const std::string bytes = to_bytes(MesherEnd{});
+  MessageHeader header = header_of(MessageKind::end, bytes);
+  ++header.layout;
+  std::ofstream(folder.path() / "mesher.says", std::ios::binary)
+      .write(reinterpret_cast<const char*>(&header), sizeof header);
+  std::ofstream(folder.path() / "mesher") << "#!/bin/sh\ncat \"$0.says\" >&0\n";
+  std::filesystem::permissions(folder.path() / "mesher", std::filesystem::perms::owner_all);
+  const MesherAt mesher((folder.path() / "mesher").string());
+  EXPECT_EQ(error_of(cube()), (folder.path() / "mesher").string() +
+                                  ": is the mesher of another version of Talus; unset TALUS_MESHER, or set it to the "
+                                  "mesher of this version");
+}
+
+TEST(MesherProcess, LayoutOfMessagesIsThatOfTheirFields) {
+  const auto layout_of = [](auto... fields) {
+    ByteLayout layout;
+    layout(fields...);
+    return layout.hash();
+  };
+  EXPECT_EQ(layout_of(1, 2.0), layout_of(3, 4.0));
+  EXPECT_NE(layout_of(1, 2.0), layout_of(2.0, 1));
+  EXPECT_NE(layout_of(1, 2.0), layout_of(1, 2.0f));
+  EXPECT_NE(layout_of(MesherSize()), layout_of(MesherSizes()));
+  EXPECT_NE(layout_of(std::vector<int>()), layout_of(std::optional<int>()));
+  EXPECT_NE(layout_of(std::array<int, 3>()), layout_of(std::array<int, 4>()));
 }
 
 TEST(MesherProcess, AMissingMesherIsNotTheUsersFault) {

@@ -52,7 +52,7 @@ void send_exactly(const char* from, std::size_t size) {
 template <class Message>
 void send_message(MessageKind kind, const Message& message) {
   const std::string bytes = to_bytes(message);
-  const MessageHeader header{kind, bytes.size()};
+  const MessageHeader header = header_of(kind, bytes);
   send_exactly(reinterpret_cast<const char*>(&header), sizeof header);
   send_exactly(bytes.data(), bytes.size());
 }
@@ -65,6 +65,7 @@ struct Received {
 Received receive_message() {
   MessageHeader header;
   receive_exactly(reinterpret_cast<char*>(&header), sizeof header);
+  if (header.layout != layout_of_messages()) throw std::runtime_error("the program is of another version");
   Received received{header.kind, std::string(header.size, '\0')};
   receive_exactly(received.bytes.data(), received.bytes.size());
   return received;
