@@ -26,7 +26,7 @@ clean() {
 
 leaks=(--leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite)
 clean "${leaks[@]}" "$build/app/talus-cli" --version
-clean "${leaks[@]}" "$build/app/talus-cli" info "$folder/free_fall.talus" --no-forecast
+clean "${leaks[@]}" "$build/app/talus-cli" info "$folder/free_fall.talus"
 clean "${leaks[@]}" "$build/app/talus-cli" solve "$folder/free_fall.talus" --quiet
 clean "${leaks[@]}" "$build/app/talus-cli" info "$folder/free_fall.results"
 clean "$build/app/talus" --version

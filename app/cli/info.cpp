@@ -281,14 +281,16 @@ void add_info(CLI::App& program, Invocation& invocation) {
   auto* command = program.add_subcommand(
       "info", "Say what is in a project, which effects it calls for and why; or what is in results");
   auto choice = std::make_shared<ProjectChoice>();
-  auto no_forecast = std::make_shared<bool>(false);
+  auto with_forecast = std::make_shared<bool>(false);
   add_project(*command, *choice, "PROJECT|RESULTS", "Project file (.talus; - reads standard input) or results folder");
-  command->add_flag("--no-forecast", *no_forecast, "Leave out what a run will cost, which takes some seconds");
-  command->callback([&invocation, choice, no_forecast] {
-    invocation.run = [&invocation, choice, no_forecast] {
+  command->add_flag("--forecast", *with_forecast,
+                    "Say what a run will take, too; that is foreseen from some of its steps, in some 4 to 20 s");
+  command->add_flag("--no-forecast")->group("");  // how it was said when a forecast was not to be asked for
+  command->callback([&invocation, choice, with_forecast] {
+    invocation.run = [&invocation, choice, with_forecast] {
       return !choice->is_standard_input() && std::filesystem::is_directory(choice->file)
                  ? inform_of_results(choice->file, invocation.json)
-                 : inform_of_project(*choice, !*no_forecast, invocation.json);
+                 : inform_of_project(*choice, *with_forecast, invocation.json);
     };
   });
 }

@@ -224,6 +224,16 @@ TEST_F(Commands, InfoOnAProjectSaysWhichEffectsAndWhy) {
   EXPECT_THAT(talus_cli({"info", sample("free_fall")}).out, HasSubstr("nothing can touch"));
 }
 
+TEST_F(Commands, InfoLooksAheadAtARunOnlyWhereItIsAskedTo) {
+  const std::string project = sample("jointed_bench");
+  const Json info = Json::parse(talus_cli({"info", project, "--json"}).out);
+  EXPECT_FALSE(info.contains("forecast"));
+  EXPECT_GT(info["blocks"].size(), 200u);
+  EXPECT_EQ(Json::parse(talus_cli({"info", project, "--json", "--no-forecast"}).out), info) << "as it was said before";
+  const Ending asked = talus_cli({"info", sample("free_fall"), "--json", "--forecast"});
+  EXPECT_GT(Json::parse(asked.out)["forecast"]["steps"], 0);
+}
+
 TEST_F(Commands, InfoOnAProjectHasATableOfEffectsThatFitsATerminal) {
   const Ending ending = talus_cli({"info", sample("step_slope")});
   ASSERT_EQ(ending.exit_code, 0) << ending.err;

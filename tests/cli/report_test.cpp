@@ -85,11 +85,11 @@ TEST_F(Report, ListsTheStrengthOfMaterials) {
   for (const char* of : {"Materials: strength after Mohr and Coulomb", "<td class=\"r\">38</td>",
                          "<td class=\"r\">2.5</td>", "to the envelope’s apex"})
     EXPECT_THAT(html, HasSubstr(of));
-  const Ending info = talus_cli({"info", project, "--json", "--no-forecast"});
+  const Ending info = talus_cli({"info", project, "--json"});
   ASSERT_EQ(info.exit_code, 0) << info.err;
   const auto strength = nlohmann::json::parse(info.out)["materials"][0]["strength"];
   EXPECT_EQ(strength, nlohmann::json({{"cohesion", 2.5e6}, {"friction_angle", 38}}));
-  EXPECT_THAT(talus_cli({"info", project, "--no-forecast"}).out, HasSubstr("Strength of"));
+  EXPECT_THAT(talus_cli({"info", project}).out, HasSubstr("Strength of"));
 }
 
 TEST_F(Report, IsRefusedWithOneLineThatSaysWhatToDo) {

@@ -20,7 +20,6 @@ TEST(StandardInput, GivesTheProjectToEveryCommandThatReadsOne) {
   const std::string project = sample("free_fall");
   for (const char* command : {"info", "mesh", "blocks", "inspect"}) {
     std::vector<std::string> words{command, "-", "--json"};
-    if (words[0] == "info") words.push_back("--no-forecast");
     const Ending ending = talus_cli(words, project);
     EXPECT_EQ(ending.exit_code, 0) << command << ": " << ending.err;
     words[1] = project;

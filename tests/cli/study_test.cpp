@@ -73,16 +73,18 @@ TEST_F(Study, TellsErrorsCostsAndTheCheapestThatIsGoodEnough) {
 
 TEST_F(Study, SaysTheErrorOfARunBeforeItIsMade) {
   const std::string project = slow_project();
-  const auto forecast = [&] { return Json::parse(talus_cli({"info", project, "--json"}).out)["forecast"]; };
+  const auto forecast = [&] {
+    return Json::parse(talus_cli({"info", project, "--json", "--forecast"}).out)["forecast"];
+  };
   EXPECT_EQ(forecast()["error_from"], "step doubling");
   const Ending ending = talus_cli({"study", "accuracy", project, "--axes", "time_step"});
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
   const Json made = Json::parse(text_of(folder_ / "slow.accuracy" / "accuracy.json"));
   EXPECT_EQ(forecast()["error_from"], "study");
   EXPECT_EQ(forecast()["error"], made["runs"][0]["error"]);
-  EXPECT_THAT(talus_cli({"info", project}).out, HasSubstr("(accuracy study)"));
+  EXPECT_THAT(talus_cli({"info", project, "--forecast"}).out, HasSubstr("(accuracy study)"));
   write_text(folder_ / "slow.accuracy" / "study.json", "{");
-  const Ending broken = talus_cli({"info", project, "--json"});
+  const Ending broken = talus_cli({"info", project, "--json", "--forecast"});
   EXPECT_EQ(broken.exit_code, 0);
   EXPECT_THAT(broken.err, HasSubstr("study.json"));
   EXPECT_EQ(Json::parse(broken.out)["forecast"]["error_from"], "step doubling");

@@ -24,7 +24,7 @@ printf '#!/bin/sh\necho called >> "%s"\nexec "%s" "$@"\n' "$folder/mark" "$place
   > "$place/libexec/talus/talus-mesher"
 chmod +x "$place/libexec/talus/talus-mesher"
 
-cli info "$samples/free_fall/free_fall.talus" --no-forecast | grep -q 'Free fall' || fail "info of a sample"
+cli info "$samples/free_fall/free_fall.talus" | grep -q 'Free fall' || fail "info of a sample"
 [ -s "$folder/mark" ] || fail "not the mesher that was installed"
 cli solve "$samples/free_fall/free_fall.talus" --out fall.results > /dev/null || fail "a sample cannot be solved"
 cli render fall.results --out fall.png --size 320x240 > /dev/null || fail "no picture"
