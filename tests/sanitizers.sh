@@ -13,7 +13,7 @@ shift
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 meshless=(base model orientation io mesh linear bodies contact effects results fields measures export solve run)
 meshing=(templates removability geometry study verification)
-threaded=(base contact solve run results)
+threaded=(base linear contact effects solve run results)
 export jobs=${TALUS_JOBS:-$(nproc)} OPENBLAS_NUM_THREADS=1
 # Leaks are valgrind's part: gmsh and OpenCASCADE end without tidying up.
 export ASAN_OPTIONS=detect_leaks=0:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
@@ -52,6 +52,7 @@ models=""  # of contacts all, each a parameter of the tests
 for test in "${threaded[@]/#/test_}"; do
   case $test in
     test_base) threads+=("$test Parallel*") ;;
+    test_linear | test_effects) threads+=("$test *Cores*") ;;
     test_contact) threads+=("$test *Threads*$models") ;;
     test_solve) threads+=("$test *TwoThreads*") ;;
     *) threads+=("$test") ;;

@@ -23,10 +23,10 @@ class InteriorPointContacts {
   explicit InteriorPointContacts(const InteriorPointTolerances& tolerances = {}) : tolerances_(tolerances) {}
 
   void clear() { points_.clear(); }
-  /// Takes those of these points that may come to bear when without contacts the bodies would go on from D by `flight` [m], to
-  /// `landed`, and push others on. All begin with one complementarity: the depth of the deepest, at D or there, times
-  /// `force` [N], which is about what contacts may have to bear. The links must outlive what is asked of it from here
-  /// on.
+  /// Takes those of these points that may come to bear when without contacts the bodies would go on from D by `flight`
+  /// [m], to `landed`, and push others on. All begin with one complementarity: the depth of the deepest, at D or there,
+  /// times `force` [N], which is about what contacts may have to bear. The links must outlive what is asked of it from
+  /// here on.
   void begin(const ContactLinks& links, const std::vector<int>& points, const Increment& d,
              const Eigen::VectorXd& flight, const Increment& landed, double force);
   /// The law's linearisation at D, which the next changes are found with.
