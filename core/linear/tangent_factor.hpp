@@ -15,11 +15,6 @@ struct LinearSettings {
   int incomplete_limit = 0;  ///< iterations with an incomplete factor after which a system gets one
 };
 
-/// GMRES on a tangent, a symmetric matrix plus an unsymmetric part. Returns as Gmres does.
-int solve_tangent(Gmres& gmres, const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric,
-                  const Gmres::Map& precondition, const Eigen::VectorXd& b, double tolerance, int limit,
-                  Eigen::VectorXd& x);
-
 /// Cholesky factor of the symmetric part of a tangent. It preconditions GMRES on the whole tangent, and on later ones
 /// as long as that converges fast enough.
 class TangentFactor {

@@ -15,7 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 using testing::ContainsRegex;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// Width and height from a PNG's header; zeros for what is no PNG.
@@ -207,31 +206,6 @@ TEST_F(Commands, ReasonsAndNamesAreBrokenAtAHundredCharacters) {
     EXPECT_LE(columns_of(line), 100) << line;
   }
   EXPECT_EQ(count, 6) << ending.out;
-}
-
-TEST_F(Commands, InfoOnAProjectSaysWhichEffectsAndWhy) {
-  const Ending ending = talus_cli({"info", sample("free_fall"), "--json"});
-  ASSERT_EQ(ending.exit_code, 0) << ending.err;
-  const Json info = Json::parse(ending.out);
-  std::vector<std::string> on;
-  for (const Json& effect : info["effects"]) {
-    EXPECT_FALSE(effect["reason"].get<std::string>().empty());
-    if (effect["active"]) on.push_back(effect["name"]);
-    EXPECT_EQ(effect["estimated_seconds_an_iteration"] > 0, effect["active"]) << effect;
-    EXPECT_EQ(!effect["items"].get<std::string>().empty(), effect["active"]) << effect;
-  }
-  EXPECT_THAT(on, ElementsAre("elasticity", "inertia", "body force", "acceleration reset", "sleep"));
-  EXPECT_THAT(talus_cli({"info", sample("free_fall")}).out, HasSubstr("nothing can touch"));
-}
-
-TEST_F(Commands, InfoLooksAheadAtARunOnlyWhereItIsAskedTo) {
-  const std::string project = sample("jointed_bench");
-  const Json info = Json::parse(talus_cli({"info", project, "--json"}).out);
-  EXPECT_FALSE(info.contains("forecast"));
-  EXPECT_GT(info["blocks"].size(), 200u);
-  EXPECT_EQ(Json::parse(talus_cli({"info", project, "--json", "--no-forecast"}).out), info) << "as it was said before";
-  const Ending asked = talus_cli({"info", sample("free_fall"), "--json", "--forecast"});
-  EXPECT_GT(Json::parse(asked.out)["forecast"]["steps"], 0);
 }
 
 TEST_F(Commands, InfoOnAProjectHasATableOfEffectsThatFitsATerminal) {
