@@ -127,9 +127,7 @@ class Project:
         return frames
 
     def look_at_what_was_announced(self, frames):
-        if not (self.run / "log.txt").exists():  # nothing was before it is there
-            if frames:
-                raise Fault(f"{frames} frames were announced, and there is no log.txt")
+        if not (self.run / "log.txt").exists():  # it has not begun, or was clearing what a run without checkpoint left
             return
         told = json.loads(self.talus("info", self.run, "--json"))["frames"]
         with h5py.File(self.run / "results.h5", "r") as results:
