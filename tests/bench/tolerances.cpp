@@ -182,7 +182,8 @@ std::vector<Entry> entries() {
            {{"unbalanced", &G::unbalanced},
             {"most_bodies", &G::most_bodies},
             {"few_bodies", &G::few_bodies},
-            {"iterations", &G::iterations}});
+            {"iterations", &G::iterations},
+            {"iterations_on_way", &G::iterations_on_way}});
   }
   {
     using G = ContactOutcomeTolerances;

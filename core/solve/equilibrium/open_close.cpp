@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
+#include "solve/equilibrium/residual_progress.hpp"
 
 namespace talus {
 
@@ -19,37 +21,12 @@ InputError beyond_reason(const NotPositiveDefinite& error) {
           "check the densities, moduli, stiffnesses and sizes, and that something holds each block"};
 }
 
-/// Watches whether the residual still falls.
-class Progress {
- public:
-  explicit Progress(const ConvergenceTolerances& tolerances) : tolerances_(tolerances) {}
-
-  /// Takes the residual of the next iteration [N].
-  void note(double residual) {
-    iterations_ = residual > tolerances_.stalled_fraction * lowest_ ? iterations_ + 1 : 0;
-    if (iterations_ == 0) lowest_ = residual;
-    is_low_ = tolerances_.stalled_fraction * residual <= lowest_;
-  }
-  /// It is as low as it was before, or does not get there again.
-  bool has_stalled() const {
-    return iterations_ >= (is_low_ ? tolerances_.stalled_iterations : tolerances_.newton_iterations);
-  }
-  bool goes_in_circles() const { return iterations_ >= tolerances_.newton_iterations; }
-  void begin_anew() { lowest_ = 1e300; }
-
- private:
-  const ConvergenceTolerances& tolerances_;
-  double lowest_ = 1e300;  // N, when it fell last
-  int iterations_ = 0;     // since then
-  bool is_low_ = true;     // now
-};
-
 }  // namespace
 
 void OpenClose::begin_stage(Composition& composition, double body_residual) {
   composition_ = &composition;
   body_residual_ = body_residual;
-  trials_alone_ = {};
+  trials_alone_ = trials_full_ = {};
   residual_.begin_stage(composition);
 }
 
@@ -88,7 +65,8 @@ void OpenClose::archive(StateArchive& state, bool pattern_holds) {
     residual_.set_pattern(linear_.pattern());
     follow_pattern();
   }
-  state(residual_, interior_, elimination_, trials_alone_, pattern_seconds_, elimination_seconds_, alone_);
+  state(residual_, interior_, elimination_, trials_alone_, trials_full_, pattern_seconds_, elimination_seconds_,
+        alone_);
 }
 
 void OpenClose::begin_step(const StepContext& step) {
@@ -162,14 +140,12 @@ OpenCloseResult OpenClose::converge_by_states(Increment& d) {
 OpenCloseResult OpenClose::converge(Increment& d, double enough) {
   enough_ = enough;
   if (method_ == OpenCloseMethod::states) return converge_by_states(d);
-  first_guess_ = d;
   residual_.evaluate(d, Friction::coupled);
   try {
     return converge_within(iteration_limit_, interior_point_applies(), d);
   } catch (const NotPositiveDefinite& error) {
     // Inertia leaves no motion without stiffness, unless an iterate has gone so far astray that it is lost in rounding.
     if (!is_dynamic_) throw beyond_reason(error);
-    if (elimination_.is_active()) elimination_.end(residual_);
     OpenCloseResult lost;
     lost.residual = std::numeric_limits<double>::infinity();
     lost.worst_dof_block = error.node;
@@ -179,7 +155,9 @@ OpenCloseResult OpenClose::converge(Increment& d, double enough) {
 
 OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, Increment& d) {
   OpenCloseResult result;
-  Progress progress(tolerances_);
+  ResidualProgress progress(tolerances_);
+  Trials trials_among_few;
+  begin_with(d);
   int newton_iterations = 0;  // since the start, or since the last fallback
   for (;; ++result.iterations) {
     result.residual = residual_.norm();
@@ -201,8 +179,8 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
       find_direction(d, Friction::coupled);
       iterate(d, newton_iterations < tolerances_.closing_iterations);
       ++newton_iterations;
-      if (newton_iterations >= tolerances_.closing_iterations && balances_alone_ && !elimination_.is_active())
-        balance_alone(d);
+      if (newton_iterations >= tolerances_.closing_iterations && balances_alone_)
+        balance_alone(d, elimination_.is_active() ? trials_among_few : trials_alone_);
     }
   }
   result.residual = residual_.norm();
@@ -210,36 +188,42 @@ OpenCloseResult OpenClose::converge_within(int limit, bool interior_point_left, 
   return result;
 }
 
-void OpenClose::balance_alone(Increment& d) {
-  const Stopwatch watch(alone_.seconds);
-  if (!elimination_.begin(*composition_, residual_, elimination_tolerances_.most_bodies, 0)) return;
-  if (!trials_alone_.is_due()) return elimination_.end(residual_);
-  trials_alone_.note(balance_picked(d));
+void OpenClose::begin_with(const Increment& d) {
+  const auto depth = static_cast<std::size_t>(elimination_.depth());
+  if (begun_with_.size() <= depth) begun_with_.resize(depth + 1);
+  begun_with_[depth] = d;
+}
+
+void OpenClose::balance_alone(Increment& d, Trials& trials) {
+  if (!elimination_.begin(*composition_, residual_, {.most = elimination_tolerances_.most_bodies})) return;
+  if (!trials.is_due()) return elimination_.end(residual_);
+  trials.note(balance_picked(d, elimination_tolerances_.iterations));
   residual_.evaluate(d, Friction::coupled);
 }
 
 bool OpenClose::balance_changed(Increment& d) {
   if (!balances_alone_) return false;
-  const Stopwatch watch(alone_.seconds);
   residual_.evaluate(d, Friction::coupled);
-  try {
-    return elimination_.begin(*composition_, residual_, elimination_tolerances_.few_bodies, 1) && balance_picked(d);
-  } catch (const NotPositiveDefinite&) {  // an iterate has gone far astray
-    elimination_.end(residual_);
-    d = before_alone_;
-    return false;
-  }
+  return elimination_.begin(*composition_, residual_,
+                            {.most = elimination_tolerances_.few_bodies, .contacts_away = 1}) &&
+         balance_picked(d, elimination_tolerances_.iterations);
 }
 
-bool OpenClose::balance_picked(Increment& d) {
+bool OpenClose::balance_picked(Increment& d, int limit) {
+  const int depth = elimination_.depth();
+  std::optional<Stopwatch> watch;
+  if (depth == 1) watch.emplace(alone_.seconds);
   ++alone_.evaluations;
-  before_alone_ = d;
   residual_.evaluate(d, Friction::coupled);
-  const double unbalanced = residual_.norm();
-  const OpenCloseResult alone = converge_within(elimination_tolerances_.iterations, interior_point_applies(), d);
-  if (!(alone.residual < unbalanced)) d = before_alone_;
+  const double before = residual_.norm();
+  double left = std::numeric_limits<double>::infinity();
+  try {
+    left = converge_within(limit, interior_point_applies(), d).residual;
+  } catch (const NotPositiveDefinite&) {  // an iterate has gone far astray
+  }
+  if (!(left < before)) d = begun_with_[depth];
   elimination_.end(residual_);
-  return alone.residual < tolerances_.well_reduced * unbalanced;
+  return left < tolerances_.well_reduced * before;
 }
 
 bool OpenClose::balances(int system) const {
@@ -293,6 +277,8 @@ void OpenClose::find_direction(const Increment& d, Friction friction) {
 }
 
 void OpenClose::iterate(Increment& d, bool early) {
+  const double before = norm_left();
+  note_body_residuals();
   begin_search(d);
   start_ = d;
   advance_from_start(d, Friction::coupled);
@@ -301,17 +287,50 @@ void OpenClose::iterate(Increment& d, bool early) {
         part.slope_before < 0 && std::abs(part.slope) < -tolerances_.slope_turned * part.slope_before;
     return part.residual < std::max(tolerances_.reduced * part.residual_before, part.negligible) || little_turned;
   });
-  if (!search_.any_pending() || (early && another_iteration_leads_on(d))) return;
+  if (!search_.any_pending() || full_increment_leads_on(d, before)) return;
+  if (early && another_iteration_leads_on(d)) return;
   // The full increment leads astray. With friction frozen at this iterate there is a potential; it falls along the
   // direction, and its slope leads to its minimum. Often that lies in the narrow range in which a contact sticks, with
   // sliding one way before it and the other way behind it.
   search_.go_back(start_, d);
   residual_.evaluate(d, Friction::coupled);
   residual_.freeze(d);
-  if (early) assemble(d, 0, Friction::frozen);
+  assemble(d, 0, Friction::frozen);
   find_direction(d, Friction::frozen);
   minimise_along_direction(d);
   residual_.evaluate(d, Friction::coupled);
+}
+
+void OpenClose::note_body_residuals() {
+  if (!balances_alone_ || elimination_.is_active()) return;
+  body_residuals_.resize(residual_.bodies());
+  for (int b = 0; b < residual_.bodies(); ++b) body_residuals_[b] = residual_.norm_of_body(b);
+}
+
+bool OpenClose::full_increment_leads_on(Increment& d, double before) {
+  if (!balances_alone_ || elimination_.is_active()) return false;
+  const NonlinearElimination::Choice made_worse{.most = elimination_tolerances_.most_bodies,
+                                                .worse_than = body_residuals_};
+  if (!elimination_.begin(*composition_, residual_, made_worse)) return false;
+  if (!trials_full_.is_due()) {
+    elimination_.end(residual_);
+    return false;
+  }
+  full_.start = start_;
+  full_.end = d;
+  full_.direction = direction_;
+  full_.search = search_;
+  const bool balanced = balance_picked(d, elimination_tolerances_.iterations_on_way);
+  residual_.evaluate(d, Friction::coupled);
+  const bool leads_on = balanced && norm_left() < tolerances_.reduced * before;
+  trials_full_.note(leads_on);
+  if (leads_on) return true;
+  start_ = full_.start;
+  d = full_.end;
+  direction_ = full_.direction;
+  search_ = full_.search;
+  residual_.evaluate(d, Friction::coupled);
+  return false;
 }
 
 bool OpenClose::another_iteration_leads_on(Increment& d) {
@@ -370,7 +389,7 @@ bool OpenClose::converge_with_fallbacks(Increment& d, int limit, int& iterations
     return true;
   }
   interior_point_left = false;
-  d = elimination_.is_active() ? before_alone_ : first_guess_;
+  d = begun_with_[elimination_.depth()];
   iterations += approach_by_interior_point(d, left);
   return !is_hopeless(limit - iterations);
 }

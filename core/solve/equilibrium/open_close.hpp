@@ -30,7 +30,8 @@ struct OpenCloseResult {
 /// forces, where the paper's section 3 iterates on the states of contacts. The tangent is symmetric, except that
 /// friction depends on the normal force. An iteration is
 ///   1. assemble the tangent at D, solve for Newton's direction;
-///   2. try the full increment, and keep it where it reduces the residual;
+///   2. try the full increment, and keep it where it reduces the residual, or does once the bodies that it brought
+///      farther out of balance are balanced by themselves;
 ///   3. elsewhere freeze friction, so that there is a potential, and search for its minimum along the direction.
 /// Bodies that are left far out of balance by an iteration that balances nearly all others are balanced by themselves.
 /// Where a few iterations do not converge, the interior-point method begins anew; what it does not apply to, frozen
@@ -119,11 +120,18 @@ class OpenClose {
   /// Newton's method with its fallbacks, in so many iterations at most.
   OpenCloseResult converge_within(int limit, bool interior_point_left, Increment& d);
   /// Balances bodies by themselves that are far out of balance while nearly all others are not (NonlinearElimination).
-  void balance_alone(Increment& d);
-  /// The same, once they are picked. Whether that reduces their residual well; D stays if it does not at all.
-  bool balance_picked(Increment& d);
+  void balance_alone(Increment& d, Trials& trials);
+  /// The same, once they are picked, in so many iterations at most. Whether that reduces their residual well; D stays
+  /// if it does not at all.
+  bool balance_picked(Increment& d, int limit);
+  /// D is what the bodies that are looked at begin with: they go back to it where they get nowhere.
+  void begin_with(const Increment& d);
   /// One iteration of Newton's method. `early`: contacts may close together, at the price of a larger residual.
   void iterate(Increment& d, bool early);
+  void note_body_residuals();
+  /// A full increment may be as good as it should be but for a few bodies, such as a chip whose contacts it has pressed
+  /// together: it is kept where these, balanced by themselves, leave less than there was `before` [N].
+  bool full_increment_leads_on(Increment& d, double before);
   /// A full increment that closes contacts may leave a far larger residual, and the next one nearly none.
   bool another_iteration_leads_on(Increment& d);
 
@@ -159,11 +167,19 @@ class OpenClose {
   PartwiseLineSearch search_;
   NonlinearElimination elimination_;
   EliminationTolerances elimination_tolerances_;
-  Trials trials_alone_;
+  Trials trials_alone_, trials_full_;
   InteriorPoint interior_;
   DisjointSets together_;
   Eigen::VectorXd part_, direction_, zero_;
-  Increment scaled_, start_, second_start_, first_guess_, before_alone_;
+  Increment scaled_, start_, second_start_;
+  std::vector<Increment> begun_with_;   ///< by all bodies, by those that are balanced alone, by few among these, …
+  std::vector<double> body_residuals_;  ///< N, a body: where the iteration began
+  struct Iterate {
+    Increment start, end;
+    Eigen::VectorXd direction;
+    PartwiseLineSearch search;
+  };
+  Iterate full_;  ///< the full increment, while bodies are balanced to judge it
   bool is_dynamic_ = false;
   double tolerance_ = 0;      ///< relative residual of all bodies together at which this step has converged …
   double body_residual_ = 0;  ///< … and of each alone

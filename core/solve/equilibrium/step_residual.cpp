@@ -95,6 +95,14 @@ void StepResidual::find_systems(const BlockPattern& pattern) {
     }
 }
 
+template <class Use>
+void StepResidual::each_body(const Use& use) const {
+  if (picked_)
+    for (const int b : picked_->places) use(b);
+  else
+    for (int b = 0; b < bodies(); ++b) use(b);
+}
+
 void StepResidual::measure_systems(const Eigen::VectorXd& vector, double System::*norm) {
   for (System& system : systems_) system.*norm = 0;
   each_body([&](int b) {
@@ -127,22 +135,15 @@ bool StepResidual::body_within(int body, double fraction) const {
 
 void StepResidual::list_unbalanced(double fraction, std::vector<int>& bodies) const {
   bodies.clear();
-  for (int b = 0; b < this->bodies(); ++b)
+  each_body([&](int b) {
     if (!body_within(b, fraction)) bodies.push_back(b);
+  });
 }
 
 void StepResidual::look_at(const PickedBodies* picked) {
   picked_ = picked;
   others_left_out_ = !picked;
   for (const auto& effect : composition_->effects) effect->look_at(picked);
-}
-
-template <class Use>
-void StepResidual::each_body(const Use& use) const {
-  if (picked_)
-    for (const int b : picked_->places) use(b);
-  else
-    for (int b = 0; b < bodies(); ++b) use(b);
 }
 
 void StepResidual::clear(Eigen::VectorXd& forces) const {

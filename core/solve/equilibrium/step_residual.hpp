@@ -56,7 +56,8 @@ class StepResidual {
   /// Whether on each so much is out of balance at most, a grain beside a mountain being no rounding, and what is left
   /// does next to no work, which the ledger would add up.
   bool each_body_balances(int system, double tolerance) const;
-  /// Bodies with more than `fraction` of the forces on them out of balance, by their places in BodySet::moving.
+  /// Of the bodies that are looked at, those with more than `fraction` of the forces on them out of balance, by their
+  /// places in BodySet::moving.
   void list_unbalanced(double fraction, std::vector<int>& bodies) const;
   /// From the next D on all forces but those on these bodies are left out, and effects look at them alone. Null: all
   /// count again.
@@ -64,6 +65,8 @@ class StepResidual {
   /// The degree-of-freedom blocks of a place in BodySet::moving: the first, and the one behind the last.
   std::pair<int, int> dof_blocks_of(int body) const { return {body_begins_[body], body_begins_[body + 1]}; }
   int bodies() const { return static_cast<int>(body_begins_.size()) - 1; }
+  int bodies_looked_at() const { return picked_ ? static_cast<int>(picked_->places.size()) : bodies(); }
+  double norm_of_body(int body) const { return norm_of_body(gradient_, body); }  ///< N, of the last gradient
   /// ∇Π_e·D of each effect at the last D that was evaluated [J].
   const std::vector<double>& works() const { return works_; }
   /// Norm of inertia's force over that of the largest other force, at the last D: the relative residual of static

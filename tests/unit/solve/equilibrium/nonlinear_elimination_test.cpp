@@ -92,7 +92,7 @@ class ChipLeftBehind : public testing::Test {
 
 TEST_F(ChipLeftBehind, IsTakenOutWithTheForcesOnItAlone) {
   const Eigen::VectorXd all = residual_.gradient();
-  ASSERT_TRUE(elimination_.begin(composition_, residual_, 0.5, 0));
+  ASSERT_TRUE(elimination_.begin(composition_, residual_, {.most = 0.5}));
   EXPECT_TRUE(elimination_.is_active());
   residual_.evaluate(d_, StepResidual::Friction::coupled);
   EXPECT_EQ(residual_.gradient().tail(6), all.tail(6)) << "the chip is the last";
@@ -107,7 +107,7 @@ TEST_F(ChipLeftBehind, IsTakenOutWithTheForcesOnItAlone) {
 }
 
 TEST_F(ChipLeftBehind, IsSolvedForWithAllOthersHeld) {
-  ASSERT_TRUE(elimination_.begin(composition_, residual_, 0.5, 0));
+  ASSERT_TRUE(elimination_.begin(composition_, residual_, {.most = 0.5}));
   residual_.evaluate(d_, StepResidual::Friction::coupled);
   residual_.assemble(d_, 0, StepResidual::Friction::coupled);
   Eigen::VectorXd x, y;
@@ -121,19 +121,50 @@ TEST_F(ChipLeftBehind, IsSolvedForWithAllOthersHeld) {
 TEST_F(ChipLeftBehind, IsNotTakenOutWhereOthersAreOutOfBalanceToo) {
   d_.setZero();
   residual_.evaluate(d_, StepResidual::Friction::coupled);
-  EXPECT_FALSE(elimination_.begin(composition_, residual_, 0.5, 0));
+  EXPECT_FALSE(elimination_.begin(composition_, residual_, {.most = 0.5}));
   EXPECT_FALSE(elimination_.is_active());
 }
 
 TEST_F(ChipLeftBehind, IsNotTakenOutWhereItIsInBalance) {
   d_.tail(6).head(3) = d_.head(3);  // it falls, too, at the speed of its contacts' forces of nothing
   residual_.evaluate(d_, StepResidual::Friction::coupled);
-  EXPECT_FALSE(elimination_.begin(composition_, residual_, 0.5, 0));
+  EXPECT_FALSE(elimination_.begin(composition_, residual_, {.most = 0.5}));
+}
+
+TEST_F(ChipLeftBehind, IsTakenOutWhereItIsFartherOutOfBalanceThanBefore) {
+  std::vector<double> before(residual_.bodies());
+  for (int b = 0; b < residual_.bodies(); ++b) before[b] = residual_.norm_of_body(b);
+  EXPECT_FALSE(elimination_.begin(composition_, residual_, {.most = 0.5, .worse_than = before}));
+  before.back() *= 0.9;
+  ASSERT_TRUE(elimination_.begin(composition_, residual_, {.most = 0.5, .worse_than = before}));
+  EXPECT_EQ(elimination_.picked().places, std::vector<int>{residual_.bodies() - 1});
+}
+
+TEST_F(ChipLeftBehind, IsTakenOutFromAmongThoseThatWereTakenOut) {
+  const Increment falling = d_;
+  d_.setZero();
+  residual_.evaluate(d_, StepResidual::Friction::coupled);
+  ASSERT_TRUE(elimination_.begin(composition_, residual_, {.most = 1}));
+  ASSERT_EQ(elimination_.picked().places.size(), static_cast<std::size_t>(residual_.bodies()));
+  residual_.evaluate(falling, StepResidual::Friction::coupled);
+  const Eigen::VectorXd of_all = residual_.gradient();
+  ASSERT_TRUE(elimination_.begin(composition_, residual_, {.most = 0.5}));
+  EXPECT_EQ(elimination_.depth(), 2);
+  EXPECT_EQ(elimination_.picked().places, std::vector<int>{residual_.bodies() - 1});
+  residual_.evaluate(falling, StepResidual::Friction::coupled);
+  EXPECT_TRUE(residual_.gradient().head(of_all.size() - 6).isZero(0));
+  EXPECT_FALSE(elimination_.begin(composition_, residual_, {.most = 1})) << "it has been taken out";
+
+  elimination_.end(residual_);
+  EXPECT_EQ(elimination_.depth(), 1);
+  residual_.evaluate(falling, StepResidual::Friction::coupled);
+  EXPECT_EQ(residual_.gradient(), of_all);
+  elimination_.end(residual_);
 }
 
 TEST_F(ChipLeftBehind, IsTakenOutWithThoseThatTouchIt) {
   const auto taken_out = [&](double most, int contacts_away) {
-    EXPECT_TRUE(elimination_.begin(composition_, residual_, most, contacts_away));
+    EXPECT_TRUE(elimination_.begin(composition_, residual_, {.most = most, .contacts_away = contacts_away}));
     const std::vector<int> blocks = elimination_.picked().dof_blocks;
     elimination_.end(residual_);
     return blocks;
