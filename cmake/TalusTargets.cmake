@@ -94,6 +94,30 @@ function(talus_add_meta_objects target)
   endforeach()
 endfunction()
 
+# talus_compile_quickly(TARGET)  Tests are compiled with no optimization at all, a fifth of their compiler's time. Of an
+# inline function the linker takes the copy that it meets first: those of what is tested, which is optimized, come first.
+function(talus_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
+  set(found)
+  set(rest ${target})
+  while(rest)
+    list(POP_FRONT rest library)
+    get_target_property(linked ${library} LINK_LIBRARIES)
+    list(FILTER linked INCLUDE REGEX "^talus_")
+    foreach(name ${linked})
+      get_target_property(type ${name} TYPE)
+      if(type STREQUAL STATIC_LIBRARY AND NOT name IN_LIST found)
+        list(APPEND found ${name})
+        list(APPEND rest ${name})
+      endif()
+    endforeach()
+  endwhile()
+  if(found)
+    list(TRANSFORM found REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+    target_link_options(${target} PRIVATE LINKER:--whole-archive ${found} LINKER:--no-whole-archive)
+  endif()
+endfunction()
+
 # talus_share_test_headers(TARGET)  What tests include most, GoogleMock and Eigen above all, is read once for all test
 # programs (docs/developing.md has the figures). All are position-independent code, as Qt's must be.
 function(talus_share_test_headers target)
@@ -108,7 +132,7 @@ function(talus_share_test_headers target)
     file(WRITE ${CMAKE_BINARY_DIR}/talus_test_headers.cpp "")
     add_library(talus_test_headers OBJECT ${CMAKE_BINARY_DIR}/talus_test_headers.cpp)
     target_link_libraries(talus_test_headers PRIVATE talus_options Eigen3::Eigen GTest::gmock)
-    target_compile_options(talus_test_headers PRIVATE $<$<CONFIG:Release>:-O1> ${for_all})
+    target_compile_options(talus_test_headers PRIVATE $<$<CONFIG:Release>:-O0> ${for_all})
     target_precompile_headers(talus_test_headers PRIVATE <gmock/gmock.h> <Eigen/Dense> <nlohmann/json.hpp>
       <algorithm> <cmath> <filesystem> <fstream> <functional> <map> <memory> <numbers> <optional> <string> <vector>)
   endif()
@@ -147,13 +171,14 @@ function(talus_library folder)
   talus_compile_by_room(talus_${folder} ${quick} APART ${ARG_APART} TOGETHER ${ARG_TOGETHER})
 endfunction()
 
-# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [EACH_TEST] [LONG pattern] [BLAS_KERNELS name])  a
-# GoogleTest program, each of its suites a ctest, or each of its tests; those that fit GoogleTest's pattern LONG have the
+# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [EACH_TEST] [LONG pattern] [BLAS_KERNELS name] [COMPUTES])
+# a GoogleTest program, each of its suites a ctest, or each of its tests; those that fit GoogleTest's pattern LONG have the
 # label `long` alone. BLAS_KERNELS: OpenBLAS takes these, where the processor has them, so that figures are those of the
-# tables in docs (its choice differs from processor to processor, and with it the last bits).
+# tables in docs (its choice differs from processor to processor, and with it the last bits). COMPUTES: the tests
+# themselves, not only what they test, compute for long and are optimized (the shared header is not made for these).
 file(STRINGS /proc/cpuinfo processor_has_avx2 REGEX "avx2" LIMIT_COUNT 1)
 function(talus_test name)
-  cmake_parse_arguments(ARG "EACH_TEST" "BLAS_KERNELS;LONG" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "EACH_TEST;COMPUTES" "BLAS_KERNELS;LONG" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(ARG_BLAS_KERNELS AND processor_has_avx2)
     set(kernels ENVIRONMENT_MODIFICATION OPENBLAS_CORETYPE=set:${ARG_BLAS_KERNELS})
   endif()
@@ -161,8 +186,14 @@ function(talus_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PRIVATE talus_options ${ARG_LIBRARIES} GTest::gmock_main)
   target_compile_definitions(${name} PRIVATE TALUS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  talus_compile_by_room(${name} QUICK AS_ONE)
-  talus_share_test_headers(${name})
+  if(ARG_COMPUTES)
+    talus_compile_by_room(${name} QUICK AS_ONE)
+    talus_collect_no_garbage(${name})
+  else()
+    talus_compile_by_room(${name} AS_ONE)
+    talus_compile_quickly(${name})
+    talus_share_test_headers(${name})
+  endif()
   set(properties ENVIRONMENT OPENBLAS_NUM_THREADS=1 ${kernels})
   if(ARG_LABELS)
     set(labels LABELS ${ARG_LABELS})
