@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPixmap>
+#include <QPixmapCache>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <optional>
@@ -67,11 +68,14 @@ class Preview : public QWidget {
  private:
   void readPicture() {
     isOfDark_ = theme::now().dark;
-    picture_ = QPixmap(inTheme(file_, *isOfDark_));
     shown_ = {};
+    const QString kept = QStringLiteral("%1 %2").arg(inTheme(file_, *isOfDark_)).arg(devicePixelRatioF());
+    if (QPixmapCache::find(kept, &picture_)) return;
+    picture_ = QPixmap(inTheme(file_, *isOfDark_));
     const QSize most = QSize(widest, heightForWidth(widest)) * devicePixelRatioF();
     if (picture_.width() > most.width() && picture_.height() > most.height())
       picture_ = picture_.scaled(most, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    QPixmapCache::insert(kept, picture_);
   }
 
   QString file_;

@@ -48,8 +48,8 @@ namespace {
 constexpr int tree_width = 232, right_width = 292, bottom_height = 204;
 const QSize smallest(1024, 640);
 
-QToolBar* makeBar(QWidget* content) {
-  auto* bar = new QToolBar;
+QToolBar* makeBar(QMainWindow* window, QWidget* content) {
+  auto* bar = new QToolBar(window);
   bar->setMovable(false);
   bar->setFloatable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
@@ -64,12 +64,13 @@ MainWindow::MainWindow(SolverParts parts)
     : session_(std::move(parts)),
       autosave_(session_.project.document()),
       guards_(new Guards(session_, *this, [this] { return saveAs(); })) {
+  session_.display.setDark(theme::now().dark);
   // First of all who listen: they paint with the new colours.
   connect(&session_.display, &Display::themeChanged, this, [this] { theme::install(session_.display.isDark()); });
-  session_.display.setDark(theme::now().dark);
   setMinimumSize(smallest);
   qApp->installEventFilter(new TypingKeys(this));
   actions_ = new WindowActions(session_, *this);
+  // From the outside inwards: whatever is put into another part is styled anew, with all that is in it.
   makeBars();
   makeCentre();
   makeDocks();
@@ -101,9 +102,9 @@ void MainWindow::makeBars() {
   topBar_ = new TopBar(session_.project.document(), session_.display, *actions_);
   workflowBar_ = new WorkflowBar(session_, *actions_);
   rail_ = new Rail(session_);
-  addToolBar(Qt::TopToolBarArea, makeBar(topBar_));
+  addToolBar(Qt::TopToolBarArea, makeBar(this, topBar_));
   addToolBarBreak(Qt::TopToolBarArea);
-  bars_ = {makeBar(workflowBar_), makeBar(rail_)};
+  bars_ = {makeBar(this, workflowBar_), makeBar(this, rail_)};
   addToolBar(Qt::TopToolBarArea, bars_[0]);
   addToolBar(Qt::LeftToolBarArea, bars_[1]);
   auto* search = new QShortcut(QKeySequence(tr("Ctrl+K")), this);
@@ -111,9 +112,10 @@ void MainWindow::makeBars() {
 }
 
 void MainWindow::makeCentre() {
-  centre_ = new QStackedWidget;
+  auto* whole = new QWidget(this);
+  centre_ = new QStackedWidget(whole);
   start_ = new StartPage;
-  auto* work = new QWidget;
+  auto* work = new QWidget(centre_);
   auto* column = new QVBoxLayout(work);
   setMargins(column, 0, 0);
   viewport_ = new Viewport(session_);
@@ -123,7 +125,6 @@ void MainWindow::makeCentre() {
   column->addWidget(timeline_);
   centre_->addWidget(start_);
   centre_->addWidget(work);
-  auto* whole = new QWidget;
   auto* withStrip = new QVBoxLayout(whole);
   setMargins(withStrip, 0, 0);
   withStrip->addWidget(new ProblemStrip(session_.messages, session_.display));
@@ -137,20 +138,26 @@ void MainWindow::makeCentre() {
   connect(start_, &StartPage::returnRequested, this, [this] { showStart(false); });
 }
 
-QDockWidget* MainWindow::addDock(Qt::DockWidgetArea area, const QString& name, QWidget* content) {
-  auto* dock = new QDockWidget(name);
+QDockWidget* MainWindow::makeDock(const QString& name) {
+  auto* dock = new QDockWidget(name, this);
   dock->setObjectName(name);
   dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
   dock->setTitleBarWidget(new QWidget);  // each panel brings its own header
+  return dock;
+}
+
+/// Only a dock that has its content already is as wide as that wants.
+void MainWindow::addDock(Qt::DockWidgetArea area, QDockWidget* dock, QWidget* content) {
   dock->setWidget(content);
   addDockWidget(area, dock);
-  return dock;
 }
 
 void MainWindow::makeDocks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  left_ = makeDock(QStringLiteral("project"));
   auto* project = makePlane("surface");
+  project->setParent(left_);
   auto* column = new QVBoxLayout(project);
   setMargins(column, 0, 0);
   column->addWidget(new PanelHeader(tr("Project")));
@@ -161,19 +168,22 @@ void MainWindow::makeDocks() {
   tree_->setNewMenu(WorkflowPage::geometry, newSolid);
   column->addWidget(tree_, 1);
   project->setMinimumWidth(tree_width);
-  left_ = addDock(Qt::LeftDockWidgetArea, QStringLiteral("project"), project);
-  rightPages_ = new QStackedWidget;
+  addDock(Qt::LeftDockWidgetArea, left_, project);
+  right_ = makeDock(QStringLiteral("properties"));
+  auto* right = makePlane("surface");
+  right->setParent(right_);
+  rightPages_ = new QStackedWidget(right);
   rightPages_->addWidget(new PropertyPanel(session_.project, session_.survey, session_.playback, session_.messages,
                                            session_.display, session_.picking));
   rightPages_->addWidget(new RunPanel(session_.project, session_.run, session_.study, session_.display));
   rightPages_->addWidget(new DisplayPanel(session_.display, session_.run));
-  auto* right = makePlane("surface");
   auto* rightColumn = new QVBoxLayout(right);
   setMargins(rightColumn, 0, 0);
   rightColumn->addWidget(rightPages_);
   right->setMinimumWidth(right_width);
-  right_ = addDock(Qt::RightDockWidgetArea, QStringLiteral("properties"), right);
-  bottom_ = addDock(Qt::BottomDockWidgetArea, QStringLiteral("bottom"), new BottomPanel(session_, *actions_));
+  addDock(Qt::RightDockWidgetArea, right_, right);
+  bottom_ = makeDock(QStringLiteral("bottom"));
+  addDock(Qt::BottomDockWidgetArea, bottom_, new BottomPanel(session_, *actions_));
 }
 
 void MainWindow::makeStatusBar() {

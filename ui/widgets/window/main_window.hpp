@@ -78,7 +78,8 @@ class MainWindow : public QMainWindow {
   void makeStatusBar();
   void makeViewTools();
   void connectActions();
-  QDockWidget* addDock(Qt::DockWidgetArea area, const QString& name, QWidget* content);
+  QDockWidget* makeDock(const QString& name);
+  void addDock(Qt::DockWidgetArea area, QDockWidget* dock, QWidget* content);
   void showStart(bool start);
   void showPage();
   void focusField(QString place);
