@@ -91,7 +91,7 @@ TEST_F(Interrupted, CuttingAndMeshingStopAtOnce) {
   const std::pair<const char*, int> tries[] = {{"mesh", SIGTERM}, {"info", SIGINT}, {"solve", SIGHUP}};
   for (const auto& [command, signal] : tries) {
     Cli cli({command, (folder_ / "many.talus").string()});
-    std::this_thread::sleep_for(std::chrono::milliseconds(4500));
+    ASSERT_NO_FATAL_FAILURE(wait_until(cli, [&] { return cli.said().find("cutting ") != std::string::npos; }));
     const auto sent = std::chrono::steady_clock::now();
     cli.send(signal);
     const Ending ending = cli.wait();

@@ -70,6 +70,8 @@ Cli::~Cli() {
 
 void Cli::send(int signal) const { kill(process_, signal); }
 
+std::string Cli::said() const { return text_of(streams_ / "err"); }
+
 Ending Cli::wait() {
   Ending ending;
   int status = 0;
@@ -85,7 +87,7 @@ Ending Cli::wait() {
   if (WIFEXITED(status)) ending.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);
   ending.out = text_of(streams_ / "out");
-  ending.err = text_of(streams_ / "err");
+  ending.err = said();
   return ending;
 }
 

@@ -42,6 +42,8 @@ class Cli {
   Cli& operator=(const Cli&) = delete;
 
   void send(int signal) const;
+  /// What it has written to standard error so far.
+  std::string said() const;
   /// Fails the test after two minutes and kills the process.
   Ending wait();
 
