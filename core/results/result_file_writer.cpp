@@ -215,8 +215,12 @@ Handle newest_format() {
   return access;
 }
 
+/// Who writes reads pieces of a file again and again that are damaged, as if somebody wrote them at that moment, with
+/// pauses that double from 1 ns on: HDF5's own hundred times would never be over.
 Handle reopen_file(const std::filesystem::path& path) {
+  constexpr unsigned attempts = 20;
   const Handle access = newest_format();
+  check(H5Pset_metadata_read_attempts(access, attempts), "cannot be told how often to read");
   return Handle(check(H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access), "cannot be opened"));
 }
 
@@ -258,6 +262,7 @@ struct ResultFileWriter::State : FrameTables {
   void begin(const std::filesystem::path& results, const BlockSystem& system, int frame_count, const Open& open);
   void open_growing();
   void go_back_to(std::int64_t frame_count);
+  void look_at_last(hsize_t rows) const;
   void append(const Frame& frame);
   void announce(double time);
   void flush();
@@ -288,8 +293,19 @@ void ResultFileWriter::State::go_back_to(std::int64_t frame_count) {
   contacts.go_back_to(static_cast<hsize_t>(contact_end));
   motions.go_back_to(static_cast<hsize_t>(motion_end));
   for (Table* table : {&points, &displacement, &velocity}) table->go_back_to(rows * node_count);
+  look_at_last(rows);
   stress.go_back_to(rows * tetrahedron_count);
   asleep.go_back_to(rows * block_count);
+}
+
+/// Of the tables that only other programs read: one that is damaged is found before something is written.
+void ResultFileWriter::State::look_at_last(hsize_t rows) const {
+  if (rows == 0) return;
+  std::int64_t number = 0;
+  parts.read(&number, rows - 1, 1);
+  for (const Table& table : offsets) table.read(&number, rows - 1, 1);
+  std::vector<double> last(3 * node_count);
+  points.read(last.data(), (rows - 1) * node_count, node_count);
 }
 
 void ResultFileWriter::State::append(const Frame& frame) {

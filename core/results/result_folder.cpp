@@ -42,6 +42,15 @@ std::uint64_t tetrahedron_count(const BlockSystem& system) {
   return count;
 }
 
+/// A folder whose results can be read as far as a run has them that goes on there. HDF5 believes what a damaged file
+/// says of its parts while it writes, too, and crashes or waits for ever: reading is held to the file's bounds. Before
+/// the folder is locked, for one that is written to is read with patience.
+const fs::path& with_sound_results(const fs::path& folder, int frames) {
+  const ResultFileReader results(folder / "results.h5");
+  if (frames > 0 && static_cast<std::size_t>(frames) <= results.frame_times.size()) results.frame(frames - 1);
+  return folder;
+}
+
 /// What a kill may leave marked as open is marked as closed, unless a run still writes there or the disk is read-only.
 void mend(const fs::path& folder) {
   const fs::path file = folder / "results.h5";
@@ -67,7 +76,7 @@ struct ResultWriter::State {
         log(folder / "log.txt") {}
   State(const fs::path& results_folder, const Project& project, const BlockSystem& system,
         const WrittenResults& written)
-      : folder(results_folder),
+      : folder(with_sound_results(results_folder, written.frames)),
         lock(folder),
         file(folder / "results.h5", system, written.frames),
         index(folder / "results.xdmf", project.name, node_count(system), tetrahedron_count(system)),
