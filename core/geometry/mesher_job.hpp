@@ -286,14 +286,9 @@ struct MesherFault {
 
 enum class MessageKind : std::uint64_t { job, ahead, cut, sizes, look, surface, progress, block, end, error, fault };
 
-/// Of all messages: a program and a mesher of different builds have different ones, and cannot understand each other.
-inline std::uint64_t layout_of_messages() {
-  ByteLayout layout;
-  const auto add = [&]<class... Messages>(Messages... messages) { layout(messages...); };
-  add(MesherJob(), MesherCutAhead(), MesherCutModel(), MesherSizes(), SolidSurface(), MesherProgress(), MesherBlock(),
-      MesherEnd(), MesherError(), MesherFault());
-  return layout.hash();
-}
+/// Of all messages, and the version of Talus: a program and a mesher of different builds may have different ones, and
+/// cannot understand each other; those of different versions would not make the same of a job.
+std::uint64_t layout_of_messages(std::string_view version);
 
 /// Precedes every message.
 struct MessageHeader {
@@ -303,9 +298,10 @@ struct MessageHeader {
 };
 static_assert(std::has_unique_object_representations_v<MessageHeader>, "all of its bytes are sent");
 
-inline MessageHeader header_of(MessageKind kind, const std::string& bytes) {
-  return {layout_of_messages(), kind, bytes.size()};
-}
+/// Of a message of this version.
+MessageHeader header_of(MessageKind kind, const std::string& bytes);
+/// Whether the message that it precedes is of this version.
+bool is_understood(const MessageHeader& header);
 
 template <class T>
 std::string to_bytes(T value) {

@@ -42,7 +42,7 @@ std::optional<MesherProcess::Message> MesherProcess::receive() {
   };
   MessageHeader header;
   if (!receive_exactly(reinterpret_cast<char*>(&header), sizeof header)) return std::nullopt;
-  if (header.layout != layout_of_messages())
+  if (!is_understood(header))
     throw InputError(program_.string(), "is the mesher of another version of Talus",
                      std::getenv("TALUS_MESHER") ? "unset TALUS_MESHER, or set it to the mesher of this version"
                                                  : "install Talus again, with both");

@@ -83,6 +83,13 @@ TEST(MesherProcess, LayoutOfMessagesIsThatOfTheirFields) {
   EXPECT_NE(layout_of(std::array<int, 3>()), layout_of(std::array<int, 4>()));
 }
 
+TEST(MesherProcess, OfEachVersionTheMessagesAreOthers) {
+  EXPECT_EQ(layout_of_messages("0.1.0"), layout_of_messages("0.1.0"));
+  EXPECT_NE(layout_of_messages("0.1.0"), layout_of_messages("0.1.1"));
+  EXPECT_NE(layout_of_messages("0.1.0"), layout_of_messages("0.10"));
+  EXPECT_TRUE(is_understood(header_of(MessageKind::end, {})));
+}
+
 TEST(MesherProcess, AMissingMesherIsNotTheUsersFault) {
   const MesherAt nowhere("/nonexistent/talus-mesher");
   EXPECT_THROW(build(cube()), std::runtime_error);

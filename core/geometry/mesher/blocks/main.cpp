@@ -65,7 +65,7 @@ struct Received {
 Received receive_message() {
   MessageHeader header;
   receive_exactly(reinterpret_cast<char*>(&header), sizeof header);
-  if (header.layout != layout_of_messages()) throw std::runtime_error("the program is of another version");
+  if (!is_understood(header)) throw std::runtime_error("the program is of another version");
   Received received{header.kind, std::string(header.size, '\0')};
   receive_exactly(received.bytes.data(), received.bytes.size());
   return received;
