@@ -115,6 +115,11 @@ using Sizes = std::function<MesherSizes(const MesherCutModel&, const std::vector
 /// As the project wants them. Throws InputError for more tetrahedra than it allows.
 MesherSizes wanted_sizes(const Project& project, const MesherCutModel& cut, const std::vector<Block>& blocks) {
   const std::vector<BlockToMesh> wanted = blocks_to_mesh(project, cut, blocks);
+  for (std::size_t b = 0; b < wanted.size(); ++b)
+    if (is_needle(wanted[b]))
+      throw InputError("block " + cut.blocks[b].name,
+                       "is a needle, " + significant((wanted[b].max - wanted[b].min).norm(), 2) + " m long",
+                       "look for a wrong height or corner in its solid, or make mesh_size larger");
   require_a_mesh_that_fits(project, mesh_estimate(wanted, project.mesh.refinements));
   MesherSizes sizes;
   const bool refines = !project.mesh.refinements.empty();

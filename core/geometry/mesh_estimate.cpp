@@ -228,6 +228,12 @@ MeshEstimate mesh_estimate(const Project& project, const BlockSystem& cut) {
   return mesh_estimate(blocks, project.mesh.refinements);
 }
 
+bool is_needle(const BlockToMesh& block) {
+  constexpr double very_many = 5000;
+  const double length = (block.max - block.min).norm();
+  return !block.stands_on_corners() && length > very_many * block.size && block.area < block.size * length;
+}
+
 void require_a_mesh_that_fits(const Project& project, const MeshEstimate& estimate) {
   const std::string coarser = "make mesh sizes larger, blocks rigid or affine";
   if (estimate.tetrahedra > project.mesh.most_tetrahedra)

@@ -3,6 +3,7 @@
 #include <gmsh.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -46,6 +47,22 @@ double apart(int edge, int face, const std::vector<double>& places) {
   return largest;
 }
 
+/// m; how far a corner at which the edge ends is from both of its ends.
+double beside_ends(int edge, const std::vector<double>& places) {
+  std::vector<double> ends, corner;
+  gmsh::model::getValue(1, edge, {places.front(), places.back()}, ends);
+  gmsh::vectorpair corners;
+  gmsh::model::getBoundary({{1, edge}}, corners, false, false, false);
+  double largest = 0;
+  for (const auto& [dimension, tag] : corners) {
+    gmsh::model::getValue(dimension, tag, {}, corner);
+    const Vec3 at(corner.data());
+    const double distance = std::min((at - Vec3(&ends[0])).norm(), (at - Vec3(&ends[3])).norm());
+    if (!(distance <= largest)) largest = distance;
+  }
+  return largest;
+}
+
 }  // namespace
 
 void check_edge_lengths(const MesherSolid& solid, const std::vector<int>& volumes) {
@@ -69,9 +86,14 @@ void check_edges_on_faces(const MesherSolid& solid, const std::vector<int>& volu
   for (const int face : faces_of(volumes)) {
     gmsh::vectorpair edges;
     gmsh::model::getBoundary({{2, face}}, edges, false, false, false);
-    for (const auto& [dimension, tag] : edges)
-      if (const auto places = places_along(tag); !places.empty() && !(apart(tag, face, places) <= allowed * whole))
+    for (const auto& [dimension, tag] : edges) {
+      const auto places = places_along(tag);
+      if (places.empty()) continue;
+      if (!(apart(tag, face, places) <= allowed * whole))
         throw damaged(solid, "an edge of its solid does not lie on the faces beside it");
+      if (!(beside_ends(tag, places) <= allowed * whole))
+        throw damaged(solid, "an edge of its solid does not end at its corners");
+    }
   }
 }
 

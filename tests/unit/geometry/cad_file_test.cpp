@@ -92,6 +92,14 @@ TEST_F(DamagedBrep, WithEdgesWithoutEndOrBesideTheirFacesIsRefused) {
   EXPECT_EQ(error_with("1 0 0 1 0", "1 0 1 1 0"), beside);
 }
 
+// gmsh divided the edges to a corner that is 10¹⁷ m away, after it had asked whether so large a mesh is meant.
+TEST_F(DamagedBrep, WithACornerBesideTheEndsOfItsEdgesIsRefused) {
+  const std::string beside =
+      "box.brep: is damaged: an edge of its solid does not end at its corners; export the solid again";
+  EXPECT_EQ(error_with("Ve\n1e-07\n10 0 0\n", "Ve\n1e-07\n1e+17 0 0\n"), beside);
+  EXPECT_EQ(error_with("Ve\n1e-07\n10 0 0\n", "Ve\n1e-07\n10 0 1\n"), beside);
+}
+
 // OpenCASCADE goes round for ever where a word is missing or no number: 8 s, until reading was given up.
 TEST_F(DamagedBrep, SaysItsLineAtOnce) {
   const std::string again = "; export the solid again as BREP";

@@ -200,6 +200,34 @@ TEST_F(Terrain, ThatIsNoneIsRefused) {
   EXPECT_THAT(error_in(terrain("none.csv", 0)), HasSubstr("has 0 points"));
 }
 
+/// One damaged height, or one that stands for none and is not said to, which was a needle that had no end of pieces.
+TEST_F(Terrain, WithAPointOutOfTheWorldIsRefused) {
+  for (const double height : {1e7, -2147483648.0, 1e17, 1e300}) {
+    write_grid("spike.asc", 4, 5, 0, 0, [&](double x, double y) { return x == 5 && y == 5 ? height : 8; });
+    EXPECT_THAT(error_in(terrain("spike.asc", -1e301)),
+                AllOf(StartsWith("spike.asc: has a point at (5, 5, "), HasSubstr("which is nowhere on Earth")))
+        << height;
+  }
+  write("far.xyz", "0 0 1\n1e9 0 1\n0 1 1\n");
+  EXPECT_THAT(error_in(terrain("far.xyz", 0)), StartsWith("far.xyz: has a point at (1e+09, 0, 1)"));
+}
+
+/// To divide the outlines of its faces into tens of thousands of pieces had no end.
+TEST_F(Terrain, WhoseFacesAreNeedlesIsNotMeshedInSmallPieces) {
+  write_grid("spike.asc", 4, 5, 0, 0, [](double x, double y) { return x == 5 && y == 5 ? 9e5 : 8; });
+  Project p = project_of({terrain("spike.asc", -100)});
+  for (const double size : {100.0, 20.0}) {
+    p.solids[0].mesh_size = size;
+    try {
+      build(p, folder());
+      FAIL() << size;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), AllOf(StartsWith("block hill: is a needle, 9e+05 m long"), HasSubstr("mesh_size")))
+          << size;
+    }
+  }
+}
+
 TEST_F(Terrain, OfFewPlanesIsCutAndMeshed) {
   write_grid("roof.asc", 11, 2, 0, 0, [](double x, double) { return 10 + std::min(x, 20 - x) / 2; });
   Project p = project_of({terrain("roof.asc", 0, 1e-6)});

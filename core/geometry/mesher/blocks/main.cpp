@@ -2,6 +2,7 @@
 /// nothing else. Reads one job from descriptor 0, answers there with what cutting made of it, and, told how finely to
 /// mesh, with blocks, or with what its solids look like; then with an end or an error (mesher_job.hpp).
 
+#include <fcntl.h>
 #include <gmsh.h>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -29,11 +30,27 @@
 namespace talus {
 namespace {
 
-constexpr int channel = 0;
+/// The socket to who started this, which was standard input. From there gmsh reads whether a mesh is meant to be as
+/// large as it will be, and waited for ever: the answer is no.
+int take_channel() {
+  constexpr std::string_view no = "0\n0\n0\n0\n";
+  const int channel = fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  int answers[2];
+  if (channel < 0 || pipe(answers) != 0 || write(answers[1], no.data(), no.size()) < 0) _exit(1);
+  dup2(answers[0], STDIN_FILENO);
+  close(answers[0]);
+  close(answers[1]);
+  return channel;
+}
+
+int channel() {
+  static const int taken = take_channel();
+  return taken;
+}
 
 void receive_exactly(char* into, std::size_t size) {
   while (size > 0) {
-    const ssize_t count = read(channel, into, size);
+    const ssize_t count = read(channel(), into, size);
     if (count <= 0) throw std::runtime_error("a message ended too early");
     into += count;
     size -= static_cast<std::size_t>(count);
@@ -42,7 +59,7 @@ void receive_exactly(char* into, std::size_t size) {
 
 void send_exactly(const char* from, std::size_t size) {
   while (size > 0) {
-    const ssize_t count = write(channel, from, size);
+    const ssize_t count = write(channel(), from, size);
     if (count <= 0) _exit(1);  // nobody listens any more
     from += count;
     size -= static_cast<std::size_t>(count);
@@ -176,8 +193,9 @@ class BlockMesher {
     if (!shape.cells.empty() && !refined && size >= told_.blocks[index].coarsest_size)
       return finished_block(model_, shape, coarse_mesh(cut_.cells.at(shape.solid), shape.cells, place), 0);
     const auto nearby = refined ? reaching(refinements_, shape.bounds) : std::vector<MeshRefinement>();
-    const SurfaceMesh surface =
-        shape.cells.empty() ? surfaces_[index] : fine_surface(cut_.cells.at(shape.solid), shape.cells, {size, nearby});
+    const SurfaceMesh surface = shape.cells.empty()
+                                    ? surfaces_[index]
+                                    : fine_surface(cut_.cells.at(shape.solid), shape.cells, {size, nearby}, place);
     const std::uint64_t key = key_of(surface, size, nearby, shape.volume, model_.origin);
     if (known_.contains(key)) return {key, true, shape.volume, {}, {}, {}, {}};
     return finished_block(model_, shape, fill_with_tetrahedra(surface, size, nearby, shape.volume, place), key);

@@ -5,15 +5,18 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <deque>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "base/error.hpp"
 #include "geometry/mesher/cells/divided_edges.hpp"
 #include "geometry/mesher/cells/facet_outlines.hpp"
 #include "geometry/mesher/cells/flat_facet.hpp"
+#include "model/number_text.hpp"
 
 namespace talus {
 namespace {
@@ -28,14 +31,44 @@ using Triangulation =
 
 Kernel::Point_2 to_point(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }
 
-Triangulation triangulated(const FacetOutline& outline, const FlatFacet& flat) {
+double length_of(const FacetOutline& outline, const SkinVertices& vertices) {
+  Eigen::AlignedBox3d box;
+  for (const auto& [from, to] : outline.edges) box.extend(vertices[from]);
+  return box.diagonal().norm();
+}
+
+[[noreturn]] void throw_needle(double length, const std::string& place) {
+  throw InputError(place, "has a face that is " + significant(length, 2) + " m long, and a needle",
+                   "look for a wrong height or corner in its solid, or make mesh_size larger");
+}
+
+/// A facet less than a size across and very many along: the time to triangulate it grows with their square, and to
+/// divide its edges may take all memory.
+void require_no_needle(const FacetOutline& outline, const SkinVertices& vertices, double size,
+                       const std::string& place) {
+  constexpr double very_many = 5000;
+  const double length = length_of(outline, vertices);
+  if (length < very_many * size) return;
+  const Vec3 origin = vertices[outline.edges.front().first];
+  Vec3 twice_area = Vec3::Zero();
+  for (const auto& [from, to] : outline.edges) twice_area += (vertices[from] - origin).cross(vertices[to] - origin);
+  if (twice_area.norm() / 2 < size * length) throw_needle(length, place);
+}
+
+/// Edges that cross each other are those of a needle, which has no room for the bows of its outline.
+Triangulation triangulated(const FacetOutline& outline, const FlatFacet& flat, double length,
+                           const std::string& place) {
   Triangulation triangulation;
   std::map<int, Triangulation::Vertex_handle> handles;
   for (const auto& [vertex, point] : flat.points()) {
     handles[vertex] = triangulation.insert(to_point(point));
     handles[vertex]->info() = vertex;
   }
-  for (const auto& [from, to] : outline.edges) triangulation.insert_constraint(handles.at(from), handles.at(to));
+  try {
+    for (const auto& [from, to] : outline.edges) triangulation.insert_constraint(handles.at(from), handles.at(to));
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    throw_needle(length, place);
+  }
   return triangulation;
 }
 
@@ -111,11 +144,15 @@ void take_convex(std::vector<int> loop, int mark, const SkinVertices& vertices, 
 
 }  // namespace
 
-BlockSkin block_skin(const CellSolid& solid, std::span<const int> cells, const SkinSize& size) {
+BlockSkin block_skin(const CellSolid& solid, std::span<const int> cells, const SkinSize& size,
+                     const std::string& place) {
   std::vector<FacetOutline> outlines = facet_outlines(solid, cells);
   SkinVertices vertices(solid.complex);
   const bool fine = size.own > 0;
-  if (fine) divide_edges(outlines, vertices, size);
+  if (fine) {
+    for (const FacetOutline& outline : outlines) require_no_needle(outline, vertices, size.own, place);
+    divide_edges(outlines, vertices, size);
+  }
   BlockSkin skin;
   for (const FacetOutline& outline : outlines) {
     if (!fine) {
@@ -125,7 +162,7 @@ BlockSkin block_skin(const CellSolid& solid, std::span<const int> cells, const S
       }
     }
     const FlatFacet flat(outline, vertices);
-    Triangulation triangulation = triangulated(outline, flat);
+    Triangulation triangulation = triangulated(outline, flat, length_of(outline, vertices), place);
     count_outlines(triangulation);
     if (fine) fill(triangulation, flat, vertices, size);
     for (const auto& face : triangulation.finite_face_handles()) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geometry/mesher/cells/cell_solid.hpp"
@@ -24,7 +25,9 @@ struct SkinSize {
 
 /// The surface of a set of cells: faces that only one of them has, those of one mark and one side of it made one and
 /// triangulated (constrained Delaunay). Vertices that no edge of the block needs are left out; those that are left are
-/// corners of every polygon that they lie on, so that the triangles close around the block.
-BlockSkin block_skin(const CellSolid& solid, std::span<const int> cells, const SkinSize& size);
+/// corners of every polygon that they lie on, so that the triangles close around the block. Throws InputError at
+/// `place` where a face is a needle that cannot be divided so.
+BlockSkin block_skin(const CellSolid& solid, std::span<const int> cells, const SkinSize& size,
+                     const std::string& place);
 
 }  // namespace talus

@@ -99,7 +99,7 @@ void fill_with_those_of_cells(MeshedShape& shape, const CellComplex& complex, st
 
 MeshedShape coarse_mesh(const CellSolid& solid, std::span<const int> cells, const std::string& place) {
   const CellComplex& complex = solid.complex;
-  const BlockSkin skin = block_skin(solid, cells, {});
+  const BlockSkin skin = block_skin(solid, cells, {}, place);
   MeshedShape shape;
   NodeNumbers number(shape.nodes);
   for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
@@ -114,8 +114,9 @@ MeshedShape coarse_mesh(const CellSolid& solid, std::span<const int> cells, cons
   return shape;
 }
 
-SurfaceMesh fine_surface(const CellSolid& solid, std::span<const int> cells, const SkinSize& size) {
-  const BlockSkin skin = block_skin(solid, cells, size);
+SurfaceMesh fine_surface(const CellSolid& solid, std::span<const int> cells, const SkinSize& size,
+                         const std::string& place) {
+  const BlockSkin skin = block_skin(solid, cells, size, place);
   SurfaceMesh surface;
   NodeNumbers number(surface.nodes);
   for (std::size_t t = 0; t < skin.triangles.size(); ++t) {

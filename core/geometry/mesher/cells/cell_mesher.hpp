@@ -14,7 +14,8 @@ namespace talus {
 /// their own inside. Throws TouchesItself at `place` for a block that touches itself along an edge.
 MeshedShape coarse_mesh(const CellSolid& solid, std::span<const int> cells, const std::string& place);
 
-/// The skin of a block as finely as the size says, to be filled with tetrahedra.
-SurfaceMesh fine_surface(const CellSolid& solid, std::span<const int> cells, const SkinSize& size);
+/// The skin of a block as finely as the size says, to be filled with tetrahedra. Throws as `block_skin`.
+SurfaceMesh fine_surface(const CellSolid& solid, std::span<const int> cells, const SkinSize& size,
+                         const std::string& place);
 
 }  // namespace talus
