@@ -1,13 +1,17 @@
 #include "results/checkpoint.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <fstream>
 #include <mutex>
 #include <optional>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "results/folder.hpp"
 #include "results/hdf5.hpp"
+#include "results/superblock.hpp"
 
 namespace talus {
 
@@ -75,6 +79,14 @@ CheckpointLabel read_label(hid_t file) {
   return {version.front(), project.front(), time.front()};
 }
 
+/// Of the newest format all that HDF5 keeps of a file's parts has checksums. Of others it believes what it finds, such
+/// as pieces without a size, by which it divides.
+void require_newest_format(const fs::path& path) {
+  std::array<char, std::tuple_size_v<Superblock>> bytes{};
+  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
+  if (!begins_as_superblock(bytes.data(), bytes.size())) throw hdf5::Error("it does not begin as one");
+}
+
 /// What `part` reads of the file.
 template <class Part>
 auto read(const fs::path& path, const Part& part) -> std::optional<decltype(part(hid_t{}))> {
@@ -82,6 +94,7 @@ auto read(const fs::path& path, const Part& part) -> std::optional<decltype(part
   const std::lock_guard lock(hdf5::library_mutex());
   try {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // reasons go into exceptions, not onto the terminal
+    require_newest_format(path);
     const Handle file(check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "cannot be opened"));
     return part(file);
   } catch (const hdf5::Error& error) {
@@ -91,7 +104,9 @@ auto read(const fs::path& path, const Part& part) -> std::optional<decltype(part
 }
 
 void write_whole(const fs::path& path, const CheckpointLabel& label, const StateSource& state) {
-  Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), "cannot be made"));
+  const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "cannot be made"));
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "cannot be made");
+  Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "cannot be made"));
   hdf5::write_strings(file, "version", {label.version});
   hdf5::write_strings(file, "project", {label.project_text});
   hdf5::write_fixed(file, "time", std::vector<double>{label.time});
