@@ -110,6 +110,8 @@ class Project:
     def killed_run(self, threads, draw):
         """Frames that were announced when it was killed; of four times three while it computes."""
         frames, after = 0, draw.uniform(0, self.start)
+        # What a run left without a checkpoint the next one clears, its log before its frames.
+        self.clears = (self.run / "results.h5").exists() and not (self.run / "checkpoint.h5").exists()
         with subprocess.Popen([self.cli, *self.solve(threads)], stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL) as run:
             if draw.randrange(4):
@@ -127,7 +129,9 @@ class Project:
         return frames
 
     def look_at_what_was_announced(self, frames):
-        if not (self.run / "log.txt").exists():  # it has not begun, or was clearing what a run without checkpoint left
+        if not (self.run / "log.txt").exists():  # nothing is announced before it is there
+            if frames and not self.clears:
+                raise Fault(f"{frames} frames were announced, and there is no log.txt")
             return
         told = json.loads(self.talus("info", self.run, "--json"))["frames"]
         with h5py.File(self.run / "results.h5", "r") as results:
