@@ -4,8 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -409,16 +407,11 @@ class BrepText {
   int triangulations_ = 0, shapes_ = 0;
 };
 
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
-void check_brep_text(const MesherSolid& solid) {
+void check_brep_text(const MesherSolid& solid, std::string text) {
   constexpr std::string_view beginning = "CASCADE Topology V";
-  Words words(content_of(solid.file), solid.file_as_written);
+  Words words(std::move(text), solid.file_as_written);
   while (!words.ended()) {
     const std::string_view line = words.rest_of_line();
     if (!line.starts_with(beginning)) continue;

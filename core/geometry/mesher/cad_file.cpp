@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "base/error.hpp"
@@ -13,6 +14,7 @@
 #include "geometry/mesher/occ_volumes.hpp"
 #include "geometry/mesher/placement.hpp"
 #include "geometry/mesher/sound_edges.hpp"
+#include "geometry/mesher/step_text.hpp"
 #include "geometry/mesher/surfaces/triangle_file.hpp"
 
 namespace talus {
@@ -33,6 +35,11 @@ bool begins_as_iges(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   return std::getline(file, line) && line.size() > letter && line[letter] == 'S';
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// OpenCASCADE goes round for ever in some damaged files. This program ends where a file takes it many times as long,
@@ -60,7 +67,10 @@ class ReadingLimit {
 /// gmsh throws for some unreadable files and gives nothing for others: both end here as no shapes.
 gmsh::vectorpair shapes_in(const MesherSolid& solid) {
   if (is_iges(solid) && !begins_as_iges(solid.file)) return {};
-  if (is_brep(solid)) check_brep_text(solid);
+  if (is_brep(solid))
+    check_brep_text(solid, content_of(solid.file));
+  else if (!is_iges(solid))
+    check_step_text(solid, content_of(solid.file));
   constexpr double millimetre = 1e-3;
   gmsh::option::setString("Geometry.OCCTargetUnit", "M");  // of STEP; millimetres otherwise, as of IGES always
   gmsh::option::setNumber("Geometry.OCCScaling", is_iges(solid) ? millimetre * solid.scale : solid.scale);

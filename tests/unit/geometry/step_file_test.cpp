@@ -46,6 +46,19 @@ TEST_F(StepFiles, ThatAreNoneAreRefused) {
             "missing.step: there is no such file; correct the path of solid hill");
 }
 
+/// OpenCASCADE looked for the ends of such an edge for minutes.
+TEST_F(StepFiles, WithAnEdgeThatGoesAroundForEverAreRefusedAtOnce) {
+  std::string text = slope();
+  const std::string point = "CARTESIAN_POINT('',(2.799087392928,40.))";  // of an edge, on a cylinder
+  const auto at = text.find(point);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, point.size(), "CARTESIAN_POINT('',(9007199254740992,40.))");
+  write("round.step", text);
+  EXPECT_EQ(error_of(reading("round.step"), folder_),
+            "round.step: line 611: is damaged: an edge of a round face lies at an angle beyond a million; export the "
+            "solid again as STEP");
+}
+
 /// m³ of samples/step_slope, as tools/step_slope.geo describes it: a box less a pit whose radius grows with height,
 /// by the midpoint rule.
 double slope_volume() {
