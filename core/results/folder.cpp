@@ -68,7 +68,8 @@ void prepare_results_folder(const fs::path& folder) {
   if (!empty && !has_results) throw InputError(place, "holds files that are not results", "choose another --out");
   if (has_results) const FolderLock nobody_writes(folder);
   // By results.h5 a folder is known as one of results, also where a kill leaves it half cleared: that goes last.
-  std::ranges::stable_partition(earlier, [](const fs::path& file) { return file.filename() != "results.h5"; });
+  std::stable_partition(earlier.begin(), earlier.end(),
+                        [](const fs::path& file) { return file.filename() != "results.h5"; });
   for (const fs::path& file : earlier) {
     fs::remove(file, problem);
     if (problem) throw InputError(file.string(), "cannot be removed: " + problem.message(), "choose another --out");
