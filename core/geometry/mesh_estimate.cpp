@@ -9,6 +9,7 @@
 #include "base/memory_limit.hpp"
 #include "geometry/block_description.hpp"
 #include "geometry/corner_solids.hpp"
+#include "mesh/mesh_size.hpp"
 #include "mesh/size_field.hpp"
 #include "model/about_text.hpp"
 #include "model/number_text.hpp"
@@ -229,9 +230,7 @@ MeshEstimate mesh_estimate(const Project& project, const BlockSystem& cut) {
 }
 
 bool is_needle(const BlockToMesh& block) {
-  constexpr double very_many = 5000;
-  const double length = (block.max - block.min).norm();
-  return !block.stands_on_corners() && length > very_many * block.size && block.area < block.size * length;
+  return !block.stands_on_corners() && is_needle((block.max - block.min).norm(), block.area, block.size);
 }
 
 void require_a_mesh_that_fits(const Project& project, const MeshEstimate& estimate) {

@@ -38,8 +38,7 @@ MeshEstimate mesh_estimate(std::span<const BlockToMesh> blocks, std::span<const 
 /// The same of all blocks as the project wants them meshed now; `cut`: its blocks, from `cut_blocks` or `build_blocks`.
 MeshEstimate mesh_estimate(const Project& project, const BlockSystem& cut);
 
-/// Whether all of the block is less than its size across and very many of them long: time to mesh it grows with the
-/// square of its length there, and nothing is right about it.
+/// Whether the block is a needle under its mesh size (mesh/mesh_size.hpp).
 bool is_needle(const BlockToMesh& block);
 
 /// Throws InputError where there would be more tetrahedra than the project allows, or meshing would hold more memory

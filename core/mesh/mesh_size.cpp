@@ -25,4 +25,9 @@ double smallest_mesh_size(const BlockSystem& system) {
   return smallest;
 }
 
+bool is_needle(double length, double area, double mesh_size) {
+  constexpr double very_many = 5000;
+  return length > very_many * mesh_size && area < mesh_size * length;
+}
+
 }  // namespace talus

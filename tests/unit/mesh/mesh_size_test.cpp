@@ -34,5 +34,11 @@ TEST(MeshSize, OfAModelIsTheSmallestOfWhatIsNotFixed) {
   EXPECT_DOUBLE_EQ(smallest_mesh_size(system), mesh_size(system.blocks[2].mesh.nodes, system.blocks[2].surface));
 }
 
+TEST(MeshSize, IsThatOfANeedleWhereItIsThinnerAndVeryManyTimesAsLong) {
+  EXPECT_TRUE(is_needle(6000, 4 * 6000 * 0.1, 1));
+  EXPECT_FALSE(is_needle(6000, 4 * 6000 * 0.3, 1)) << "as wide as the size";
+  EXPECT_FALSE(is_needle(4000, 4 * 4000 * 0.1, 1)) << "not that long";
+}
+
 }  // namespace
 }  // namespace talus

@@ -16,6 +16,7 @@
 #include "geometry/mesher/cells/divided_edges.hpp"
 #include "geometry/mesher/cells/facet_outlines.hpp"
 #include "geometry/mesher/cells/flat_facet.hpp"
+#include "mesh/mesh_size.hpp"
 #include "model/number_text.hpp"
 
 namespace talus {
@@ -42,17 +43,15 @@ double length_of(const FacetOutline& outline, const SkinVertices& vertices) {
                    "look for a wrong height or corner in its solid, or make mesh_size larger");
 }
 
-/// A facet less than a size across and very many along: the time to triangulate it grows with their square, and to
-/// divide its edges may take all memory.
+/// The time to triangulate a facet that is one grows with the square of its length, and to divide its edges may take
+/// all memory.
 void require_no_needle(const FacetOutline& outline, const SkinVertices& vertices, double size,
                        const std::string& place) {
-  constexpr double very_many = 5000;
   const double length = length_of(outline, vertices);
-  if (length < very_many * size) return;
   const Vec3 origin = vertices[outline.edges.front().first];
   Vec3 twice_area = Vec3::Zero();
   for (const auto& [from, to] : outline.edges) twice_area += (vertices[from] - origin).cross(vertices[to] - origin);
-  if (twice_area.norm() / 2 < size * length) throw_needle(length, place);
+  if (is_needle(length, twice_area.norm() / 2, size)) throw_needle(length, place);
 }
 
 /// Edges that cross each other are those of a needle, which has no room for the bows of its outline.
