@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "bodies/polar.hpp"
+#include "model/block_names.hpp"
 
 namespace talus {
 
@@ -106,7 +107,7 @@ MaterialPoint material_point(const BlockSystem& system, const std::string& name,
       for (int i = 0; i < 4; ++i) best.nodes[i] = first_node + tetrahedron[i];
     }
     if (best_distance <= tolerance) return best;
-    throw InputError(place, "the point lies outside block '" + name + "'", "choose a point inside the block");
+    throw point_outside_block(place, name);
   }
   throw InputError(place, "there is no block '" + name + "'", "name one of the blocks that 'talus-cli mesh' lists");
 }

@@ -1,10 +1,14 @@
 #include "geometry/block_description.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "model/block_names.hpp"
 #include "model/body_choice.hpp"
 #include "model/rules/validate.hpp"
+#include "model/solver_tolerances.hpp"
 
 namespace talus {
 namespace {
@@ -56,6 +60,17 @@ void check_built_blocks(const Project& project, const std::vector<Block>& blocks
   validate_against_blocks(project, built);
 }
 
+/// Monitors far from their blocks are found before these are meshed.
+void check_monitors(const Project& project, const MesherCutModel& cut) {
+  const double allowed = EffectTolerances{}.point_outside_block * std::cbrt(cut.solids_volume);
+  for (const Monitor& monitor : project.monitors) {
+    const auto block = std::ranges::find(cut.blocks, monitor.block, &MesherCutBlock::name);
+    const Eigen::AlignedBox3d box(block->min, block->max);  // it is there: what names blocks has been checked
+    if (box.exteriorDistance(monitor.at) > allowed)
+      throw point_outside_block("monitor '" + monitor.name + "'", monitor.block);
+  }
+}
+
 }  // namespace
 
 std::vector<Block> described_blocks(const Project& project, const MesherCutModel& cut) {
@@ -63,6 +78,7 @@ std::vector<Block> described_blocks(const Project& project, const MesherCutModel
   std::vector<Block> blocks;
   for (const MesherCutBlock& block : cut.blocks) blocks.push_back(described_block(project, block, chooser));
   check_built_blocks(project, blocks);
+  check_monitors(project, cut);
   return blocks;
 }
 

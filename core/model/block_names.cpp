@@ -11,6 +11,10 @@ std::vector<std::string> expected_block_names(const Project& project) {
   return names;
 }
 
+InputError point_outside_block(const std::string& place, const std::string& block) {
+  return {place, "the point lies outside block '" + block + "'", "choose a point inside the block"};
+}
+
 bool may_be_block_name(const Project& project, const std::string& name) {
   const auto names = expected_block_names(project);
   if (std::find(names.begin(), names.end(), name) != names.end()) return true;

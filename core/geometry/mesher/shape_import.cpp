@@ -16,6 +16,7 @@
 #include "geometry/mesher/polyhedron.hpp"
 #include "geometry/mesher/surface_file.hpp"
 #include "geometry/mesher/surfaces/mended_surface.hpp"
+#include "model/number_text.hpp"
 #include "model/polyhedron.hpp"
 
 namespace talus {
@@ -67,6 +68,15 @@ ImportedSolid make_polyhedron(const MesherSolid& solid, const Vec3& origin) {
   // OpenCASCADE's own bounding box is wider by its tolerance.
   for (const Vec3& vertex : local.vertices) imported.bounds.extend(vertex);
   return imported;
+}
+
+/// Corners that far are damaged; cutting what reaches there takes seconds, and has no digits left for the rest.
+void check_extent(const MesherSolid& solid, const Eigen::AlignedBox3d& bounds) {
+  constexpr double farthest = 1e8;  // m
+  const double extent = bounds.isEmpty() ? 0 : bounds.sizes().maxCoeff();
+  if (extent <= farthest) return;
+  throw InputError(place_of(solid), "is " + significant(extent, 2) + " m large, more than the Earth",
+                   "correct its corners, and give them in metres");
 }
 
 /// What a file holds, in the project's coordinates, and the box around what the project itself tells.
@@ -152,6 +162,7 @@ ImportedModel import_solids(const std::vector<MesherSolid>& solids, ImportPurpos
     const std::size_t i = order[done];
     begin(done, solids[i].file.empty() ? "placing" : words_of_reading, solids[i]);
     model.solids[i] = read(solids[i]);
+    check_extent(solids[i], model.solids[i].bounds);
     bounds.extend(model.solids[i].bounds);
   }
   model.origin = rounded_centre(bounds);

@@ -164,33 +164,40 @@ int SolidCutter::joint_of(const ActivePlane& entry, int face) const {
 }
 
 /// By the plane of the solid or of a joint that the face lies on closest.
-std::map<int, CutFacet> SolidCutter::facets_of(int volume) const {
-  std::map<int, CutFacet> facets;
-  const double tolerance = reach_;
-  for (int tag : faces_of({volume})) {
-    const Facet facet = read_facet(tag);
-    FacetOrigin origin;
-    if (facet.plane) {
-      double nearest = tolerance;
-      for (const ActivePlane& entry : active_) {
-        double farthest = 0;
-        for (const Vec3& point : facet.outline) {
-          farthest = std::max(farthest, std::abs(planes_[entry.plane].distance(point)));
-        }
-        if (farthest >= nearest || angle_between(planes_[entry.plane], *facet.plane) > 0.01) continue;
-        nearest = farthest;
-        origin.plane = entry.plane;
-        origin.joint = joint_of(entry, tag);
-      }
+CutFacet SolidCutter::cut_facet(int face) const {
+  const Facet facet = read_facet(face);
+  FacetOrigin origin;
+  if (facet.plane) {
+    double nearest = reach_;
+    for (const ActivePlane& entry : active_) {
+      double farthest = 0;
+      for (const Vec3& point : facet.outline)
+        farthest = std::max(farthest, std::abs(planes_[entry.plane].distance(point)));
+      if (farthest >= nearest || angle_between(planes_[entry.plane], *facet.plane) > 0.01) continue;
+      nearest = farthest;
+      origin.plane = entry.plane;
+      origin.joint = joint_of(entry, face);
     }
-    facets.emplace(tag, CutFacet{origin, area_of(tag)});
+  }
+  return {origin, area_of(face)};
+}
+
+std::map<int, CutFacet> SolidCutter::facets_of(int volume) {
+  std::map<int, CutFacet> facets;
+  for (const int face : faces_of({volume})) {
+    auto known = facet_of_face_.find(face);
+    if (known == facet_of_face_.end()) known = facet_of_face_.emplace(face, cut_facet(face)).first;
+    facets.insert(*known);
   }
   return facets;
 }
 
-CutBlock SolidCutter::make_block(int volume) const {
-  const Measure measure = measure_volume(volume);
-  return {solid_index_, {volume}, {}, measure.volume, measure.centroid, bounds_of_volume(volume), facets_of(volume)};
+CutBlock SolidCutter::make_block(int volume) {
+  double size = 0;  // m³
+  Vec3 centroid;
+  occ::getMass(3, volume, size);
+  occ::getCenterOfMass(3, volume, centroid.x(), centroid.y(), centroid.z());
+  return {solid_index_, {volume}, {}, size, centroid, bounds_of_volume(volume), facets_of(volume)};
 }
 
 void SolidCutter::check_volumes(const std::vector<CutBlock>& blocks) const {

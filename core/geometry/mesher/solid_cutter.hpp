@@ -61,8 +61,9 @@ class SolidCutter {
   Entities divided(const Entities& solids);
   void leave_out_dead_ends(const Entities& solids);
   int joint_of(const ActivePlane& entry, int face) const;
-  std::map<int, CutFacet> facets_of(int volume) const;
-  CutBlock make_block(int volume) const;
+  CutFacet cut_facet(int face) const;
+  std::map<int, CutFacet> facets_of(int volume);
+  CutBlock make_block(int volume);
   void check_volumes(const std::vector<CutBlock>& blocks) const;
 
   const MesherJob& job_;
@@ -76,6 +77,7 @@ class SolidCutter {
   std::vector<Tool> tools_;
   std::map<int, Tool> tool_of_face_;  ///< of those that end, by the tag of the face that is part of it
   std::set<std::pair<int, int>> dividing_;
+  std::map<int, CutFacet> facet_of_face_;  ///< of the pieces, by the tag of the face, which two of them may share
 };
 
 }  // namespace talus

@@ -96,6 +96,22 @@ TEST(Refusal, OverridesInNoBlockOrInOneTwice) {
   EXPECT_THAT(error_of(p), StartsWith("block cube.1: two blocks have this name; "));
 }
 
+/// What is found once blocks are cut is not found only once they are meshed, which here takes minutes.
+TEST(Refusal, AMonitorFarFromItsBlockBeforeItIsMeshed) {
+  Project p = cube_of_10_m();
+  p.solids[0].mesh_size = 0.1;
+  p.cuts = {cut("J1", 0, 0, {0, 0, 5})};
+  p.monitors = {{"P1", "cube.1", {5, 5, 5.1}}};
+  EXPECT_EQ(error_of(p), "monitor 'P1': the point lies outside block 'cube.1'; choose a point inside the block");
+}
+
+TEST(Refusal, ASolidLargerThanTheEarth) {
+  Project p = cube_of_10_m();
+  p.solids.push_back(box("far", {0, 0, 20}, {10, 2147483648.0, 30}, 5));
+  EXPECT_EQ(error_of(p),
+            "solid far: is 2.1e+09 m large, more than the Earth; correct its corners, and give them in metres");
+}
+
 TEST(Refusal, AMonitorOnABlockThatCuttingDidNotMake) {
   Project p = cube_of_10_m();
   p.cuts = {cut("J1", 0, 0, {0, 0, 5})};
