@@ -67,7 +67,8 @@ def other_value(draw, old):
     if isinstance(old, str) and kind < 7:
         return draw.choice(TEXTS)
     if isinstance(old, list) and kind < 4:
-        return old * draw.choice([0, 2, 3, 50]) if kind else old[:-1]
+        # Fifty times fifty times a long array would take all memory here.
+        return old * min(draw.choice([0, 2, 3, 50]), 1 + 10**6 // len(json.dumps(old))) if kind else old[:-1]
     if kind == 7:
         return long_array(draw, old)
     return draw.choice([None, True, False, [], {}, [[]], draw.choice(NUMBERS), draw.choice(TEXTS), [old], {"a": old}])
@@ -75,10 +76,12 @@ def other_value(draw, old):
 
 def mutated_value(draw, value):
     """One thing of a project is removed, doubled, renamed or replaced."""
-    value = copy.deepcopy(value)
     path = draw.choice(list(places_in(value))[1:])
+    # The entries of a long array are one: what is changed is copied first, or all of them would grow at once.
+    value = copy.copy(value)
     holder = value
     for key in path[:-1]:
+        holder[key] = copy.copy(holder[key])
         holder = holder[key]
     key, kind = path[-1], draw.randrange(6)
     if kind == 0:
