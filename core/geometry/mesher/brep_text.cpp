@@ -72,10 +72,11 @@ class Words {
 
   bool flag() { return whole(0, 1) == 1; }
 
-  void number() {
+  double number() {
     const std::string_view word = next();
     const auto number = number_in<double>(word);
     if (!number || !std::isfinite(*number)) expected("a number", word);
+    return *number;
   }
 
   void numbers(int count) {
@@ -334,12 +335,33 @@ class BrepText {
 
   void edge() {
     words_.number();
-    for (int i = 0; i < 3; ++i) words_.flag();  // same parameters, same range, degenerated
-    while (const int kind = words_.whole(0, 7)) edge_in(kind);
+    words_.flag();  // same parameters
+    const bool same_range = words_.flag();
+    words_.flag();  // degenerated
+    std::optional<Range> known;
+    while (const int kind = words_.whole(0, 7)) {
+      const std::optional<Range> range = edge_in(kind);
+      if (!range || !same_range) continue;
+      if (known && !known->is_nearly(*range)) words_.fail("an edge ends elsewhere on one of its curves");
+      known = range;
+    }
   }
 
-  /// One of the ways in which an edge is described.
-  void edge_in(int kind) {
+  /// Of the parameter along a curve.
+  struct Range {
+    double first = 0, last = 0;
+    bool is_nearly(const Range& other) const {
+      constexpr double allowed = 1e-2;
+      return std::abs(first - other.first) + std::abs(last - other.last) <= allowed * std::abs(last - first);
+    }
+  };
+  Range range() {
+    const double first = words_.number();
+    return {first, words_.number()};
+  }
+
+  /// One of the ways in which an edge is described, and from where to where it runs on a curve.
+  std::optional<Range> edge_in(int kind) {
     enum {
       curve_in_space = 1,
       on_surface,
@@ -352,8 +374,9 @@ class BrepText {
     if (kind == curve_in_space) {
       one_of(curves_);
       one_of(locations_);
-      words_.numbers(2);
-    } else if (kind == on_surface || kind == on_closed_surface) {
+      return range();
+    }
+    if (kind == on_surface || kind == on_closed_surface) {
       one_of(curves_2d_);
       if (kind == on_closed_surface) {
         words_.whole_before_letters(0, curves_2d_);
@@ -361,8 +384,11 @@ class BrepText {
       }
       one_of(surfaces_);
       one_of(locations_);
-      words_.numbers(version_ == 2 ? 6 : 2);
-    } else if (kind == between_surfaces) {
+      const Range on_curve = range();
+      if (version_ == 2) words_.numbers(4);  // where on the surface that is
+      return on_curve;
+    }
+    if (kind == between_surfaces) {
       continuity();
       for (int i = 0; i < 2; ++i) {
         one_of(surfaces_);
@@ -377,6 +403,7 @@ class BrepText {
       one_of(triangulations_);
       one_of(locations_);
     }
+    return std::nullopt;
   }
 
   void continuity() {

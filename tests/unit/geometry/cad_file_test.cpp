@@ -84,7 +84,7 @@ class DamagedBrep : public CadFiles {
 // Found by tests/fuzz: gmsh meshed an edge of 1e300 m for ever, and triangulated a face one of whose edges lies 2⁶³ m
 // away in the plane of the face.
 TEST_F(DamagedBrep, WithEdgesWithoutEndOrBesideTheirFacesIsRefused) {
-  EXPECT_EQ(error_with("1  2 0 0 8", "1  2 0 -1e+300 8"),
+  EXPECT_EQ(error_with("1 1 0\n1  2 0 0 8", "1 0 0\n1  2 0 -1e+300 8"),
             "box.brep: is damaged: an edge of its solid has no end; export the solid again");
   const std::string beside =
       "box.brep: is damaged: an edge of its solid does not lie on the faces beside it; export the solid again";
@@ -121,6 +121,8 @@ TEST_F(DamagedBrep, SaysItsLineAtOnce) {
             "box.brep: line 169: is damaged: a number is expected, not 'nan'" + again);
   EXPECT_EQ(error_with("Surfaces 6", "Surfaces 7"),
             "box.brep: line 52: is damaged: a whole number is expected, not 'Triangulations'" + again);
+  EXPECT_EQ(error_with("2  2 2 0 0 6", "2  2 2 0 0 1180591620717411303424"),
+            "box.brep: line 73: is damaged: an edge ends elsewhere on one of its curves" + again);
   sound_.resize(sound_.find("Sh\n"));
   EXPECT_THAT(error_with("", ""), HasSubstr("is damaged: it ends too early"));
 }
