@@ -60,16 +60,19 @@ double turn(const Corner& a, const Corner& b, const Corner& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-bool lies_between(const Corner& a, const Corner& b, const Corner& p) {
-  return std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) && std::min(a[1], b[1]) <= p[1] &&
-         p[1] <= std::max(a[1], b[1]);
+/// But for rounding: a rib that thin is cut, and cannot be meshed.
+bool lies_on(const Corner& a, const Corner& b, const Corner& p) {
+  constexpr double rounding = 1e-9;  // of the side's length
+  const double x = b[0] - a[0], y = b[1] - a[1], squared_length = x * x + y * y;
+  const double along = (p[0] - a[0]) * x + (p[1] - a[1]) * y;
+  const double share = squared_length > 0 ? std::clamp(along / squared_length, 0.0, 1.0) : 0;
+  return std::hypot(p[0] - a[0] - share * x, p[1] - a[1] - share * y) <= rounding * std::sqrt(squared_length);
 }
 
 bool touch(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
   const double abc = turn(a, b, c), abd = turn(a, b, d), cda = turn(c, d, a), cdb = turn(c, d, b);
   if (((abc > 0 && abd < 0) || (abc < 0 && abd > 0)) && ((cda > 0 && cdb < 0) || (cda < 0 && cdb > 0))) return true;
-  return (abc == 0 && lies_between(a, b, c)) || (abd == 0 && lies_between(a, b, d)) ||
-         (cda == 0 && lies_between(c, d, a)) || (cdb == 0 && lies_between(c, d, b));
+  return lies_on(a, b, c) || lies_on(a, b, d) || lies_on(c, d, a) || lies_on(c, d, b);
 }
 
 /// Sides that are no neighbours must not touch.

@@ -89,6 +89,11 @@ const std::vector<BadProject> bad_values{
        p.solids[0].shape = SectionShape{{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}, {0, 0, 0}, 90, 1};
      },
      "/solids/0/section/points", "touches", "in order"},
+    {"section that touches itself but for rounding",
+     [](Project& p) {
+       p.solids[0].shape = SectionShape{{{0, 0}, {4, 0}, {4, 4}, {2, 5e-324}, {0, 4}}, {0, 0, 0}, 90, 1};
+     },
+     "/solids/0/section/points", "touches", "in order"},
     {"turned about nothing",
      [](Project& p) {
        p.solids[0].turn = Turn{{0, 0, 0}, 10, {0, 0, 0}};
