@@ -20,9 +20,13 @@ struct SeenLine {
   Vec3 normal;  ///< of a face on its one side
   double length() const { return (to - from).norm(); }
   Pixel at(double along) const { return from + along / length() * (to - from); }
-  double distance(const Pixel& p) const {
+  bool is_nearer(const Pixel& p, double distance) const {
+    const auto outside = [distance](double at, double one, double other) {
+      return at < std::min(one, other) - distance || at > std::max(one, other) + distance;
+    };
+    if (outside(p.x(), from.x(), to.x()) || outside(p.y(), from.y(), to.y())) return false;
     const double along = std::clamp((p - from).dot(to - from) / length(), 0.0, length());
-    return (p - at(along)).norm();
+    return (p - at(along)).norm() < distance;
   }
 };
 
@@ -125,7 +129,7 @@ TEST_P(LinesImage, AreDrawnWhereFacesAreSeenAndNowhereElse) {
     for (int x = 0; x < with_.width; ++x) {
       if (std::abs(ink.at(x, y)) < 8) continue;
       const Pixel place(x, y);
-      stray += std::ranges::none_of(lines_, [&](const SeenLine& line) { return line.distance(place) < beside; });
+      stray += std::ranges::none_of(lines_, [&](const SeenLine& line) { return line.is_nearer(place, beside); });
     }
   EXPECT_EQ(stray, 0);
 }

@@ -1,67 +1,18 @@
 #include "images/test_scenes.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <map>
+
+#include "mesh/structured_mesh.hpp"
 
 namespace talus {
-namespace {
-
-using Triple = std::array<int, 3>;
-
-/// Faces that belong to one tetrahedron alone, seen counter-clockwise from outside.
-std::vector<SurfaceTriangle> outer_faces(const TetMesh& mesh) {
-  std::map<Triple, std::pair<Triple, int>> seen;
-  for (const auto& n : mesh.tetrahedra)
-    for (const Triple& face : {Triple{n[0], n[2], n[1]}, {n[0], n[1], n[3]}, {n[1], n[2], n[3]}, {n[0], n[3], n[2]}}) {
-      Triple key = face;
-      std::sort(key.begin(), key.end());
-      auto& entry = seen[key];
-      entry.first = face;
-      ++entry.second;
-    }
-  std::vector<SurfaceTriangle> faces;
-  for (const auto& [key, face] : seen)
-    if (face.second == 1) faces.push_back({face.first, -1});
-  return faces;
-}
-
-Vec3 trilinear(const std::array<Vec3, 8>& corners, double x, double y, double z) {
-  Vec3 point = Vec3::Zero();
-  for (int i = 0; i < 8; ++i)
-    point += (i & 1 ? x : 1 - x) * (i & 2 ? y : 1 - y) * (i & 4 ? z : 1 - z) * corners[static_cast<std::size_t>(i)];
-  return point;
-}
-
-}  // namespace
 
 Block hexahedron(const std::string& name, const std::array<Vec3, 8>& corners, int n, BodyKind body) {
   Block block;
   block.name = name;
   block.body = body;
-  const int side = n + 1;
-  for (int k = 0; k < side; ++k)
-    for (int j = 0; j < side; ++j)
-      for (int i = 0; i < side; ++i)
-        block.mesh.nodes.push_back(
-            trilinear(corners, static_cast<double>(i) / n, static_cast<double>(j) / n, static_cast<double>(k) / n));
-  // Kuhn's six tetrahedra around the diagonal of each cell.
-  constexpr int paths[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-  const int step[3] = {1, side, side * side};
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        for (const auto& path : paths) {
-          std::array<int, 4> tet{i + j * side + k * side * side};
-          for (int s = 0; s < 3; ++s) tet[s + 1] = tet[s] + step[path[s]];
-          const auto& x = block.mesh.nodes;
-          const double volume = (x[tet[1]] - x[tet[0]]).cross(x[tet[2]] - x[tet[0]]).dot(x[tet[3]] - x[tet[0]]) / 6;
-          if (volume < 0) std::swap(tet[2], tet[3]);
-          block.volume += std::abs(volume);
-          block.mesh.tetrahedra.push_back(tet);
-        }
-  block.surface = outer_faces(block.mesh);
+  block.mesh = hexahedron_mesh(corners, n, n, n);
+  block.surface = boundary(block.mesh);
+  block.volume = volume(block.mesh);
   return block;
 }
 
