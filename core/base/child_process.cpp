@@ -1,11 +1,8 @@
 #include "base/child_process.hpp"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <spawn.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
@@ -57,45 +54,16 @@ class SpawnSetup {
 }  // namespace
 
 ChildProcess::ChildProcess(const ChildProgram& program) {
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    throw std::system_error(errno, std::generic_category(), "cannot open a socket to " + program.program.string());
-  const int error = SpawnSetup(ends[1], program).start(process_, program);
-  close(ends[1]);
-  socket_ = ends[0];
-  if (error != 0) {
-    close(socket_);
-    throw std::system_error(error, std::generic_category(), "cannot start " + program.program.string());
-  }
+  auto [ours, its] = connected_sockets();
+  socket_ = std::move(ours);
+  const int error = SpawnSetup(its.descriptor(), program).start(process_, program);
+  if (error != 0) throw std::system_error(error, std::generic_category(), "cannot start " + program.program.string());
 }
 
 ChildProcess::~ChildProcess() {
-  close(socket_);
   if (process_ < 0) return;
   kill(process_, SIGKILL);
   waitpid(process_, nullptr, 0);
-}
-
-void ChildProcess::send(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
-
-bool ChildProcess::wait(int milliseconds) const {
-  pollfd watched{socket_, POLLIN, 0};
-  return poll(&watched, 1, milliseconds) > 0;
-}
-
-std::size_t ChildProcess::read(char* into, std::size_t size) {
-  for (;;) {
-    const ssize_t count = recv(socket_, into, size, 0);
-    if (count < 0 && errno == EINTR) continue;
-    return count < 0 ? 0 : static_cast<std::size_t>(count);
-  }
 }
 
 int ChildProcess::exit_code() {
@@ -111,7 +79,7 @@ ProgramOutput output_of(const std::string& program, const std::vector<std::strin
   ChildProcess child({program, arguments, 1, log});
   ProgramOutput output;
   char bytes[4096];
-  while (const std::size_t count = child.read(bytes, sizeof bytes)) output.text.append(bytes, count);
+  while (const std::size_t count = child.socket().read(bytes, sizeof bytes)) output.text.append(bytes, count);
   output.exit_code = child.exit_code();
   return output;
 }

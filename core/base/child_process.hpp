@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/socket.hpp"
+
 namespace talus {
 
 /// How a program is started in a process of its own.
@@ -28,19 +30,15 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   /// Nothing is thrown when it has died: the next reading tells.
-  void send(std::string_view bytes);
-  /// Whether something has come, or it has closed its end, within the time.
-  bool wait(int milliseconds) const;
-  /// Up to `size` bytes as soon as some have come; 0 once it has closed its end.
-  std::size_t read(char* into, std::size_t size);
-  int socket() const { return socket_; }
+  Socket& socket() { return socket_; }
+  const Socket& socket() const { return socket_; }
 
   /// Waits for its end: the exit code, or 128 + the signal that ended it, as shells have it.
   int exit_code();
 
  private:
   int process_ = -1;
-  int socket_ = -1;
+  Socket socket_;
 };
 
 /// What a program says on its standard output, and how it ended.

@@ -154,8 +154,7 @@ BlockSystem cut_and_mesh(const Project& project, const std::filesystem::path& fo
   BlockSystem system;
   for (const Joint& joint : project.joints) system.joint_names.push_back(joint.name);
   for (const Material& material : project.materials) system.strengths.push_back(material.strength);
-  MesherProcess mesher;
-  mesher.send(MessageKind::job, to_bytes(job));
+  MesherProcess mesher(MessageKind::job, to_bytes(job));
   MesherAnswers answers(mesher, progress, "try a larger mesh_size, or move the cuts there");
   std::size_t meshed = 0;  // blocks
   for (;;) {

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/installed.hpp"
+#include "geometry/waiting_mesher.hpp"
 
 namespace talus {
 namespace {
@@ -20,20 +21,34 @@ std::filesystem::path find_mesher() {
   throw std::runtime_error("the program talus-mesher is not beside this program; set TALUS_MESHER to its path");
 }
 
+std::string_view bytes_of(const MessageHeader& header) {
+  return {reinterpret_cast<const char*>(&header), sizeof header};
+}
+
 }  // namespace
 
-MesherProcess::MesherProcess() : program_(find_mesher()), process_({.program = program_}) {}
+MesherProcess::MesherProcess(MessageKind kind, const std::string& bytes)
+    : program_(find_mesher()), socket_(begin_mesher_job(program_, bytes_of(header_of(kind, bytes)))) {
+  socket_.send(bytes);
+}
+
+MesherProcess::~MesherProcess() {
+  socket_.finish();               // it ends, and closes its end
+  constexpr int patience = 1000;  // ms, for what cannot be ended in the middle of writing to a disk
+  char unread[4096];
+  while (socket_.wait(patience) && socket_.read(unread, sizeof unread) > 0) {
+  }
+}
 
 void MesherProcess::send(MessageKind kind, const std::string& bytes) {
-  const MessageHeader header = header_of(kind, bytes);
-  process_.send({reinterpret_cast<const char*>(&header), sizeof header});
-  process_.send(bytes);
+  socket_.send(bytes_of(header_of(kind, bytes)));
+  socket_.send(bytes);
 }
 
 std::optional<MesherProcess::Message> MesherProcess::receive() {
   const auto receive_exactly = [this](char* into, std::size_t size) {
     while (size > 0) {
-      const std::size_t count = process_.read(into, size);
+      const std::size_t count = socket_.read(into, size);
       if (count == 0) return false;
       into += count;
       size -= count;

@@ -37,8 +37,7 @@ SolidSurface surface_of(const PolyhedronShape& shape) {
 
 /// As the mesher reads them: a surface for each solid, in their order; polyhedra are left empty.
 std::vector<SolidSurface> surfaces_by_mesher(const MesherJob& job, Progress& progress) {
-  MesherProcess mesher;
-  mesher.send(MessageKind::look, to_bytes(job));
+  MesherProcess mesher(MessageKind::look, to_bytes(job));
   MesherAnswers answers(mesher, progress, "export the solid again, in another format if need be");
   std::vector<SolidSurface> surfaces;
   for (;;) {

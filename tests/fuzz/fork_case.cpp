@@ -49,8 +49,9 @@ int main(int count, char** words) {
   for (int i = 0; i < count; ++i) arguments += std::string(words[i]) + '\0';
   const int socket = connected();
   int status = 0;
-  if (socket < 0 || !send_case(socket, arguments) ||
-      recv(socket, &status, sizeof status, MSG_WAITALL) != sizeof status) {
+  const bool is_sent = socket >= 0 && send_case(socket, arguments);
+  close(STDIN_FILENO);  // the case has it alone: who holds its other end hears when that is closed
+  if (!is_sent || recv(socket, &status, sizeof status, MSG_WAITALL) != sizeof status) {
     std::perror("fork case");
     return 1;
   }

@@ -18,6 +18,7 @@
 
 #include "driven_window.hpp"
 #include "geometry/mesh_estimate.hpp"
+#include "geometry/waiting_mesher.hpp"
 #include "listed_runs.hpp"
 #include "mesh/volume_sum.hpp"
 #include "widgets/blocks/rule_dialog.hpp"
@@ -147,7 +148,8 @@ class RealSize : public DrivenWindow {
     phases.expectCalm();
     rusage own{}, mesher{};
     getrusage(RUSAGE_SELF, &own);
-    window.reset();  // the mesher's count comes when it has ended
+    window.reset();
+    end_waiting_mesher();  // its count comes when it has ended
     getrusage(RUSAGE_CHILDREN, &mesher);
     std::printf("memory at most: window %.0f MB, mesher %.0f MB\n", own.ru_maxrss / 1e3, mesher.ru_maxrss / 1e3);
     DrivenWindow::TearDown();

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTest>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -31,17 +32,22 @@ class Typing : public DrivenWindow {
       if (one->accessibleName() == QString::fromUtf8(name)) return one;
     return nullptr;
   }
-  /// Programs that cut for this one.
+  /// Programs that cut for this one: forked by the mesher that waits for its jobs.
   static std::set<int> meshers() {
-    std::set<int> found;
+    std::set<int> waiting;
+    std::map<int, int> parents;  // of all meshers that have not ended
     std::error_code gone;
     for (const auto& entry : std::filesystem::directory_iterator("/proc", gone)) {
       std::ifstream status(entry.path() / "stat");
       int process = 0, parent = 0;
       std::string name, state;
-      if (status >> process >> name >> state >> parent && parent == ::getpid() && name.find("talus-mesher") == 1)
-        found.insert(process);
+      if (!(status >> process >> name >> state >> parent) || name.find("talus-mesher") != 1 || state == "Z") continue;
+      parents[process] = parent;
+      if (parent == ::getpid()) waiting.insert(process);
     }
+    std::set<int> found;
+    for (const auto& [process, parent] : parents)
+      if (waiting.contains(parent)) found.insert(process);
     return found;
   }
   /// Fine enough to keep the mesher busy for long.

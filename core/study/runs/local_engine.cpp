@@ -34,13 +34,13 @@ class RunProcess {
   RunProcess& operator=(const RunProcess&) = delete;
 
   int number() const { return number_; }
-  int socket() const { return process_.socket(); }
+  int socket() const { return process_.socket().descriptor(); }
   double fraction() const { return fraction_; }
 
   /// Takes what it has said; false once it has ended. Its lines are fractions, 0 … 1.
   bool listen() {
     char bytes[512];
-    const std::size_t count = process_.read(bytes, sizeof bytes);
+    const std::size_t count = process_.socket().read(bytes, sizeof bytes);
     if (count == 0) return false;
     words_.append(bytes, count);
     for (auto end = words_.find('\n'); end != std::string::npos; end = words_.find('\n')) {

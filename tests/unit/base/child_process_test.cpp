@@ -18,10 +18,10 @@ TEST(ChildProcess, ThatASignalEndsIsToldAsShellsDo) { EXPECT_EQ(output_of("sh", 
 TEST(ChildProcess, HearsWhatItIsSentAndAnswers) {
   // A shell reads its program from the socket, and answers through it.
   ChildProcess shell({.program = "sh"});
-  shell.send("echo heard >&0; exit 4\n");
+  shell.socket().send("echo heard >&0; exit 4\n");
   std::string answer(6, ' ');
-  ASSERT_TRUE(shell.wait(10000));
-  EXPECT_EQ(shell.read(answer.data(), answer.size()), 6u);
+  ASSERT_TRUE(shell.socket().wait(10000));
+  EXPECT_EQ(shell.socket().read(answer.data(), answer.size()), 6u);
   EXPECT_EQ(answer, "heard\n");
   EXPECT_EQ(shell.exit_code(), 4);
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "geometry/mesh_estimate.hpp"
+#include "geometry/waiting_mesher.hpp"
 #include "rock.hpp"
 #include "support/in_a_child.hpp"
 
@@ -17,6 +18,7 @@ using namespace rock;
 double bytes_held(const Project& project) {
   return test::in_a_child([&] {
     build(project);
+    end_waiting_mesher();
     rusage mesher{};
     getrusage(RUSAGE_CHILDREN, &mesher);
     return 1024.0 * static_cast<double>(mesher.ru_maxrss);

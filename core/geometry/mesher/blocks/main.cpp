@@ -1,10 +1,14 @@
 /// talus-mesher: the program that runs gmsh, CGAL and GDAL for Talus, so that a crash in them or a cancelled wait ends
-/// nothing else. Reads one job from descriptor 0, answers there with what cutting made of it, and, told how finely to
-/// mesh, with blocks, or with what its solids look like; then with an end or an error (mesher_job.hpp).
+/// nothing else. Reads a job from descriptor 0, and others from sockets that come by another (waiting_mesher.hpp);
+/// answers each with what cutting made of it, and, told how finely to mesh, with blocks, or with what its solids look
+/// like; then with an end or an error (mesher_job.hpp).
 
 #include <fcntl.h>
 #include <gmsh.h>
+#include <poll.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +18,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/socket.hpp"
 #include "geometry/mesher/blocks/kept_blocks.hpp"
 #include "geometry/mesher/blocks/splinters.hpp"
 #include "geometry/mesher/cells/cell_mesher.hpp"
@@ -30,48 +35,42 @@
 namespace talus {
 namespace {
 
-/// The socket to who started this, which was standard input. From there gmsh reads whether a mesh is meant to be as
-/// large as it will be, and waited for ever: the answer is no.
-int take_channel() {
+/// The socket of the job.
+Socket& channel() {
+  static Socket taken;
+  return taken;
+}
+
+/// From standard input gmsh reads whether a mesh is meant to be as large as it will be, and waited for ever: the answer
+/// is no.
+void answer_no_to_gmsh() {
   constexpr std::string_view no = "0\n0\n0\n0\n";
-  const int channel = fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   int answers[2];
-  if (channel < 0 || pipe(answers) != 0 || write(answers[1], no.data(), no.size()) < 0) _exit(1);
+  if (pipe(answers) != 0 || write(answers[1], no.data(), no.size()) < 0) _exit(1);
   dup2(answers[0], STDIN_FILENO);
   close(answers[0]);
   close(answers[1]);
-  return channel;
-}
-
-int channel() {
-  static const int taken = take_channel();
-  return taken;
 }
 
 void receive_exactly(char* into, std::size_t size) {
   while (size > 0) {
-    const ssize_t count = read(channel(), into, size);
-    if (count <= 0) throw std::runtime_error("a message ended too early");
+    const std::size_t count = channel().read(into, size);
+    if (count == 0) throw std::runtime_error("a message ended too early");
     into += count;
-    size -= static_cast<std::size_t>(count);
+    size -= count;
   }
 }
 
-void send_exactly(const char* from, std::size_t size) {
-  while (size > 0) {
-    const ssize_t count = write(channel(), from, size);
-    if (count <= 0) _exit(1);  // nobody listens any more
-    from += count;
-    size -= static_cast<std::size_t>(count);
-  }
+void send_exactly(std::string_view bytes) {
+  if (!channel().send(bytes)) _exit(1);  // nobody listens any more
 }
 
 template <class Message>
 void send_message(MessageKind kind, const Message& message) {
   const std::string bytes = to_bytes(message);
   const MessageHeader header = header_of(kind, bytes);
-  send_exactly(reinterpret_cast<const char*>(&header), sizeof header);
-  send_exactly(bytes.data(), bytes.size());
+  send_exactly({reinterpret_cast<const char*>(&header), sizeof header});
+  send_exactly(bytes);
 }
 
 struct Received {
@@ -79,13 +78,17 @@ struct Received {
   std::string bytes;
 };
 
-Received receive_message() {
-  MessageHeader header;
-  receive_exactly(reinterpret_cast<char*>(&header), sizeof header);
+Received receive_message(MessageHeader header) {
   if (!is_understood(header)) throw std::runtime_error("the program is of another version");
   Received received{header.kind, std::string(header.size, '\0')};
   receive_exactly(received.bytes.data(), received.bytes.size());
   return received;
+}
+
+Received receive_message() {
+  MessageHeader header;
+  receive_exactly(reinterpret_cast<char*>(&header), sizeof header);
+  return receive_message(header);
 }
 
 void report(double fraction, std::string_view what) {
@@ -272,11 +275,11 @@ MesherError message_of(const SplintersFound& error) {
   return message;
 }
 
-void run() {
+/// The job whose message begins so.
+void run(const MessageHeader& header) {
   try {
-    const Received order = receive_message();
+    const Received order = receive_message(header);
     const auto job = from_bytes<MesherJob>(order.bytes);
-    gmsh::initialize();
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
     // An error in the threads of surface meshing would end the process; the checks of each mesh see it as well.
@@ -293,11 +296,92 @@ void run() {
   }
 }
 
+/// A job is done in a process of its own: a cancelled wait or a crash ends that alone.
+class Jobs {
+ public:
+  /// The first comes by standard input, and with it a socket by which come those of the others, each of which is
+  /// answered with a byte. Until that is closed.
+  void serve() {
+    Socket orders = begin_first();
+    std::signal(SIGCHLD, [](int) {});  // ends poll, so that who has ended is waited for
+    while (orders.descriptor() >= 0) {
+      for (pid_t ended = 0; (ended = waitpid(-1, nullptr, WNOHANG)) > 0;) at_work_.erase(ended);
+      pollfd watched{orders.descriptor(), POLLIN, 0};
+      if (poll(&watched, 1, -1) < 0) continue;
+      char order = 0;
+      auto received = orders.read_with(&order, 1);
+      if (received.first == 0) break;
+      begin(std::move(received.second), orders);
+      orders.send("b");  // it is begun
+    }
+    if (orders.descriptor() >= 0)
+      for (const pid_t one : at_work_) kill(one, SIGKILL);
+    while (wait(nullptr) > 0) {
+    }
+  }
+
+ private:
+  Socket begin_first() {
+    Socket job(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    MessageHeader header;
+    auto received = job.read_with(reinterpret_cast<char*>(&header), sizeof header);
+    if (received.first == 0) _exit(0);  // nobody asks
+    fork_for(std::move(job), received.second, [&] {
+      receive_exactly(reinterpret_cast<char*>(&header) + received.first, sizeof header - received.first);
+      run(header);
+    });
+    answer_no_to_gmsh();  // which leaves the job's socket to who does it
+    return std::move(received.second);
+  }
+
+  void begin(Socket job, Socket& orders) {
+    fork_for(std::move(job), orders, [] {
+      MessageHeader header;
+      receive_exactly(reinterpret_cast<char*>(&header), sizeof header);
+      run(header);
+    });
+  }
+
+  template <class Work>
+  void fork_for(Socket job, Socket& orders, const Work& work) {
+    const pid_t process = fork();
+    if (process != 0) {
+      at_work_.insert(process);
+      return;
+    }
+    std::signal(SIGCHLD, SIG_DFL);
+    orders = Socket();
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    channel() = std::move(job);
+    answer_no_to_gmsh();
+    end_with_channel();
+    work();
+    _exit(0);  // OpenCASCADE's and gmsh's own tidying up is slow and of no use
+  }
+
+  /// Whatever is being computed.
+  static void end_with_channel() {
+    struct sigaction heard {};
+    heard.sa_handler = [](int) {
+      char next = 0;
+      if (recv(channel().descriptor(), &next, 1, MSG_PEEK | MSG_DONTWAIT) == 0) _exit(0);
+    };
+    heard.sa_flags = SA_RESTART;
+    sigaction(SIGIO, &heard, nullptr);
+    const int socket = channel().descriptor();
+    fcntl(socket, F_SETOWN, getpid());
+    fcntl(socket, F_SETFL, fcntl(socket, F_GETFL) | O_ASYNC);
+    raise(SIGIO);  // where it was closed before
+  }
+
+  std::set<pid_t> at_work_;
+};
+
 }  // namespace
 }  // namespace talus
 
 int main() {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  talus::run();
-  _exit(0);  // OpenCASCADE's and gmsh's own tidying up is slow and of no use
+  gmsh::initialize();
+  talus::Jobs().serve();
+  _exit(0);
 }
