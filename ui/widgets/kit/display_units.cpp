@@ -1,6 +1,8 @@
 #include "widgets/kit/display_units.hpp"
 
+#include <QCoreApplication>
 #include <QObject>
+#include <QPointer>
 #include <QSettings>
 
 namespace talus::units {
@@ -32,7 +34,12 @@ const std::vector<Choice>& choices() {
   return all;
 }
 
-QString chosen(const QString& quantity) { return QSettings().value(key(quantity)).toString(); }
+QString chosen(const QString& quantity) {
+  // Kept, since to open the settings takes longer than to build a field, which asks for five.
+  static QPointer<QSettings> settings;
+  if (!settings) settings = new QSettings(qApp);
+  return settings->value(key(quantity)).toString();
+}
 
 void choose(const QString& quantity, const QString& unit) { QSettings().setValue(key(quantity), unit); }
 
