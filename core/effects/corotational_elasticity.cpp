@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <cstring>
 
 #include "bodies/deformation.hpp"
 #include "bodies/finite_rotation.hpp"
@@ -45,14 +46,21 @@ void CorotationalElasticity::begin_step(const StepContext& step) {
   in_parallel(static_cast<int>(set_.linear.size()), ElementSums::grain, [&](int first, int last) {
     for (int i = first; i < last; ++i) {
       const int e = set_.linear[i];
-      start_[e] = rotation_of(deformation_gradient(set_, set_.elements[e], set_.shapes[e]));
+      start_[e] = rotation(e, deformation_gradient(set_, set_.elements[e], set_.shapes[e]));
     }
   });
 }
 
+const Mat3& CorotationalElasticity::rotation(int e, const Mat3& f) const {
+  Turned& last = turned_[set_.elements[e].number];
+  // Bit by bit: zeros of either sign are equal, and not the same.
+  if (std::memcmp(last.gradient.data(), f.data(), sizeof last.gradient) != 0) last = {f, rotation_of(f)};
+  return last.rotation;
+}
+
 double CorotationalElasticity::energy_of(int e, const Mat3& f) const {
   const Elastic& elastic = set_.bodies[set_.elements[e].body].elastic;
-  const Mat3 r = rotation_of(f);
+  const Mat3 r = rotation(e, f);
   const double trace = (r.transpose() * f).trace() - 3;
   return set_.shapes[e].volume * (elastic.mu * (f - r).squaredNorm() + 0.5 * elastic.lambda * trace * trace);
 }
@@ -71,7 +79,7 @@ double CorotationalElasticity::stored_energy() const {
 ElementSums::Forces CorotationalElasticity::forces(int e, const Increment& d) const {
   const ElementShape& shape = set_.shapes[e];
   const Mat3 f = deformation_gradient(set_, set_.elements[e], shape, d);
-  const Mat3 r = rotation_of(f);
+  const Mat3 r = rotation(e, f);
   const Mat3 turn = start_.empty() ? r : Mat3(0.5 * (start_[e] + r));
   const Mat3 stress = shape.volume * turn * stress_in_frame(set_.bodies[set_.elements[e].body].elastic, f, r);
   ElementSums::Forces forces;
@@ -87,7 +95,7 @@ void CorotationalElasticity::add_gradient(const Increment& d, Arms, Eigen::Vecto
 ElementSums::Stiffness CorotationalElasticity::stiffness(int e, const Increment& d) const {
   const Elastic& elastic = set_.bodies[set_.elements[e].body].elastic;
   ElementShape turned = set_.shapes[e];
-  const Mat3 f = deformation_gradient(set_, set_.elements[e], turned, d), r = rotation_of(f);
+  const Mat3 f = deformation_gradient(set_, set_.elements[e], turned, d), r = rotation(e, f);
   const Mat3 twist = turned.volume * r * twist_stiffness(elastic, r.transpose() * f) * r.transpose();
   ElementSums::Stiffness blocks;
   auto block = blocks.begin();
@@ -127,7 +135,7 @@ ElementSums::WholeStiffness CorotationalElasticity::rest_of_tangent(int e, const
   const Element& element = set_.elements[e];
   const ElementShape& shape = set_.shapes[e];
   const Elastic& elastic = set_.bodies[element.body].elastic;
-  const Mat3 f = deformation_gradient(set_, element, shape, d), r = rotation_of(f), mean = 0.5 * (start_[e] + r);
+  const Mat3 f = deformation_gradient(set_, element, shape, d), r = rotation(e, f), mean = 0.5 * (start_[e] + r);
   const Mat3 stretch = r.transpose() * f, stress = stress_in_frame(elastic, f, r);
   const Mat3 spin = (stretch.trace() * Mat3::Identity() - stretch).inverse(), turn = mean * r.transpose();
   std::array<Mat3, 4> by_spin, spin_of_corner;
@@ -161,7 +169,7 @@ void CorotationalElasticity::add_unsymmetric(const Increment& d, Arms, Unsymmetr
 void CorotationalElasticity::add_stress(std::vector<Voigt>& stress) const {
   for (const int e : set_.linear) {
     const Mat3 f = deformation_gradient(set_, set_.elements[e], set_.shapes[e]);
-    const Mat3 r = rotation_of(f), p = r * stress_in_frame(set_.bodies[set_.elements[e].body].elastic, f, r);
+    const Mat3 r = rotation(e, f), p = r * stress_in_frame(set_.bodies[set_.elements[e].body].elastic, f, r);
     stress[e] += voigt(p * f.transpose() / f.determinant());
   }
 }

@@ -19,7 +19,7 @@ namespace talus {
 class CorotationalElasticity final : public Effect {
  public:
   explicit CorotationalElasticity(const BodySet& set, const EffectTolerances& tolerances = {})
-      : set_(set), tolerances_(tolerances), sums_(set), kept_(set.element_numbers) {}
+      : set_(set), tolerances_(tolerances), sums_(set), kept_(set.element_numbers), turned_(set.element_numbers) {}
   EffectKind kind() const override { return EffectKind::elasticity; }
   EnergyAccount account() const override { return EnergyAccount::elastic; }
   bool quadratic() const override { return false; }
@@ -41,6 +41,8 @@ class CorotationalElasticity final : public Effect {
   const ElementSums::Stiffness& keep_stiffness(int element, const Increment& d) const;
   ElementSums::WholeStiffness rest_of_tangent(int element, const Increment& d) const;
   double energy_of(int element, const Mat3& gradient) const;
+  /// Its rotation; forces, stiffness and the rest of the tangent ask for that of the same deformation gradient.
+  const Mat3& rotation(int element, const Mat3& gradient) const;
   /// What an element's stiffness was, and with which deformation gradient.
   struct Kept {
     Mat3 gradient = Mat3::Zero();
@@ -49,11 +51,16 @@ class CorotationalElasticity final : public Effect {
     void archive(auto& state) { state(gradient, stiffness); }
   };
 
+  struct Turned {
+    Mat3 gradient = Mat3::Identity(), rotation = Mat3::Identity();
+  };
+
   const BodySet& set_;
   EffectTolerances tolerances_;
   ElementSums sums_;
-  mutable std::vector<Kept> kept_;    ///< by the elements' numbers
-  mutable std::vector<int> turning_;  ///< elements, in this iterate
+  mutable std::vector<Kept> kept_;      ///< by the elements' numbers
+  mutable std::vector<Turned> turned_;  ///< as they were asked for last, by the same
+  mutable std::vector<int> turning_;    ///< elements, in this iterate
   std::vector<Mat3> start_;  ///< R₀ of each element of linear rock, where the mean rotation is asked for; else none
 };
 

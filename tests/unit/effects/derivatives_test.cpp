@@ -109,6 +109,17 @@ TEST_F(Derivatives, CorotationalElasticityKeepsItsStiffnessWhileLittleChanges) {
   EXPECT_EQ(hessian_of(elasticity, set_, 2 * d_), hessian_of(CorotationalElasticity(set_), set_, 2 * d_));
 }
 
+TEST_F(Derivatives, CorotationalElasticityHasTheSameForcesWhateverItWasAskedBefore) {
+  const auto forces = [&](const CorotationalElasticity& elasticity, double times) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(d_.size());
+    elasticity.add_gradient(times * d_, Arms::end, sum);
+    return sum;
+  };
+  const CorotationalElasticity elasticity(set_);
+  for (const double times : {1.0, 1.0, 2.0, 0.0, 1.0})
+    EXPECT_EQ(forces(elasticity, times), forces(CorotationalElasticity(set_), times)) << times;
+}
+
 /// A step in which the blocks only turn, by 0.05 rad.
 Increment turning(const BodySet& set) {
   const Mat3 rotation = Eigen::AngleAxisd(0.05, Vec3(2, -1, 1).normalized()).toRotationMatrix();
