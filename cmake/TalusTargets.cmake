@@ -171,14 +171,14 @@ function(talus_library folder)
   talus_compile_by_room(talus_${folder} ${quick} APART ${ARG_APART} TOGETHER ${ARG_TOGETHER})
 endfunction()
 
-# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [EACH_TEST] [LONG pattern] [BLAS_KERNELS name] [COMPUTES])
-# a GoogleTest program, each of its suites a ctest, or each of its tests; those that fit GoogleTest's pattern LONG have the
-# label `long` alone. BLAS_KERNELS: OpenBLAS takes these, where the processor has them, so that figures are those of the
+# talus_test(NAME SOURCES file... LIBRARIES lib... [LABELS label...] [SHARES count] [LONG pattern] [BLAS_KERNELS name] [COMPUTES])
+# a GoogleTest program, each of its suites a ctest, or each of so many SHARES of its tests; those that fit GoogleTest's
+# pattern LONG have the label `long` alone, and where there are SHARES a ctest each. BLAS_KERNELS: OpenBLAS takes these, where the processor has them, so that figures are those of the
 # tables in docs (its choice differs from processor to processor, and with it the last bits). COMPUTES: the tests
 # themselves, not only what they test, compute for long and are optimized (the shared header is not made for these).
 file(STRINGS /proc/cpuinfo processor_has_avx2 REGEX "avx2" LIMIT_COUNT 1)
 function(talus_test name)
-  cmake_parse_arguments(ARG "EACH_TEST;COMPUTES" "BLAS_KERNELS;LONG" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTES" "BLAS_KERNELS;LONG;SHARES" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(ARG_BLAS_KERNELS AND processor_has_avx2)
     set(kernels ENVIRONMENT_MODIFICATION OPENBLAS_CORETYPE=set:${ARG_BLAS_KERNELS})
   endif()
@@ -198,21 +198,27 @@ function(talus_test name)
   if(ARG_LABELS)
     set(labels LABELS ${ARG_LABELS})
   endif()
+  set(as SUITES)
+  set(long_as SUITES)
+  if(ARG_SHARES)
+    set(as ${ARG_SHARES})
+    set(long_as EACH_TEST)
+  endif()
   if(ARG_LONG)
-    talus_add_suites(${name} "${ARG_LONG}" "${ARG_EACH_TEST}" ${properties} LABELS long)
-    talus_add_suites(${name} "-${ARG_LONG}" "${ARG_EACH_TEST}" ${properties} ${labels})
+    talus_add_suites(${name} "${ARG_LONG}" ${long_as} ${properties} LABELS long)
+    talus_add_suites(${name} "-${ARG_LONG}" ${as} ${properties} ${labels})
   else()
-    talus_add_suites(${name} "*" "${ARG_EACH_TEST}" ${properties} ${labels})
+    talus_add_suites(${name} "*" ${as} ${properties} ${labels})
   endif()
 endfunction()
 
-# talus_add_suites(NAME PATTERN EACH_TEST property value...)  What fits GoogleTest's pattern, listed when ctest starts
-# (TalusTestSuites.cmake): suites as a whole, or each test where EACH_TEST is true.
-function(talus_add_suites name pattern each_test)
+# talus_add_suites(NAME PATTERN AS property value...)  What fits GoogleTest's pattern, listed when ctest starts: AS SUITES,
+# EACH_TEST or a number of shares (TalusTestSuites.cmake).
+function(talus_add_suites name pattern as)
   string(MD5 key "${pattern}")
   set(listing ${CMAKE_CURRENT_BINARY_DIR}/${name}_${key}.cmake)
   list(JOIN ARGN "]==] [==[" properties)
   file(GENERATE OUTPUT ${listing} CONTENT "include([==[${PROJECT_SOURCE_DIR}/cmake/TalusTestSuites.cmake]==])
-add_suites([==[$<TARGET_FILE:${name}>]==] [==[${pattern}]==] [==[${each_test}]==] [==[${properties}]==])\n")
+add_suites([==[$<TARGET_FILE:${name}>]==] [==[${pattern}]==] [==[${as}]==] [==[${properties}]==])\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${listing})
 endfunction()
