@@ -108,12 +108,48 @@ std::optional<double> angle_of(std::string_view point) {
   return number_at<double>(number);
 }
 
-}  // namespace
+[[noreturn]] void refuse(const MesherSolid& solid, const Statement& statement, const std::string& damage) {
+  throw InputError(solid.file_as_written + ": line " + std::to_string(statement.line), "is damaged: " + damage,
+                   "export the solid again as STEP");
+}
 
-void check_step_text(const MesherSolid& solid, std::string_view text) {
+/// Shells and all that they are made of, down to points.
+void refuse_circles(const MesherSolid& solid, const Statements& statements) {
+  enum class Visit { open, done };
+  struct Entered {
+    long long number;
+    const Statement* statement;
+    std::vector<long long> named;
+  };
+  std::unordered_map<long long, Visit> visits;
+  std::vector<Entered> path;
+  const auto enter = [&](long long number, const Statement* statement) {
+    if (statement == nullptr || !visits.emplace(number, Visit::open).second) return;
+    path.push_back({number, statement, references_in(statement->text)});
+  };
+  for (const auto& [first, shell] : statements) {
+    if (!shell.text.starts_with("CLOSED_SHELL(") && !shell.text.starts_with("OPEN_SHELL(")) continue;
+    enter(first, &shell);
+    while (!path.empty()) {
+      std::vector<long long>& named = path.back().named;
+      if (named.empty()) {
+        visits[path.back().number] = Visit::done;
+        path.pop_back();
+        continue;
+      }
+      const long long next = named.back();
+      named.pop_back();
+      if (const auto seen = visits.find(next); seen != visits.end() && seen->second == Visit::open)
+        refuse(solid, *path.back().statement, "what stands there is part of itself");
+      enter(next, statements.find(next));
+    }
+  }
+}
+
+/// Where edges run on faces around an axis, the curves that say so.
+void refuse_far_angles(const MesherSolid& solid, const Statements& statements) {
   constexpr double farthest = 1e6;
-  const Statements statements(text);
-  std::vector<long long> ahead;  // what says where edges run on round faces
+  std::vector<long long> ahead;
   for (const auto& [number, statement] : statements) {
     if (!statement.text.starts_with("PCURVE(")) continue;
     const std::vector<long long> named = references_in(statement.text);
@@ -128,11 +164,17 @@ void check_step_text(const MesherSolid& solid, std::string_view text) {
     if (statement == nullptr || !seen.insert(number).second) continue;
     const auto angle = angle_of(statement->text);
     if (angle && !(std::abs(*angle) <= farthest))
-      throw InputError(solid.file_as_written + ": line " + std::to_string(statement->line),
-                       "is damaged: an edge of a round face lies at an angle beyond a million",
-                       "export the solid again as STEP");
+      refuse(solid, *statement, "an edge of a round face lies at an angle beyond a million");
     for (const long long named : references_in(statement->text)) ahead.push_back(named);
   }
+}
+
+}  // namespace
+
+void check_step_text(const MesherSolid& solid, std::string_view text) {
+  const Statements statements(text);
+  refuse_circles(solid, statements);
+  refuse_far_angles(solid, statements);
 }
 
 }  // namespace talus

@@ -59,6 +59,18 @@ TEST_F(StepFiles, WithAnEdgeThatGoesAroundForEverAreRefusedAtOnce) {
             "solid again as STEP");
 }
 
+/// OpenCASCADE went from the edge to itself until there was no memory left.
+TEST_F(StepFiles, WithAnEdgeThatIsPartOfItselfAreRefusedAtOnce) {
+  std::string text = slope();
+  const std::string edge = "ORIENTED_EDGE('',*,*,#193,.T.)";
+  const auto at = text.find("#192 = " + edge);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(text.find("#193", at), 4, "#192");
+  write("circle.step", text);
+  EXPECT_EQ(error_of(reading("circle.step"), folder_),
+            "circle.step: line 229: is damaged: what stands there is part of itself; export the solid again as STEP");
+}
+
 /// m³ of samples/step_slope, as tools/step_slope.geo describes it: a box less a pit whose radius grows with height,
 /// by the midpoint rule.
 double slope_volume() {
