@@ -44,7 +44,7 @@ bool send_case(int socket, std::string arguments) {
 }  // namespace
 
 int main(int count, char** words) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // as talus-mesher; the case goes with this
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // as the jobs of talus-mesher; the case goes with this
   std::string arguments;
   for (int i = 0; i < count; ++i) arguments += std::string(words[i]) + '\0';
   const int socket = connected();

@@ -79,10 +79,15 @@ Eigen::AlignedBox3d bounds_of_volume(int tag) {
   return {low, high};
 }
 
+Bulk bulk_of_volume(int tag) {
+  Bulk bulk;
+  gmsh::model::occ::getMass(3, tag, bulk.volume);
+  gmsh::model::occ::getCenterOfMass(3, tag, bulk.centroid.x(), bulk.centroid.y(), bulk.centroid.z());
+  return bulk;
+}
+
 Measure measure_volume(int tag) {
-  Measure measure;
-  gmsh::model::occ::getMass(3, tag, measure.volume);
-  gmsh::model::occ::getCenterOfMass(3, tag, measure.centroid.x(), measure.centroid.y(), measure.centroid.z());
+  Measure measure{bulk_of_volume(tag)};
   for (int face : faces_of({tag})) measure.area += area_of(face);
   return measure;
 }

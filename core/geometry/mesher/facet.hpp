@@ -31,16 +31,20 @@ bool lies_on(const Plane& plane, const Facet& facet, double reach);
 /// m, of a volume; wider than it by OpenCASCADE's tolerance.
 Eigen::AlignedBox3d bounds_of_volume(int tag);
 
-struct Measure {
+struct Bulk {
   double volume = 0;  ///< m³
-  double area = 0;    ///< m²
   Vec3 centroid = Vec3::Zero();
+};
+
+struct Measure : Bulk {
+  double area = 0;  ///< m²
 
   /// Twice the volume over the area: a plate's thickness, half the width of a rod.
   double thickness() const { return area > 0 ? 2 * volume / area : 0; }
 };
 
-/// Of a synchronised volume.
+/// Of a synchronised volume; the measure, for which all its faces are measured, takes longer.
+Bulk bulk_of_volume(int tag);
 Measure measure_volume(int tag);
 
 }  // namespace talus

@@ -193,11 +193,8 @@ std::map<int, CutFacet> SolidCutter::facets_of(int volume) {
 }
 
 CutBlock SolidCutter::make_block(int volume) {
-  double size = 0;  // m³
-  Vec3 centroid;
-  occ::getMass(3, volume, size);
-  occ::getCenterOfMass(3, volume, centroid.x(), centroid.y(), centroid.z());
-  return {solid_index_, {volume}, {}, size, centroid, bounds_of_volume(volume), facets_of(volume)};
+  const Bulk bulk = bulk_of_volume(volume);
+  return {solid_index_, {volume}, {}, bulk.volume, bulk.centroid, bounds_of_volume(volume), facets_of(volume)};
 }
 
 void SolidCutter::check_volumes(const std::vector<CutBlock>& blocks) const {
