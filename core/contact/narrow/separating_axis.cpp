@@ -10,11 +10,13 @@ namespace {
 
 constexpr double rounding_of_gaps = 1e-9;  // of the size: by as much two measures of one gap may differ
 
-template <class Visit>
-void visit_edges(const StepGeometry& step, int body, const Visit& visit) {
+/// Whether it holds for any of the body's clearly convex edges.
+template <class Holds>
+bool any_edge(const StepGeometry& step, int body, const Holds& holds) {
   for (int f = step.features.face_begin[body]; f < step.features.face_begin[body + 1]; ++f)
     for (const int edge : step.features.owned_edges(f))
-      if (step.shapes.edge(edge).is_clearly_convex) visit(edge);
+      if (step.shapes.edge(edge).is_clearly_convex && holds(edge)) return true;
+  return false;
 }
 
 /// How high the lowest vertex of a body lies above a face of another, or `enough` if it lies lower than that. [m]
@@ -68,21 +70,22 @@ void SeparatingAxis::look_along_normals(const StepGeometry& step, int body, int 
 
 /// Of two edges whose normals are opposite somewhere no other vertex lies nearer along the direction across both.
 void SeparatingAxis::look_across_edges(const StepGeometry& step, double enough) {
-  visit_edges(step, bodies_[0], [&](int edge_a) {
+  if (widest_ > enough) return;
+  any_edge(step, bodies_[0], [&](int edge_a) {
     const ContactEdge& a = step.features.edges[edge_a];
     const std::array<Vec3, 2>& into_a = step.shapes.edge(edge_a).into;
     const Vec3 &origin = step.x[a.nodes[0]], u = step.x[a.nodes[1]] - origin;
-    visit_edges(step, bodies_[1], [&](int edge_b) {
-      if (widest_ > enough) return;
+    return any_edge(step, bodies_[1], [&](int edge_b) {
       const ContactEdge& b = step.features.edges[edge_b];
       const std::array<Vec3, 2>& into_b = step.shapes.edge(edge_b).into;
       const Vec3 w = step.x[b.nodes[1]] - step.x[b.nodes[0]];
       Vec3 across = u.cross(w);
       if (across.dot(into_a[0]) < 0) across = -across;
-      if (across.dot(into_a[1]) < 0 || across.dot(into_b[0]) > 0 || across.dot(into_b[1]) > 0) return;
+      if (across.dot(into_a[1]) < 0 || across.dot(into_b[0]) > 0 || across.dot(into_b[1]) > 0) return false;
       const double squared = across.squaredNorm();
-      if (!(squared > step.tolerances.parallel_edges * u.squaredNorm() * w.squaredNorm())) return;
+      if (!(squared > step.tolerances.parallel_edges * u.squaredNorm() * w.squaredNorm())) return false;
       widest_ = std::max(widest_, across.dot(origin - step.x[b.nodes[0]]) / std::sqrt(squared));
+      return widest_ > enough;
     });
   });
 }
