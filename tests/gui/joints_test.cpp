@@ -83,6 +83,18 @@ TEST_F(JointsWindow, AJointGoesThroughThreePointsThatAreClicked) {
   EXPECT_EQ(textNow(), before);
 }
 
+TEST_F(JointsWindow, APlaceOnABlockIsFoundOnTheRockThatIsNotCutToo) {
+  mesh();
+  const int last = static_cast<int>(session->project.system()->blocks.size()) - 1;
+  ASSERT_GE(last, 3) << "there are two solids";
+  const PickedPlace place{.block = last, .solid = 1, .point = {4, 4, 13}};
+  EXPECT_TRUE(window->viewport().pointOf(place).has_value());
+  session->display.goTo(WorkflowPage::joints);
+  ASSERT_TRUE(wait([&] { return session->surfaces.current() && !session->surfaces.isBusy(); }));
+  rest(50);
+  EXPECT_EQ(window->viewport().pointOf(place), window->viewport().pointOf(place.point));
+}
+
 TEST_F(JointsWindow, AJointLiesAlongAFaceThatIsClicked) {
   mesh();
   window->viewport().look(View::iso);

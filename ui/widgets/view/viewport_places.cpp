@@ -57,7 +57,9 @@ std::optional<QPointF> Viewport::pointOf(const Vec3& point) const {
 
 std::optional<QPointF> Viewport::pointOf(const PickedPlace& place) const {
   if (!scene_) return std::nullopt;
-  return pointOf(place.block >= 0 ? scene_->drawn_place(place.block, place.point) : place.point);
+  // The blocks on which it was asked for may have made way for the solids, or for others of another number.
+  const bool isOnABlock = !showsSolids_ && place.block >= 0 && place.block < static_cast<int>(system_->blocks.size());
+  return pointOf(isOnABlock ? scene_->drawn_place(place.block, place.point) : place.point);
 }
 
 std::optional<SightLine> Viewport::sightAt(QPointF point) const {
