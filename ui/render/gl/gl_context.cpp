@@ -7,8 +7,10 @@
 
 #include <array>
 #include <initializer_list>
+#include <mutex>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 namespace talus {
 namespace {
@@ -188,6 +190,54 @@ class EglContext final : public GlContext {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
+/// Contexts of windows that are gone, for the next ones: what a context has compiled for its shaders goes with it, and
+/// Mesa keeps but a part of that on the disk, a tenth of a second for a scene. Never destroyed: the libraries that they
+/// need may be gone first.
+class KeptContexts {
+ public:
+  static KeptContexts& get() {
+    static auto* const kept = new KeptContexts;
+    return *kept;
+  }
+
+  std::unique_ptr<GlContext> take() {
+    const std::lock_guard lock(guard_);
+    if (contexts_.empty()) return nullptr;
+    std::unique_ptr<GlContext> context = std::move(contexts_.back());
+    contexts_.pop_back();
+    return context;
+  }
+  void keep(std::unique_ptr<GlContext> context) {
+    const std::lock_guard lock(guard_);
+    if (contexts_.size() < most) contexts_.push_back(std::move(context));
+  }
+
+ private:
+  static constexpr std::size_t most = 4;
+  std::mutex guard_;
+  std::vector<std::unique_ptr<GlContext>> contexts_;
+};
+
+/// One of OSMesa's contexts that is kept when it is no longer needed.
+class LentContext final : public GlContext {
+ public:
+  explicit LentContext(std::unique_ptr<GlContext> context) : context_(std::move(context)) {}
+  ~LentContext() override {
+    context_->done_current();
+    KeptContexts::get().keep(std::move(context_));
+  }
+  LentContext(const LentContext&) = delete;
+  LentContext& operator=(const LentContext&) = delete;
+
+  bool make_current() override { return context_->make_current(); }
+  void done_current() override { context_->done_current(); }
+  bool is_current() const override { return context_->is_current(); }
+  std::string name() const override { return context_->name(); }
+
+ private:
+  std::unique_ptr<GlContext> context_;
+};
+
 /// The context if it can be made current on this thread, else nothing.
 std::unique_ptr<GlContext> if_usable(std::unique_ptr<GlContext> context) {
   if (!context->make_current()) return nullptr;
@@ -199,8 +249,11 @@ std::unique_ptr<GlContext> if_usable(std::unique_ptr<GlContext> context) {
 
 std::unique_ptr<GlContext> make_offscreen_context(OffscreenBackend backend) {
   if (backend != OffscreenBackend::egl)
-    if (const OsMesaVendor* vendor = OsMesaVendor::get())
-      if (auto context = if_usable(std::make_unique<OsMesaContext>(*vendor))) return context;
+    if (const OsMesaVendor* vendor = OsMesaVendor::get()) {
+      auto context = KeptContexts::get().take();
+      if (!context) context = std::make_unique<OsMesaContext>(*vendor);
+      if (auto usable = if_usable(std::make_unique<LentContext>(std::move(context)))) return usable;
+    }
   if (backend != OffscreenBackend::osmesa)
     if (auto context = if_usable(std::make_unique<EglContext>())) return context;
   throw std::runtime_error(
