@@ -69,8 +69,8 @@ FieldSite FieldSite::element(std::size_t index) const {
   return {context, place / index, schema::memberRule(rule, {}), false};
 }
 
-FormField::FormField(FieldSite site)
-    : site_(std::move(site)), column_(new QVBoxLayout(this)), problem_(makeWrappedLabel({}, "error")) {
+FormField::FormField(FieldSite site, QWidget* parent)
+    : QWidget(parent), site_(std::move(site)), column_(new QVBoxLayout(this)), problem_(makeWrappedLabel({}, "error")) {
   setMargins(column_, 0, 2);
   problem_->hide();
   column_->addWidget(problem_);
@@ -146,33 +146,33 @@ bool isWide(const Json& rule) {
   return true;
 }
 
-FormField* makeField(const FieldSite& site) {
+FormField* makeField(const FieldSite& site, QWidget* parent) {
   switch (schema::kindOf(site.rule)) {
     case Kind::choice:
     case Kind::boolean:
-      return new ChoiceField(site);
+      return new ChoiceField(site, parent);
     case Kind::number:
-      return new NumberEntry(site);
+      return new NumberEntry(site, parent);
     case Kind::namedNumber:
-      return new NamedNumberField(site);
+      return new NamedNumberField(site, parent);
     case Kind::text:
-      if (site.rule.contains("names")) return new NameField(site);
-      return new TextField(site);
+      if (site.rule.contains("names")) return new NameField(site, parent);
+      return new TextField(site, parent);
     case Kind::numbers:
-      return new VectorField(site);
+      return new VectorField(site, parent);
     case Kind::texts:
-      return new NamesField(site);
+      return new NamesField(site, parent);
     case Kind::table:
-      return new TableField(site);
+      return new TableField(site, parent);
     case Kind::list:
     case Kind::named:
-      return new ListField(site);
+      return new ListField(site, parent);
     case Kind::object:
-      return new ObjectField(site);
+      return new ObjectField(site, parent);
     case Kind::constant:
       break;
   }
-  return new FormField(site);
+  return new FormField(site, parent);
 }
 
 }  // namespace talus

@@ -62,7 +62,7 @@ class FormField : public QWidget {
   Q_OBJECT
  public:
   using Json = schema::Json;
-  explicit FormField(FieldSite site);
+  FormField(FieldSite site, QWidget* parent);
 
  protected:
   const FieldSite& site() const { return site_; }
@@ -83,8 +83,9 @@ class FormField : public QWidget {
   QLabel* problem_;
 };
 
-/// The editor for what the rule of a place says; the caller owns it.
-FormField* makeField(const FieldSite& site);
+/// The editor for what the rule of a place says, a child of `parent`: what is put into a window later is styled anew
+/// with all that it holds.
+FormField* makeField(const FieldSite& site, QWidget* parent);
 /// It stands under its title, not beside it.
 bool isWide(const schema::Json& rule);
 

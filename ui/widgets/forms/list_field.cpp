@@ -12,7 +12,7 @@
 
 namespace talus {
 
-ListField::ListField(const FieldSite& place) : FormField(place) {
+ListField::ListField(const FieldSite& place, QWidget* parent) : FormField(place, parent) {
   const Json none = Json::array();
   const Json& things = site().isSet() ? *site().value() : none;
   for (const auto& [key, thing] : things.items()) {
@@ -32,7 +32,7 @@ ListField::ListField(const FieldSite& place) : FormField(place) {
 }
 
 QWidget* ListField::makeEntry(const FieldSite& entry) {
-  auto* whole = new QWidget;
+  auto* whole = new QWidget(this);
   auto* column = new QVBoxLayout(whole);
   setMargins(column, 0, 2);
   auto* head = new QHBoxLayout;
@@ -49,9 +49,9 @@ QWidget* ListField::makeEntry(const FieldSite& entry) {
     head->addWidget(makeLabel(title, "strong"), 1);
     head->addWidget(remove);
     column->addLayout(head);
-    column->addWidget(makeField(entry));
+    column->addWidget(makeField(entry, whole));
   } else {
-    head->addWidget(makeField(entry), 1);
+    head->addWidget(makeField(entry, whole), 1);
     head->addWidget(remove, 0, Qt::AlignTop);
     column->addLayout(head);
   }

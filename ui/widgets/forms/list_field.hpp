@@ -8,7 +8,7 @@ namespace talus {
 class ListField : public FormField {
   Q_OBJECT
  public:
-  explicit ListField(const FieldSite& site);
+  ListField(const FieldSite& site, QWidget* parent);
 
  private:
   QWidget* makeEntry(const FieldSite& entry);

@@ -40,7 +40,7 @@ bool sayTheSame(const schema::Json& a, const schema::Json& b) { return nlohmann:
 
 }  // namespace
 
-ObjectField::ObjectField(const FieldSite& place, bool withoutThings) : FormField(place) {
+ObjectField::ObjectField(const FieldSite& place, QWidget* parent, bool withoutThings) : FormField(place, parent) {
   const Depth depth = site().rule.contains("presets") ? addPresets() : Depth::all;
   if (depth != Depth::none) addMembers(depth, withoutThings);
 }
@@ -92,7 +92,7 @@ void ObjectField::addVariantRow() {
     };
     if (!change(what, edit)) box->setCurrentIndex(before);
   });
-  auto* row = new QWidget;
+  auto* row = new QWidget(this);
   auto* layout = new QHBoxLayout(row);
   setMargins(layout, 0, 8);
   auto* title = makeLabel(site().word("variant"), "muted");
@@ -103,7 +103,7 @@ void ObjectField::addVariantRow() {
 }
 
 QWidget* ObjectField::makeUnset(const FieldSite& field) {
-  auto* row = new QWidget;
+  auto* row = new QWidget(this);
   auto* layout = new QHBoxLayout(row);
   setMargins(layout, 0, 4);
   layout->addWidget(new ElidedLabel(field.absent(), "faint"), 1);
@@ -132,7 +132,7 @@ QWidget* ObjectField::makeClear(const FieldSite& field) {
 }
 
 void ObjectField::addRow(const FieldSite& field) {
-  auto* row = new QWidget;
+  auto* row = new QWidget(this);
   auto* layout = new QHBoxLayout(row);
   setMargins(layout, 0, 8);
   auto* title = makeTitle(field);
@@ -142,7 +142,7 @@ void ObjectField::addRow(const FieldSite& field) {
   const bool mayBeCleared = field.optional && field.isSet() && !isChosen;
   if (!isWide(field.rule)) {
     narrow(*title);
-    layout->addWidget(makeField(field), 1);
+    layout->addWidget(makeField(field, row), 1);
     if (mayBeCleared) layout->addWidget(makeClear(field), 0, Qt::AlignTop);
     return add(row);
   }
@@ -152,11 +152,11 @@ void ObjectField::addRow(const FieldSite& field) {
   if (mayBeCleared) layout->addWidget(makeClear(field));
   add(row);
   if (unset) return;
-  auto* inside = new QWidget;
+  auto* inside = new QWidget(this);
   auto* column = new QVBoxLayout(inside);
   const bool indented = kind == schema::Kind::object || kind == schema::Kind::list || kind == schema::Kind::named;
   column->setContentsMargins(indented ? 12 : 0, 0, 0, 4);
-  column->addWidget(makeField(field));
+  column->addWidget(makeField(field, inside));
   add(inside);
 }
 
@@ -197,7 +197,7 @@ ObjectField::Depth ObjectField::addPresets() {
     site().context.refresh();
   });
   for (auto* box : {choice, depth}) {
-    auto* row = new QWidget;
+    auto* row = new QWidget(this);
     auto* layout = new QHBoxLayout(row);
     setMargins(layout, 0, 8);
     auto* title = makeLabel(box->accessibleName(), "muted");

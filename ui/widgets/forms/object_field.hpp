@@ -14,7 +14,7 @@ class ObjectField : public FormField {
   /// Which fields are shown.
   enum class Depth { all, inFile, none };
   /// `withoutThings`: without lists and objects, which have forms of their own.
-  explicit ObjectField(const FieldSite& site, bool withoutThings = false);
+  ObjectField(const FieldSite& site, QWidget* parent, bool withoutThings = false);
 
  private:
   void addMembers(Depth depth, bool withoutThings);

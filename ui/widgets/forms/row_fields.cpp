@@ -27,8 +27,8 @@ bool liesInside(const schema::Place& place) {
 }
 
 /// A grid with a faint caption over each editor.
-QWidget* makeGrid(const std::vector<QWidget*>& editors, const schema::Json& rule) {
-  auto* grid = new QWidget;
+QWidget* makeGrid(const std::vector<QWidget*>& editors, const schema::Json& rule, QWidget* parent) {
+  auto* grid = new QWidget(parent);
   auto* layout = new QGridLayout(grid);
   setMargins(layout, 0, 2);
   layout->setHorizontalSpacing(6);
@@ -45,7 +45,7 @@ QWidget* makeGrid(const std::vector<QWidget*>& editors, const schema::Json& rule
 
 }  // namespace
 
-VectorField::VectorField(const FieldSite& place) : FormField(place) {
+VectorField::VectorField(const FieldSite& place, QWidget* parent) : FormField(place, parent) {
   const Json* present = site().value();
   std::vector<QWidget*> entries;
   for (std::size_t i = 0; i < site().rule.at("minItems"); ++i) {
@@ -65,7 +65,7 @@ VectorField::VectorField(const FieldSite& place) : FormField(place) {
     connect(entry, &NumberField::cleared, this, [putOne] { putOne(nullptr); });
     entries.push_back(entry);
   }
-  QWidget* grid = makeGrid(entries, site().rule);
+  QWidget* grid = makeGrid(entries, site().rule, this);
   if (site().context.picking && site().rule.value("of", std::string()) == "at")
     static_cast<QGridLayout*>(grid->layout())->addWidget(makePickButton(), 1, in_a_row);
   add(grid);
@@ -105,7 +105,7 @@ void VectorField::takePlace(const PickedPlace& picked) {
          });
 }
 
-NamesField::NamesField(const FieldSite& place) : FormField(place) {
+NamesField::NamesField(const FieldSite& place, QWidget* parent) : FormField(place, parent) {
   std::vector<QWidget*> boxes;
   for (std::size_t i = 0; i < site().rule.at("minItems"); ++i)
     boxes.push_back(makeNameBox(site().element(i), [this, i](const QString& name) {
@@ -113,7 +113,7 @@ NamesField::NamesField(const FieldSite& place) : FormField(place) {
       all[i] = name.toStdString();
       put(all);
     }));
-  add(makeGrid(boxes, site().rule));
+  add(makeGrid(boxes, site().rule, this));
 }
 
 }  // namespace talus

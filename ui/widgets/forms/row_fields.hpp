@@ -11,7 +11,7 @@ struct PickedPlace;
 class VectorField : public FormField {
   Q_OBJECT
  public:
-  explicit VectorField(const FieldSite& site);
+  VectorField(const FieldSite& site, QWidget* parent);
 
  private:
   QWidget* makePickButton();
@@ -23,7 +23,7 @@ class VectorField : public FormField {
 class NamesField : public FormField {
   Q_OBJECT
  public:
-  explicit NamesField(const FieldSite& site);
+  NamesField(const FieldSite& site, QWidget* parent);
 };
 
 }  // namespace talus

@@ -58,7 +58,7 @@ QString usualWords(const FieldSite& site) {
 
 }  // namespace
 
-NumberEntry::NumberEntry(const FieldSite& place) : FormField(place) {
+NumberEntry::NumberEntry(const FieldSite& place, QWidget* parent) : FormField(place, parent) {
   const bool mayBeNull = site().rule.at("type").is_array();
   auto* entry = makeNumber(site().rule, site().value(), mayBeNull ? site().word("absent") : site().absent());
   entry->setObjectName(text(site().place.to_string()));
@@ -70,7 +70,7 @@ NumberEntry::NumberEntry(const FieldSite& place) : FormField(place) {
   add(entry);
 }
 
-NamedNumberField::NamedNumberField(const FieldSite& place) : FormField(place) {
+NamedNumberField::NamedNumberField(const FieldSite& place, QWidget* parent) : FormField(place, parent) {
   auto* box = makeCombo({}, site().title());
   box->setObjectName(text(site().place.to_string()));
   box->setEditable(true);
@@ -106,7 +106,7 @@ void NamedNumberField::commit(const QString& typed) {
   isNumber ? put(number) : put(typed.toStdString());  // the check says what is wrong with another text
 }
 
-ChoiceField::ChoiceField(const FieldSite& place) : FormField(place) {
+ChoiceField::ChoiceField(const FieldSite& place, QWidget* parent) : FormField(place, parent) {
   const bool boolean = schema::kindOf(site().rule) == schema::Kind::boolean;
   const Json values = boolean ? Json{true, false} : site().rule.at("enum");
   auto* box = makeCombo({}, site().title());
@@ -127,7 +127,7 @@ ChoiceField::ChoiceField(const FieldSite& place) : FormField(place) {
   add(box);
 }
 
-TextField::TextField(const FieldSite& place) : FormField(place) {
+TextField::TextField(const FieldSite& place, QWidget* parent) : FormField(place, parent) {
   const Json* present = site().value();
   auto* entry = new QLineEdit(present ? text(present->get<std::string>()) : QString());
   entry->setObjectName(text(site().place.to_string()));
@@ -144,7 +144,7 @@ TextField::TextField(const FieldSite& place) : FormField(place) {
     add(entry);
     return;
   }
-  auto* row = new QWidget;
+  auto* row = new QWidget(this);
   auto* layout = new QHBoxLayout(row);
   setMargins(layout, 0, 4);
   auto* browse = makeTool(QStringLiteral("folder"), tr("Choose a file"));
@@ -169,7 +169,7 @@ void TextField::commit(const QString& typed) {
   }
 }
 
-KeyField::KeyField(const FieldSite& place) : FormField(place) {
+KeyField::KeyField(const FieldSite& place, QWidget* parent) : FormField(place, parent) {
   auto* entry = new QLineEdit(text(site().place.back()));
   entry->setObjectName(text(site().place.to_string()) + QStringLiteral("#name"));
   entry->setAccessibleName(tr("Name"));
@@ -183,7 +183,7 @@ KeyField::KeyField(const FieldSite& place) : FormField(place) {
   add(entry);
 }
 
-NameField::NameField(const FieldSite& place) : FormField(place) {
+NameField::NameField(const FieldSite& place, QWidget* parent) : FormField(place, parent) {
   auto* box = makeNameBox(site(), [this](const QString& name) { commit(name); });
   add(box);
 }

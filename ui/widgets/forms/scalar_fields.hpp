@@ -20,14 +20,14 @@ schema::Json jsonOf(double number, bool isCount = false);
 class NumberEntry : public FormField {
   Q_OBJECT
  public:
-  explicit NumberEntry(const FieldSite& site);
+  NumberEntry(const FieldSite& site, QWidget* parent);
 };
 
 /// A number that may be typed, or chosen by its name.
 class NamedNumberField : public FormField {
   Q_OBJECT
  public:
-  explicit NamedNumberField(const FieldSite& site);
+  NamedNumberField(const FieldSite& site, QWidget* parent);
 
  private:
   void commit(const QString& typed);
@@ -37,14 +37,14 @@ class NamedNumberField : public FormField {
 class ChoiceField : public FormField {
   Q_OBJECT
  public:
-  explicit ChoiceField(const FieldSite& site);
+  ChoiceField(const FieldSite& site, QWidget* parent);
 };
 
 /// A text. The name of a thing takes along all who name it.
 class TextField : public FormField {
   Q_OBJECT
  public:
-  explicit TextField(const FieldSite& site);
+  TextField(const FieldSite& site, QWidget* parent);
 
  private:
   void commit(const QString& typed);
@@ -54,14 +54,14 @@ class TextField : public FormField {
 class KeyField : public FormField {
   Q_OBJECT
  public:
-  explicit KeyField(const FieldSite& site);
+  KeyField(const FieldSite& site, QWidget* parent);
 };
 
 /// A text that names something else in the project: chosen from what there is; pieces of solids may be typed.
 class NameField : public FormField {
   Q_OBJECT
  public:
-  explicit NameField(const FieldSite& site);
+  NameField(const FieldSite& site, QWidget* parent);
 
  private:
   void commit(const QString& name);

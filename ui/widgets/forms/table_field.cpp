@@ -33,8 +33,8 @@ constexpr std::size_t most_rows = 2000;  // longer ones, a surface of triangles,
 
 }  // namespace
 
-TableField::TableField(const FieldSite& place)
-    : FormField(place), rows_(site().isSet() ? *site().value() : Json::array()) {
+TableField::TableField(const FieldSite& place, QWidget* parent)
+    : FormField(place, parent), rows_(site().isSet() ? *site().value() : Json::array()) {
   makeColumns();
   if (rows_.size() > most_rows) {
     add(makeLabel(tr("%1 rows: too many for a table").arg(rows_.size()), "muted"));
@@ -104,7 +104,7 @@ void TableField::makeTable() {
 }
 
 QWidget* TableField::makeTools() {
-  auto* tools = new QWidget;
+  auto* tools = new QWidget(this);
   auto* layout = new QHBoxLayout(tools);
   setMargins(layout, 0, 4);
   const auto tool = [&](const char* icon, const QString& words, const QString& tip, const char* name, auto method) {

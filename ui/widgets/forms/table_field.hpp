@@ -16,7 +16,7 @@ class CurveEditor;
 class TableField : public FormField {
   Q_OBJECT
  public:
-  explicit TableField(const FieldSite& site);
+  TableField(const FieldSite& site, QWidget* parent);
 
  private:
   struct Column {

@@ -37,8 +37,8 @@ void addHeading(QComboBox& box, const QString& words) {
 
 }  // namespace
 
-TypicalStrengths::TypicalStrengths(const FieldSite& joint) : FormField(joint) {
-  auto* rows = new QWidget;
+TypicalStrengths::TypicalStrengths(const FieldSite& joint, QWidget* parent) : FormField(joint, parent) {
+  auto* rows = new QWidget(this);
   auto* column = new QVBoxLayout(rows);
   setMargins(column, 0, 4);
   column->addWidget(makeChoice(tr("Typical"), tr("Typical strength"), "strengths",

@@ -15,7 +15,7 @@ class TypicalStrengths : public FormField {
   Q_OBJECT
  public:
   /// `joint`: the place of a joint of the project.
-  explicit TypicalStrengths(const FieldSite& joint);
+  TypicalStrengths(const FieldSite& joint, QWidget* parent);
 
  private:
   using Keys = std::vector<const char*>;

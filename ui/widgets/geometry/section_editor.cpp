@@ -105,7 +105,7 @@ void SectionEditor::rebuildForm() {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(12, 4, 12, 8);
-  column->addWidget(makeField({context_, place, schema::ruleOf(place)}));
+  column->addWidget(makeField({context_, place, schema::ruleOf(place)}, content));
   column->addStretch();
   form_ = makeScrolled(content);
   side_->addWidget(form_, 1);

@@ -123,7 +123,7 @@ void PropertyPanel::showThing(const Item& item) {
   const FieldSite site{context_, place, schema::ruleOf(place)};
   const bool whole = item.kind == Item::Kind::none;
   header_->setTitle(whole ? tr("Project") : site.title(), whole ? tr("nothing is selected") : nameOf(place));
-  auto* column = new QWidget;
+  auto* column = new QWidget(content_);
   auto* rows = new QVBoxLayout(column);
   rows->setContentsMargins(12, 10, 12, 10);
   rows->setSpacing(4);
@@ -133,11 +133,11 @@ void PropertyPanel::showThing(const Item& item) {
     title->setFixedWidth(title_width);
     row->setSpacing(8);
     row->addWidget(title);
-    row->addWidget(new KeyField(site), 1);
+    row->addWidget(new KeyField(site, column), 1);
     rows->addLayout(row);
   }
-  if (item.kind == Item::Kind::joint) rows->addWidget(new TypicalStrengths(site));
-  rows->addWidget(new ObjectField(site, whole));
+  if (item.kind == Item::Kind::joint) rows->addWidget(new TypicalStrengths(site, column));
+  rows->addWidget(new ObjectField(site, column, whole));
   content_->layout()->addWidget(column);
 }
 
