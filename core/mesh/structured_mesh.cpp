@@ -78,16 +78,23 @@ TetMesh refined(const TetMesh& mesh) {
 
 std::vector<SurfaceTriangle> boundary(const TetMesh& mesh) {
   constexpr int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};  // outward
-  std::map<std::array<int, 3>, std::array<int, 3>> open;
+  using Face = std::array<int, 3>;
+  std::vector<std::pair<Face, Face>> all;  // by its nodes in order
+  all.reserve(4 * mesh.tetrahedra.size());
   for (const auto& t : mesh.tetrahedra)
     for (const auto& f : faces) {
-      const std::array<int, 3> face{t[f[0]], t[f[1]], t[f[2]]};
-      std::array<int, 3> sorted = face;
+      const Face face{t[f[0]], t[f[1]], t[f[2]]};
+      Face sorted = face;
       std::sort(sorted.begin(), sorted.end());
-      if (!open.erase(sorted)) open[sorted] = face;
+      all.emplace_back(sorted, face);
     }
+  std::ranges::stable_sort(all, {}, &std::pair<Face, Face>::first);
   std::vector<SurfaceTriangle> triangles;
-  for (const auto& [sorted, face] : open) triangles.push_back({face, -1});
+  for (auto same = all.begin(); same != all.end();) {
+    const auto next = std::find_if(same, all.end(), [&](const auto& other) { return other.first != same->first; });
+    if ((next - same) % 2 == 1) triangles.push_back({std::prev(next)->second, -1});  // what two share lies inside
+    same = next;
+  }
   return triangles;
 }
 
