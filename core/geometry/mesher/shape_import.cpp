@@ -184,6 +184,7 @@ ImportedModel import_solids(const std::vector<MesherSolid>& solids, ImportPurpos
         model.solids[i] = {};
         continue;
       }
+      report(1, "checking " + solids[i].name);
       check_sound(solids[i], model.solids[i]);
       make_volumes(model.solids[i]);
     }

@@ -254,6 +254,7 @@ void work(const MesherJob& job) {
     report(imported * fraction, what);
   });
   check_no_overlap(model, job.solids);
+  report(imported, "foreseeing what the cuts come to");
   const MesherCutAhead ahead = cut_ahead(job, model);
   send_message(MessageKind::ahead, ahead);
   const CutModel cut = cut_solids(job, model, [&](double fraction, std::string_view what) {
