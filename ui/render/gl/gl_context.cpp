@@ -252,7 +252,8 @@ std::unique_ptr<GlContext> make_offscreen_context(OffscreenBackend backend) {
     if (const OsMesaVendor* vendor = OsMesaVendor::get()) {
       auto context = KeptContexts::get().take();
       if (!context) context = std::make_unique<OsMesaContext>(*vendor);
-      if (auto usable = if_usable(std::make_unique<LentContext>(std::move(context)))) return usable;
+      context = if_usable(std::move(context));  // one that is not must not be kept
+      if (context) return std::make_unique<LentContext>(std::move(context));
     }
   if (backend != OffscreenBackend::osmesa)
     if (auto context = if_usable(std::make_unique<EglContext>())) return context;
