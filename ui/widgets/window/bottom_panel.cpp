@@ -129,21 +129,22 @@ void BottomPanel::showPage() {
 
 void BottomPanel::showTitle() {
   const QWidget* shown = tables_->currentWidget();
-  const QString title = shown == blocks_ ? blocks_->title() : shown == mesh_ ? mesh_->title() : table_->title();
-  const int tab = indexOf(tables_);
+  entitle(*tables_, shown == blocks_ ? blocks_->title() : shown == mesh_ ? mesh_->title() : table_->title());
+}
+
+void BottomPanel::entitle(QWidget& page, const QString& title) {
+  const int tab = indexOf(&page);
   if (tabText(tab) != title) setTabText(tab, title);  // Qt lays all tabs out anew, for the same words too
 }
 
 void BottomPanel::showProblems() { setCurrentWidget(problems_); }
 
 void BottomPanel::countProblems() {
-  const int tab = indexOf(problems_);
   std::vector<Problem> problems = session_.messages.problems();
   problems.insert(problems.end(), session_.project.problems().all().begin(), session_.project.problems().all().end());
-  const QString title = problems.empty() ? tr("Problems") : tr("Problems  %1").arg(problems.size());
-  if (tabText(tab) != title) setTabText(tab, title);
+  entitle(*problems_, problems.empty() ? tr("Problems") : tr("Problems  %1").arg(problems.size()));
   const auto worst = std::ranges::max_element(problems, {}, &Problem::severity);
-  setTabIcon(tab, problems.empty() ? QIcon() : iconOfProblems(worst->severity));
+  setTabIcon(indexOf(problems_), problems.empty() ? QIcon() : iconOfProblems(worst->severity));
 }
 
 }  // namespace talus

@@ -28,6 +28,7 @@ class BottomPanel : public QTabWidget {
   void showPage();
   void showStrip();
   void showTitle();
+  void entitle(QWidget& page, const QString& title);
   void countProblems();
   void showSplinters();
   Session& session_;
