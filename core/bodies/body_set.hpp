@@ -62,6 +62,7 @@ struct Body {
   double mass() const { return density * reference_volume; }  ///< kg
   bool built_fixed() const { return kind == BodyKind::fixed; }
   bool single_body() const { return kind == BodyKind::rigid || kind == BodyKind::affine; }
+  bool moves_by_elements() const { return !fixed && !single_body(); }
   /// Nodes whose motion is that of a body that is not rigid: the four control nodes of an affine one, else all.
   int first_free() const { return kind == BodyKind::affine ? first_control_node : first_node; }
   int free_count() const { return kind == BodyKind::affine ? 4 : node_count; }

@@ -12,6 +12,7 @@ SolverTolerances SolverTolerances::at(double tolerance) const {
   SolverTolerances other = *this;
   for (double* residual : {&other.convergence.dynamic_residual, &other.convergence.static_residual})
     *residual *= std::min(1.0, factor);
+  other.step.penetration = std::max(step.penetration, tolerance);
   for (double* of_impulses : {&other.impact.negligible_speed, &other.impact.impulse_accuracy}) *of_impulses *= factor;
   other.impact.sweep_limit = static_cast<int>(std::lround(impact.sweep_limit / std::pow(factor, 1.0 / 6)));
   return other;

@@ -4,12 +4,12 @@
 
 namespace talus {
 
-bool PenaltyScaling::scale(ContactSet& contacts, const ContactLinks& links, const Increment& d, double tolerance,
+bool PenaltyScaling::scale(ContactSet& contacts, const ContactLinks& links, const Increment& d, const Depths& allowed,
                            std::span<const Joint> as_given) {
   pairs_.clear();
   for (int i = 0; i < links.moves().size(); ++i) {
     const ContactPoint& point = contacts.points[i];
-    if (may_stiffen(point, as_given) && is_too_deep(point, links.gap(i, d), tolerance * point.size))
+    if (may_stiffen(point, as_given) && is_too_deep(point, links.gap(i, d), allowed))
       pairs_.push_back(bodies_of(point));
   }
   if (pairs_.empty()) return false;
@@ -26,8 +26,16 @@ bool PenaltyScaling::may_stiffen(const ContactPoint& point, std::span<const Join
   return !point.bonded && !is_given && point.penalty_scaling < tolerances_.largest;
 }
 
-bool PenaltyScaling::is_too_deep(const ContactPoint& point, double gap, double limit) const {
-  return point.initial_interference - gap > limit && gap < point.gap && -gap > tolerances_.least_compression * limit;
+bool PenaltyScaling::are_faces_of_single_bodies(const ContactPoint& point) const {
+  const auto is_single = [&](int body) { return !bodies_.bodies[body].moves_by_elements(); };
+  return point.area > 0 && std::all_of(std::begin(point.bodies), std::end(point.bodies), is_single);
+}
+
+bool PenaltyScaling::is_too_deep(const ContactPoint& point, double gap, const Depths& allowed) const {
+  const double by_spring = allowed.spring * point.size;
+  const double in_all = are_faces_of_single_bodies(point) ? allowed.in_all * point.size : by_spring;
+  const bool is_deep = -gap > by_spring || point.initial_interference - gap > in_all;
+  return is_deep && gap < point.gap && -gap > tolerances_.least_compression * by_spring;
 }
 
 void PenaltyScaling::stiffen(ContactPoint& point) const {

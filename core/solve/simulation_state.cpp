@@ -83,7 +83,7 @@ SimulationState::SimulationState(const Project& given, const BlockSystem& blocks
       detector(contact_bodies(bodies, surfaces), joint_laws(project), pair_joints(project, system),
                contact_settings(project, t.contact)),
       outcomes(tolerances.contact_outcome),
-      penalty_scaling(tolerances.penalty_scaling),
+      penalty_scaling(bodies, tolerances.penalty_scaling),
       company(system.blocks.size(), tolerances.step, company_choice(*this)),
       clock(project.stages, tolerances.step.time_rounding),
       control(project.solver.adaptive, half_height(bodies), smallest_size, tolerances.step_control),

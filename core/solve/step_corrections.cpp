@@ -19,9 +19,11 @@ bool update_normals(SimulationState& s) {
 bool scale_penalty(SimulationState& s) {
   if (!s.is_on(EffectKind::penalty_scaling)) return false;
   const EffectTimer timer(s.work_of(EffectKind::penalty_scaling));
-  const auto as_given =
-      s.project.solver.penetration_tolerance ? std::span<const Joint>() : std::span<const Joint>(s.project.joints);
-  return s.penalty_scaling.scale(s.contacts, s.links, s.increment, s.penetration(), as_given);
+  const bool is_asked_for = s.project.solver.penetration_tolerance.has_value();
+  const double by_spring = s.penetration();
+  const double in_all = is_asked_for ? by_spring : s.tolerances.penalty_scaling.faces_in_all * by_spring;
+  const auto as_given = is_asked_for ? std::span<const Joint>() : std::span<const Joint>(s.project.joints);
+  return s.penalty_scaling.scale(s.contacts, s.links, s.increment, {by_spring, in_all}, as_given);
 }
 
 bool take_off(SimulationState& s) {

@@ -196,6 +196,7 @@ std::vector<Entry> entries() {
            {{"factor", &G::factor},
             {"repeated_factor", &G::repeated_factor},
             {"least_compression", &G::least_compression},
+            {"faces_in_all", &G::faces_in_all},
             {"largest", &G::largest}});
   }
   {

@@ -21,7 +21,7 @@ void scale(ContactPoint& point, double scaling) {
 
 bool FollowedSprings::is_meshed(const ContactPoint& point) const {
   return std::any_of(std::begin(point.bodies), std::end(point.bodies),
-                     [&](int b) { return !bodies_.bodies[b].fixed && !bodies_.bodies[b].single_body(); });
+                     [&](int b) { return bodies_.bodies[b].moves_by_elements(); });
 }
 
 double FollowedSprings::limit_of(const ContactPoint& point, double length, double gravity, double penetration) const {

@@ -7,18 +7,26 @@
 namespace talus {
 namespace {
 
-/// Corners of the cube against the slab, 1 m of mesh size, held to a thousandth of it.
+BlockSystem cube_on_slab(BodyKind body) {
+  BlockSystem system = test::cube_on_slab();
+  system.blocks[1].body = body;
+  return system;
+}
+
+/// Corners of the cube against the slab, 1 m of mesh size, held to a thousandth of it, faces to four in all.
 class SpringsOfACube : public testing::Test {
  protected:
-  SpringsOfACube() : set_(test::rock_project(30, {}), test::cube_on_slab()), links_(set_, contacts_) {}
+  explicit SpringsOfACube(BodyKind body = BodyKind::tetrahedra)
+      : set_(test::rock_project(30, {}), cube_on_slab(body)), links_(set_, contacts_) {}
 
-  void add_point(double gap, double initial_interference) {
+  void add_point(double gap, double initial_interference, double area = 0) {
     ContactPoint point{};
     point.bodies[1] = 1;
     point.normal = Vec3::UnitZ();
     point.gap = gap;
     point.initial_interference = initial_interference;
     point.size = 1;
+    point.area = area;
     point.normal_stiffness = 3e9;
     point.shear_stiffness = 1e9;
     point.stencil_begin = static_cast<int>(contacts_.nodes.size());
@@ -32,11 +40,11 @@ class SpringsOfACube : public testing::Test {
     links_.connect();
     Increment d = Increment::Zero(set_.unknowns());
     for (int n = 0; n < set_.nodes.movable; ++n) d[3 * n + 2] = change;
-    return scaling_.scale(contacts_, links_, d, 1e-3, as_given_);
+    return scaling_.scale(contacts_, links_, d, {1e-3, 4e-3}, as_given_);
   }
-  bool stiffens_one(double gap, double initial_interference, double change) {
+  bool stiffens_one(double gap, double initial_interference, double change, double area = 0) {
     contacts_.clear();
-    add_point(gap, initial_interference);
+    add_point(gap, initial_interference, area);
     return stiffens(change);
   }
   const ContactPoint& point() const { return contacts_.points[0]; }
@@ -45,7 +53,7 @@ class SpringsOfACube : public testing::Test {
   ContactSet contacts_;
   ContactLinks links_;
   std::vector<Joint> as_given_;
-  PenaltyScaling scaling_;
+  PenaltyScaling scaling_{set_};
 };
 
 TEST_F(SpringsOfACube, AreStiffenedWhereTheyGoTooDeepAndKeepTheirForce) {
@@ -88,6 +96,24 @@ TEST_F(SpringsOfACube, StayAsTheyAreWhereInitialInterferenceAloneIsDeep) {
   EXPECT_FALSE(stiffens_one(-1e-5, 2e-3, -5e-6));
   EXPECT_TRUE(stiffens_one(-1e-5, 2e-3, -5e-5));
 }
+
+/// The area of a face.
+constexpr double some = 0.1;
+
+class SpringsOfARigidCube : public SpringsOfACube {
+ protected:
+  SpringsOfARigidCube() : SpringsOfACube(BodyKind::rigid) {}
+};
+
+TEST_F(SpringsOfARigidCube, OfFacesMayGiveAlthoughTheyWereFoundDeep) {
+  EXPECT_FALSE(stiffens_one(-7e-4, 3e-3, -2e-4, some));
+  EXPECT_TRUE(stiffens_one(-9e-4, 3e-3, -2e-4, some)) << "the spring gives by more than a thousandth";
+  EXPECT_TRUE(stiffens_one(-7e-4, 3.2e-3, -2e-4, some)) << "deeper than four in all";
+}
+
+TEST_F(SpringsOfARigidCube, OfCornersMayNot) { EXPECT_TRUE(stiffens_one(-7e-4, 3e-3, -2e-4)); }
+
+TEST_F(SpringsOfACube, OfElementsMayNot) { EXPECT_TRUE(stiffens_one(-7e-4, 3e-3, -2e-4, some)); }
 
 }  // namespace
 }  // namespace talus
