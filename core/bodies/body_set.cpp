@@ -223,6 +223,10 @@ ElementShape BodySet::shape_of(const Element& element) const {
   return shape;
 }
 
+bool BodySet::any_moves_by_elements(std::span<const int> some) const {
+  return std::ranges::any_of(some, [&](int b) { return !bodies[b].fixed && !bodies[b].single_body(); });
+}
+
 void BodySet::update_shapes() {
   for (std::size_t e = 0; e < elements.size(); ++e) shapes[e] = shape_of(elements[e]);
 }

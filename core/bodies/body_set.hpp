@@ -62,7 +62,6 @@ struct Body {
   double mass() const { return density * reference_volume; }  ///< kg
   bool built_fixed() const { return kind == BodyKind::fixed; }
   bool single_body() const { return kind == BodyKind::rigid || kind == BodyKind::affine; }
-  bool moves_by_elements() const { return !fixed && !single_body(); }
   /// Nodes whose motion is that of a body that is not rigid: the four control nodes of an affine one, else all.
   int first_free() const { return kind == BodyKind::affine ? first_control_node : first_node; }
   int free_count() const { return kind == BodyKind::affine ? 4 : node_count; }
@@ -90,6 +89,8 @@ struct BodySet {
   BodySet(const Project& project, const BlockSystem& system);
 
   int unknowns() const { return 3 * nodes.movable; }
+  /// Whether one of these bodies moves and has elements.
+  bool any_moves_by_elements(std::span<const int> some) const;
   /// Shapes at the current positions: incremental strain calls for it at the start of every step.
   void update_shapes();
   /// Holds or lets go bodies that were built to move, one flag a body; held ones stand still and keep their stress.

@@ -26,14 +26,10 @@ bool PenaltyScaling::may_stiffen(const ContactPoint& point, std::span<const Join
   return !point.bonded && !is_given && point.penalty_scaling < tolerances_.largest;
 }
 
-bool PenaltyScaling::are_faces_of_single_bodies(const ContactPoint& point) const {
-  const auto is_single = [&](int body) { return !bodies_.bodies[body].moves_by_elements(); };
-  return point.area > 0 && std::all_of(std::begin(point.bodies), std::end(point.bodies), is_single);
-}
-
 bool PenaltyScaling::is_too_deep(const ContactPoint& point, double gap, const Depths& allowed) const {
   const double by_spring = allowed.spring * point.size;
-  const double in_all = are_faces_of_single_bodies(point) ? allowed.in_all * point.size : by_spring;
+  const bool may_be_deeper = point.area > 0 && !bodies_.any_moves_by_elements(point.bodies);
+  const double in_all = may_be_deeper ? allowed.in_all * point.size : by_spring;
   const bool is_deep = -gap > by_spring || point.initial_interference - gap > in_all;
   return is_deep && gap < point.gap && -gap > tolerances_.least_compression * by_spring;
 }

@@ -37,7 +37,6 @@ class PenaltyScaling {
              std::span<const Joint> as_given);
 
  private:
-  bool are_faces_of_single_bodies(const ContactPoint& point) const;
   bool may_stiffen(const ContactPoint& point, std::span<const Joint> as_given) const;
   bool is_too_deep(const ContactPoint& point, double gap, const Depths& allowed) const;
   void stiffen(ContactPoint& point) const;

@@ -19,11 +19,6 @@ void scale(ContactPoint& point, double scaling) {
 
 }  // namespace
 
-bool FollowedSprings::is_meshed(const ContactPoint& point) const {
-  return std::any_of(std::begin(point.bodies), std::end(point.bodies),
-                     [&](int b) { return bodies_.bodies[b].moves_by_elements(); });
-}
-
 double FollowedSprings::limit_of(const ContactPoint& point, double length, double gravity, double penetration) const {
   const double first = inverse_mass(bodies_.bodies[point.bodies[0]]),
                second = inverse_mass(bodies_.bodies[point.bodies[1]]);
@@ -53,7 +48,9 @@ void FollowedSprings::limit(const Project& project, double length, double penetr
       if (!is_limited(points[*i])) stiffest = std::max(stiffest, points[*i].penalty_scaling);
     }
     const double followed = limit_of(points[*first], length, project.gravity.norm(), penetration) / stiffness;
-    const double least = is_meshed(points[*first]) ? tolerances_.beside_elements / project.solver.contact_stiffness : 0;
+    const double least = bodies_.any_moves_by_elements(points[*first].bodies)
+                             ? tolerances_.beside_elements / project.solver.contact_stiffness
+                             : 0;
     const double scaling = std::max(std::min(std::max(followed, least), 1.0), stiffest);
     for (auto i = first; i != last; ++i) {
       ContactPoint& point = points[*i];

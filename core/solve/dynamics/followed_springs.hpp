@@ -33,8 +33,6 @@ class FollowedSprings {
   void limit(const Project& project, double length, double penetration, FollowedContacts which, ContactSet& contacts);
 
  private:
-  /// Whether one of its bodies moves and has elements.
-  bool is_meshed(const ContactPoint& point) const;
   double limit_of(const ContactPoint& point, double length, double gravity, double penetration) const;
 
   const BodySet& bodies_;

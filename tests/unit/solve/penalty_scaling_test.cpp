@@ -97,8 +97,7 @@ TEST_F(SpringsOfACube, StayAsTheyAreWhereInitialInterferenceAloneIsDeep) {
   EXPECT_TRUE(stiffens_one(-1e-5, 2e-3, -5e-5));
 }
 
-/// The area of a face.
-constexpr double some = 0.1;
+constexpr double of_a_face = 0.1;  // m²
 
 class SpringsOfARigidCube : public SpringsOfACube {
  protected:
@@ -106,14 +105,14 @@ class SpringsOfARigidCube : public SpringsOfACube {
 };
 
 TEST_F(SpringsOfARigidCube, OfFacesMayGiveAlthoughTheyWereFoundDeep) {
-  EXPECT_FALSE(stiffens_one(-7e-4, 3e-3, -2e-4, some));
-  EXPECT_TRUE(stiffens_one(-9e-4, 3e-3, -2e-4, some)) << "the spring gives by more than a thousandth";
-  EXPECT_TRUE(stiffens_one(-7e-4, 3.2e-3, -2e-4, some)) << "deeper than four in all";
+  EXPECT_FALSE(stiffens_one(-7e-4, 3e-3, -2e-4, of_a_face));
+  EXPECT_TRUE(stiffens_one(-9e-4, 3e-3, -2e-4, of_a_face)) << "the spring gives by more than a thousandth";
+  EXPECT_TRUE(stiffens_one(-7e-4, 3.2e-3, -2e-4, of_a_face)) << "deeper than four in all";
 }
 
 TEST_F(SpringsOfARigidCube, OfCornersMayNot) { EXPECT_TRUE(stiffens_one(-7e-4, 3e-3, -2e-4)); }
 
-TEST_F(SpringsOfACube, OfElementsMayNot) { EXPECT_TRUE(stiffens_one(-7e-4, 3e-3, -2e-4, some)); }
+TEST_F(SpringsOfACube, OfElementsMayNot) { EXPECT_TRUE(stiffens_one(-7e-4, 3e-3, -2e-4, of_a_face)); }
 
 }  // namespace
 }  // namespace talus
