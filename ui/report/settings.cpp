@@ -1,4 +1,5 @@
 #include "model/number_text.hpp"
+#include "model/solver_tolerances.hpp"
 #include "model/stage_length.hpp"
 #include "model/tolerance_text.hpp"
 #include "report/sections.hpp"
@@ -54,9 +55,11 @@ std::string integrator_text(const SolverSettings& solver) {
 }
 
 std::string penetration_text(const SolverSettings& solver) {
-  if (!solver.penetration_tolerance)
-    return "automatic: springs as they are in static stages, 5×10⁻⁴ of the mesh size in dynamic ones";
-  return given(*solver.penetration_tolerance) + " of the mesh size";
+  if (solver.penetration_tolerance) return given(*solver.penetration_tolerance) + " of the mesh size";
+  const SolverTolerances tolerances = SolverTolerances{}.at(solver.tolerance);
+  const double by_spring = tolerances.step.penetration, in_all = tolerances.penalty_scaling.faces_in_all * by_spring;
+  return "automatic: springs give by " + given(by_spring) + " of the mesh size, faces of rigid and affine blocks lie " +
+         given(in_all) + " deep in all";
 }
 
 std::string step_control_text(const SolverSettings& solver) {
