@@ -173,7 +173,7 @@ void add_the_rest(const Project& project, const Scene& scene, bool rebounds, Cal
   calls.add(EffectKind::acceleration_reset, switches.acceleration_reset, moves && carried,
             moves ? "the integrator carries no acceleration on" : nothing_moves, true,
             "the integrator carries accelerations on", "");
-  calls.add(EffectKind::sleep, switches.sleep, moves && solver.sleep_tolerance > 0,
+  calls.add(EffectKind::sleep, switches.sleep, moves && solver.lets_sleep(),
             moves ? "a sleep tolerance of 0 lets no block sleep" : nothing_moves, true, "blocks may come to rest", "");
   calls.add(EffectKind::elimination, switches.elimination, scene.touching && newton && scene.movable > 1,
             !scene.touching ? scene.no_touch

@@ -5,9 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "mesh/block.hpp"
+#include "base/vector.hpp"
 
 namespace talus {
+
+struct BlockSystem;
 
 /// A place of a block's surface that goes with it, from the corners of a surface triangle.
 struct SurfacePlace {

@@ -319,7 +319,7 @@ OrderedJson json_from(const SolverSettings& solver) {
   write_word_unless_usual(json, "static_inertia", solver.static_inertia, usual.static_inertia);
   write_word_unless_usual(json, "extras", solver.extras, usual.extras);
   if (solver.effects != usual.effects) json["effects"] = json_from(solver.effects);
-  write_unless_usual(json, "sleep_tolerance", solver.sleep_tolerance, usual.sleep_tolerance);
+  write(json, "sleep_tolerance", solver.sleep_tolerance);
   write_word_unless_usual(json, "time_step_control", solver.time_step_control, usual.time_step_control);
   if (solver.adaptive != usual.adaptive) json["adaptive"] = json_from(solver.adaptive);
   return json;

@@ -140,8 +140,10 @@ struct SolverSettings {
   StaticInertia static_inertia = StaticInertia::fading;
   Extras extras = Extras::called_for;
   EffectSwitches effects;
-  double sleep_tolerance =
-      1e-9;  ///< 1/s: blocks slower than this times their mesh size sleep in dynamic stages; 0: none
+  /// 1/s: blocks slower than this times their mesh size sleep in dynamic stages; 0: none. Empty:
+  /// SleepTolerances::speed.
+  std::optional<double> sleep_tolerance;
+  bool lets_sleep() const { return !sleep_tolerance || *sleep_tolerance > 0; }
   TimeStepControl time_step_control = TimeStepControl::fixed;
   AdaptiveSteps adaptive;
   bool operator==(const SolverSettings&) const = default;

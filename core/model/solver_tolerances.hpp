@@ -313,8 +313,16 @@ struct StepControlTolerances {
   double after_refusal = 0.5;          ///< –, factor of a step that is taken anew, at most. Chosen
 };
 
-/// When blocks fall asleep.
+/// When blocks fall asleep, and what wakes them.
 struct SleepTolerances {
+  /// Mesh sizes a second, below which a body is slow, unless the project says. At standard 1e-6, at draft 1e-5: what
+  /// steps leave out of balance keeps bodies going by as much. Chosen. Larger: sleep comes sooner, and bodies that
+  /// hardly move yet are stopped. Smaller: bodies at rest stay awake.
+  double speed = 1e-9;
+  /// Of all forces that a sleeper bears: by more what presses on it must not change. At standard 1e-3, at draft 1e-2.
+  /// Chosen: what sinks no more than it did while it was slow. Larger: a sleeper starts later than it should. Smaller:
+  /// sleepers wake for nothing, and steps are tried again.
+  double load_change = 1e-7;
   /// Steps for which a body has been slow before it falls asleep. Chosen: one that turns back at the top of its flight
   /// is slow for one or two. Larger: sleep comes later. Smaller: bodies fall asleep in flight.
   int slow_steps = 20;

@@ -21,16 +21,11 @@ void limit_springs(SimulationState& s, double length) {
                            s.followed_contacts, s.contacts);
 }
 
-/// Contacts of all who are awake, with those whom they wake.
-void seek_and_wake(SimulationState& s, double length) {
-  bool changed = s.falls_asleep;
+/// Contacts of all who are awake now.
+void seek_for_awake(SimulationState& s, double length) {
+  const bool changed = s.sleepers_change;
   if (changed) update_sleepers(s);
   seek_contacts(s, length);
-  while (s.sleep.wake_touched(s.bodies, s.contacts)) {  // what wakes may touch what sleeps
-    update_sleepers(s);
-    seek_contacts(s, length);
-    changed = true;
-  }
   if (changed) s.energy.awake_changed(s.composition);
   limit_springs(s, length);
 }
@@ -166,7 +161,7 @@ void seek_contacts(SimulationState& s, double length) {
 
 void detect_contacts(SimulationState& s, double length) {
   const Stopwatch watch(s.detect_seconds);
-  seek_and_wake(s, length);
+  seek_for_awake(s, length);
   follow_couplings(s);
 }
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "bodies/body_set.hpp"
+#include "mesh/block.hpp"
 #include "model/project.hpp"
 
 namespace talus {

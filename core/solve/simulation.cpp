@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solve/awake_bodies.hpp"
 #include "solve/contact_search.hpp"
 #include "solve/simulation_state.hpp"
 #include "solve/stage_start.hpp"
@@ -117,7 +118,7 @@ void take_adaptive_step(SimulationState& s, StepReport& report) {
 
 /// Tries a step of `length` from `start` [s] without accepting it: finds its increment. Whether it may be accepted.
 bool try_step(SimulationState& s, double start, double length, StepReport& report) {
-  for (;;) {
+  for (int rings = 2;;) {
     set_times(s, start, length);
     if (!s.anything_moves()) return true;
     detect_contacts(s, length);
@@ -129,6 +130,11 @@ bool try_step(SimulationState& s, double start, double length, StepReport& repor
       s.first_guess.choose(s.open_close, s.bodies, s.context, s.increment);
     std::span<const ContactDetector::MissedContact> missed;
     const OpenCloseResult result = converge_with_missed(s, missed);
+    if (wake_pressed(s, result.converged, missed, rings)) {
+      report.iterations += result.iterations;
+      rings *= 2;  // who is far from a blow is not to wait for all between
+      continue;
+    }
     const bool good = check(s, result, missed, report);
     if (good && s.company.goes_too_far(s.bodies, s.increment)) continue;
     if (!retry_with_more_inertia(s, good) && !retry_with_softer_springs(s, good)) return good;
@@ -335,7 +341,9 @@ void move_bodies(SimulationState& s, StepReport& report) {
 
 void put_to_sleep(SimulationState& s) {
   const EffectTimer timer(s.work_of(EffectKind::sleep));
-  s.falls_asleep = s.sleep.after_step(s.bodies, s.contacts, s.context.length);
+  const std::vector<int>& sleepers = s.sleep.after_step(s.bodies, s.contacts, s.context.length);
+  s.sleepers_change = !sleepers.empty();
+  if (s.sleepers_change) s.sleeper_loads.fall_asleep(sleepers, s.bodies, s.contacts, s.outcomes.outcomes());
 }
 
 void end_static_stage_in_equilibrium(SimulationState& s, StepReport& report) {

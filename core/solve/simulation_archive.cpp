@@ -23,7 +23,8 @@ void archive_stage(SimulationState& s, int stage, StateArchive& state) {
   std::vector<char> asleep = held_sleepers(s);
   state(s.clock, stage, with_contact, asleep);
   if (state.reads()) set_up_stage(s, stage, with_contact, asleep);
-  state(s.sleep, s.company, s.control, s.pseudo_transient, s.followed_contacts, s.velocities_given, s.stage_steps);
+  state(s.sleep, s.sleeper_loads, s.company, s.control, s.pseudo_transient, s.followed_contacts, s.velocities_given,
+        s.stage_steps);
 }
 
 void archive_bodies(SimulationState& s, StateArchive& state) {
@@ -35,7 +36,7 @@ void archive_bodies(SimulationState& s, StateArchive& state) {
 void archive_step(SimulationState& s, StateArchive& state) {
   StepContext& c = s.context;
   state(c.time, c.length, c.dynamic_factor, c.integration, c.arms, c.reach);
-  state(s.trial_length, s.reach, s.increment, s.goes_through, s.accelerations_wanted, s.falls_asleep, s.step);
+  state(s.trial_length, s.reach, s.increment, s.goes_through, s.accelerations_wanted, s.sleepers_change, s.step);
   state(s.first_guess, s.acceleration_reset, s.reserve, s.free_flight);
 }
 

@@ -94,7 +94,10 @@ SimulationState::SimulationState(const Project& given, const BlockSystem& blocks
       acceleration_reset(bodies, tolerances.acceleration_reset),
       reserve(bodies),
       followed_springs(bodies, tolerances.followed_spring),
-      sleep(sizes_of(surfaces), is_on(EffectKind::sleep) ? project.solver.sleep_tolerance : 0, tolerances.sleep),
+      sleep(sizes_of(surfaces),
+            is_on(EffectKind::sleep) ? project.solver.sleep_tolerance.value_or(tolerances.sleep.speed) : 0,
+            tolerances.sleep),
+      sleeper_loads(sizes_of(surfaces), tolerances.sleep.load_change),
       stress(bodies, composition),
       troubles(project, system, bodies, contacts, model.origin()) {
   for (const Monitor& monitor : project.monitors) {

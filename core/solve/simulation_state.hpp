@@ -21,6 +21,7 @@
 #include "solve/dynamics/prescribed_motion.hpp"
 #include "solve/dynamics/pseudo_transient.hpp"
 #include "solve/dynamics/sleep.hpp"
+#include "solve/dynamics/sleeper_loads.hpp"
 #include "solve/dynamics/stage_clock.hpp"
 #include "solve/dynamics/step_control.hpp"
 #include "solve/energy_balance.hpp"
@@ -114,8 +115,9 @@ struct SimulationState {
   FollowedContacts followed_contacts = FollowedContacts::none;
   std::optional<Impacts> impacts;  ///< where some joint takes speed from them
   Sleep sleep;
+  SleeperLoads sleeper_loads;
   bool accelerations_wanted = false;  ///< the next step is to begin with those of OpenClose
-  bool falls_asleep = false;          ///< some body does, before the next step
+  bool sleepers_change = false;       ///< bodies fall asleep or wake, before contacts are sought again
 
   // What is told of it.
   EnergyBalance energy;

@@ -30,7 +30,7 @@ struct Calls {
 CaseScene scene_of(const Calls& calls) {
   CaseScene scene = rock_scene(calls.friction_angle);
   scene.project.joints[0].cohesion = calls.cohesion;
-  scene.project.solver.sleep_tolerance = calls.sleep ? 1e-9 : 0;
+  scene.project.solver.sleep_tolerance = calls.sleep ? 1e-9 : 0.0;
   scene.project.output.every = 1e9;
   tilt(scene, 30);
   const double height = calls.ground ? 0 : 10;

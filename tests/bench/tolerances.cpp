@@ -242,7 +242,8 @@ std::vector<Entry> entries() {
   }
   {
     using G = SleepTolerances;
-    add<G>(all, "solver.sleep.", [](Tolerances& t) -> G& { return t.solver.sleep; }, {{"slow_steps", &G::slow_steps}});
+    add<G>(all, "solver.sleep.", [](Tolerances& t) -> G& { return t.solver.sleep; },
+           {{"slow_steps", &G::slow_steps}, {"speed", &G::speed}, {"load_change", &G::load_change}});
   }
   {
     using G = EffectTolerances;

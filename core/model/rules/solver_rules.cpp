@@ -48,9 +48,10 @@ void check(const SolverSettings& solver) {
   require(solver.open_close_limit >= 1, place / "open_close_limit",
           "at least one open–close iteration is needed, not " + std::to_string(solver.open_close_limit),
           "give the iterations after which the step is cut; " + std::to_string(usual.open_close_limit) + " is usual");
-  require_finite(solver.sleep_tolerance, place / "sleep_tolerance");
-  require(solver.sleep_tolerance >= 0, place / "sleep_tolerance",
-          "the sleep tolerance must not be negative, is " + number_text(solver.sleep_tolerance),
+  const double sleep_tolerance = solver.sleep_tolerance.value_or(0);
+  require_finite(sleep_tolerance, place / "sleep_tolerance");
+  require(sleep_tolerance >= 0, place / "sleep_tolerance",
+          "the sleep tolerance must not be negative, is " + number_text(sleep_tolerance),
           "give the speed in mesh sizes a second below which a block is at rest; 0 keeps all awake");
   check(solver.adaptive, place / "adaptive");
   require(solver.time_step_control == TimeStepControl::adaptive || solver.adaptive == usual.adaptive,

@@ -87,11 +87,11 @@ class Look {
     if (switches_.followed_springs == Switch::off)
       add(Kind::hint, "followed_springs", "contacts that are too stiff for a step take many more iterations",
           "leave it as it is called for");
-    if (switches_.sleep == Switch::off && solver_.sleep_tolerance > 0)
+    if (switches_.sleep == Switch::off && solver_.lets_sleep())
       add(Kind::hint, "sleep", "blocks at rest cost as much as those that move", "leave it as it is called for");
-    if (switches_.sleep == Switch::on && solver_.sleep_tolerance == 0)
+    if (switches_.sleep == Switch::on && !solver_.lets_sleep())
       add(Kind::warning, "sleep", "it is switched on, and a sleep_tolerance of 0 lets no block sleep",
-          "give a sleep_tolerance; 1e-9 is usual");
+          "leave the sleep_tolerance out");
   }
 
   const Project& project_;

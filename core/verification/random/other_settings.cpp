@@ -59,7 +59,8 @@ std::string changed_settings(const SolverSettings& before, const SolverSettings&
   if (before.penetration_tolerance != after.penetration_tolerance)
     changes.note("penetration_tolerance", significant(after.penetration_tolerance.value_or(0)));
   changes.compare("open_close_limit", before.open_close_limit, after.open_close_limit);
-  changes.compare("sleep_tolerance", before.sleep_tolerance, after.sleep_tolerance);
+  if (before.sleep_tolerance != after.sleep_tolerance)
+    changes.note("sleep_tolerance", significant(after.sleep_tolerance.value_or(0)));
   if (after.time_step_control == TimeStepControl::adaptive) {
     changes.compare("displacement_limit", before.adaptive.displacement_limit, after.adaptive.displacement_limit);
     changes.compare("error_limit", before.adaptive.error_limit, after.adaptive.error_limit);

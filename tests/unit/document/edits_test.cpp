@@ -54,7 +54,6 @@ TEST(Schema, DefaultsAreThoseOfTheModel) {
   EXPECT_EQ(usual("/solver/spectral_radius"), solver.spectral_radius);
   EXPECT_EQ(usual("/solver/contact_stiffness"), solver.contact_stiffness);
   EXPECT_EQ(usual("/solver/open_close_limit"), solver.open_close_limit);
-  EXPECT_EQ(usual("/solver/sleep_tolerance"), solver.sleep_tolerance);
   EXPECT_EQ(usual("/solver/adaptive/error_limit"), solver.adaptive.error_limit);
   EXPECT_EQ(usual("/solver/adaptive/displacement_limit"), solver.adaptive.displacement_limit);
   EXPECT_EQ(usual("/solver/adaptive/iterations"), solver.adaptive.iterations);

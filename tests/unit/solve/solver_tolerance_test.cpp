@@ -29,6 +29,16 @@ TEST(SolverTolerance, OfReferenceLeavesEveryValueAsItIs) {
   EXPECT_EQ(draft.impact.sweep_limit, 34);
 }
 
+TEST(SolverTolerance, DecidesWhoIsSlowEnoughToSleepAndWhatWakesIt) {
+  const SolverTolerances usual, standard = usual.at(standard_tolerance.value), draft = usual.at(draft_tolerance.value);
+  EXPECT_EQ(usual.at(reference_tolerance.value).sleep.speed, usual.sleep.speed);
+  EXPECT_EQ(usual.at(1e-12).sleep.load_change, usual.sleep.load_change);
+  EXPECT_DOUBLE_EQ(standard.sleep.speed, 1e-6);
+  EXPECT_DOUBLE_EQ(standard.sleep.load_change, 1e-3);
+  EXPECT_DOUBLE_EQ(draft.sleep.speed, 1e-5);
+  EXPECT_DOUBLE_EQ(draft.sleep.load_change, 1e-2);
+}
+
 /// A block of 1 m slides down a plane, in steps that need iterations; tolerance and what came of it.
 struct TolerantSlide {
   explicit TolerantSlide(double tolerance) {
