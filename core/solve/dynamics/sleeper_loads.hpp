@@ -22,7 +22,6 @@ class SleeperLoads {
         of_all_(sizes_.size()),
         of_awake_(sizes_.size()),
         now_(sizes_.size()),
-        borne_(sizes_.size(), 0.0),
         is_touched_(sizes_.size(), 0) {}
 
   /// `sleepers` fall asleep after a step, whose contacts came to `outcomes`.
@@ -35,13 +34,15 @@ class SleeperLoads {
   std::vector<int> pressed(const BodySet& set, const ContactSet& contacts, const std::vector<char>& asleep,
                            const std::function<Vec3(int contact)>& force);
 
-  void archive(auto& state) { state(of_all_, of_awake_, borne_, lean_on_awake_); }
+  void archive(auto& state) { state(of_all_, of_awake_, lean_on_awake_); }
 
  private:
   struct Load {
     Vec3 force = Vec3::Zero();   // N
     Vec3 moment = Vec3::Zero();  // N m, about the first node of the body
-    void archive(auto& state) { state(force, moment); }
+    double pressing = 0;         // N, the sum of the forces however directed: two that squeeze the body count
+    Load& operator-=(const Load& other);
+    void archive(auto& state) { state(force, moment, pressing); }
   };
   bool differ(int body, const Load& a, const Load& b) const;
   static void add(Load& load, const BodySet& set, int body, const Vec3& at, const Vec3& force);
@@ -51,7 +52,6 @@ class SleeperLoads {
   std::vector<Load> of_all_;        // a sleeper: of all its contacts as it fell asleep, …
   std::vector<Load> of_awake_;      // … of those with bodies that are awake now …
   std::vector<Load> now_;           // … and what these come to, while it is asked
-  std::vector<double> borne_;       // N, a sleeper: the sum of the forces as it fell asleep
   std::vector<int> lean_on_awake_;  // sleepers that would be pressed otherwise if no contact touched them
   std::vector<int> touched_;        // sleepers that some do, while it is asked
   std::vector<char> is_touched_;

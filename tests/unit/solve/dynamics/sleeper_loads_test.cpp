@@ -67,16 +67,23 @@ TEST_F(LoadOnASleeper, MayBeInOtherContacts) {
 }
 
 TEST_F(LoadOnASleeper, MayChangeByLittleOfAllThatItBears) {
-  add(2, 1, Vec3(0, 0, 1), above * (1 + 2.9 * allowed));
+  add(2, 1, Vec3(0, 0, 1), above * (1 + 1.4 * allowed));
   EXPECT_THAT(pressed(), IsEmpty());
   contacts.clear();
   outcomes.clear();
-  add(2, 1, Vec3(0, 0, 1), above * (1 + 3.1 * allowed));
+  add(2, 1, Vec3(0, 0, 1), above * (1 + 1.6 * allowed));
   EXPECT_THAT(pressed(), ElementsAre(1));
 }
 
 TEST_F(LoadOnASleeper, MayNotMove) {
   add(2, 1, Vec3(0.01, 0, 1), above);
+  EXPECT_THAT(pressed(), ElementsAre(1));
+}
+
+TEST_F(LoadOnASleeper, MayNotSqueezeItMore) {
+  add(2, 1, Vec3(0, 0, 1), above);
+  add(2, 1, Vec3(0, 0, 1), above);
+  add(2, 1, Vec3(0, 0, 1), -above);
   EXPECT_THAT(pressed(), ElementsAre(1));
 }
 
