@@ -14,13 +14,11 @@ Vec3 force_of(const SimulationState& s, int contact) {
   return s.composition.shear ? Vec3(normal + s.composition.shear->force_at(contact, s.increment)) : normal;
 }
 
-/// Those with a contact in a step.
-std::vector<int> touched(const ContactSet& contacts, const std::vector<char>& asleep) {
-  std::vector<int> bodies;
-  for (const ContactPoint& point : contacts.points)
-    for (const int body : point.bodies)
-      if (asleep[body]) bodies.push_back(body);
-  return bodies;
+/// Adds the bodies of contacts that sleep.
+void add_sleepers(const auto& contacts, const std::vector<char>& asleep, std::vector<int>& sleepers) {
+  for (const auto& contact : contacts)
+    for (const int body : contact.bodies)
+      if (asleep[body]) sleepers.push_back(body);
 }
 
 }  // namespace
@@ -48,11 +46,12 @@ bool wake_pressed(SimulationState& s, bool converged, std::span<const ContactDet
   if (s.sleep.count() == 0) return false;
   const std::vector<char>& asleep = s.sleep.asleep();
   const auto force = [&](int contact) { return force_of(s, contact); };
-  std::vector<int> wake =
-      converged ? s.sleeper_loads.pressed(s.bodies, s.contacts, asleep, force) : touched(s.contacts, asleep);
-  for (const auto& contact : missed)
-    for (const int body : contact.bodies)
-      if (asleep[body]) wake.push_back(body);
+  std::vector<int> wake;
+  if (converged)
+    wake = s.sleeper_loads.pressed(s.bodies, s.contacts, asleep, force);
+  else
+    add_sleepers(s.contacts.points, asleep, wake);
+  add_sleepers(missed, asleep, wake);
   if (wake.empty()) return false;
   s.sleep.wake(wake, s.resting, rings);
   s.sleepers_change = true;

@@ -118,7 +118,7 @@ void take_adaptive_step(SimulationState& s, StepReport& report) {
 
 /// Tries a step of `length` from `start` [s] without accepting it: finds its increment. Whether it may be accepted.
 bool try_step(SimulationState& s, double start, double length, StepReport& report) {
-  for (int rings = 2;;) {
+  for (int rings = 2;;) {  // of sleepers that wake: those who are pressed, and whom they touch
     set_times(s, start, length);
     if (!s.anything_moves()) return true;
     detect_contacts(s, length);

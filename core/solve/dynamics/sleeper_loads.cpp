@@ -5,10 +5,16 @@
 
 namespace talus {
 
-void SleeperLoads::add(Load& load, const BodySet& set, int body, const Vec3& at, const Vec3& force) {
-  load.force += force;
-  load.moment += (at - set.nodes.position[set.bodies[body].first_node]).cross(force);
-  load.pressing += force.norm();
+void SleeperLoads::add(std::vector<Load>& loads, const BodySet& set, const auto& contact, const Vec3& force,
+                       const auto& wanted) {
+  for (const int side : {0, 1}) {
+    const int body = contact.bodies[side];
+    if (!wanted(body)) continue;
+    const Vec3 on_body = side == 0 ? force : Vec3(-force);
+    loads[body].force += on_body;
+    loads[body].moment += (contact.position - set.nodes.position[set.bodies[body].first_node]).cross(on_body);
+    loads[body].pressing += on_body.norm();
+  }
 }
 
 SleeperLoads::Load& SleeperLoads::Load::operator-=(const Load& other) {
@@ -28,10 +34,7 @@ void SleeperLoads::fall_asleep(std::span<const int> sleepers, const BodySet& set
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const ContactPoint& point = contacts.points[i];
     const Vec3 force = outcomes[i].normal_force * point.normal + outcomes[i].shear_force;
-    for (const int side : {0, 1}) {
-      const int body = point.bodies[side];
-      if (falls_asleep[body]) add(of_all_[body], set, body, point.position, side == 0 ? force : Vec3(-force));
-    }
+    add(of_all_, set, point, force, [&](int body) { return falls_asleep[body] != 0; });
   }
 }
 
@@ -39,10 +42,7 @@ void SleeperLoads::set_resting(const BodySet& set, const std::vector<RestingCont
   now_.assign(now_.size(), {});
   for (const RestingContact& contact : resting) {
     const Vec3 force = contact.normal_force * contact.normal + contact.shear_force;
-    for (const int side : {0, 1}) {
-      const int body = contact.bodies[side];
-      add(now_[body], set, body, contact.position, side == 0 ? force : Vec3(-force));
-    }
+    add(now_, set, contact, force, [](int) { return true; });
   }
   of_awake_ = of_all_;
   for (std::size_t b = 0; b < sizes_.size(); ++b) of_awake_[b] -= now_[b];
@@ -60,26 +60,22 @@ bool SleeperLoads::differ(int body, const Load& a, const Load& b) const {
 
 std::vector<int> SleeperLoads::pressed(const BodySet& set, const ContactSet& contacts, const std::vector<char>& asleep,
                                        const std::function<Vec3(int)>& force) {
+  // Whether it sleeps; then it is touched.
   const auto touch = [&](int body) {
-    if (is_touched_[body]) return;
-    is_touched_[body] = 1;
-    touched_.push_back(body);
-    now_[body] = {};
+    if (asleep[body] && !is_touched_[body]) {
+      is_touched_[body] = 1;
+      touched_.push_back(body);
+      now_[body] = {};
+    }
+    return asleep[body] != 0;
   };
   touched_.clear();
   for (int i = 0; i < static_cast<int>(contacts.points.size()); ++i) {
     const ContactPoint& point = contacts.points[i];
     if (!asleep[point.bodies[0]] && !asleep[point.bodies[1]]) continue;
-    const Vec3 on_first = force(i);
-    for (const int side : {0, 1}) {
-      const int body = point.bodies[side];
-      if (!asleep[body]) continue;
-      touch(body);
-      add(now_[body], set, body, point.position, side == 0 ? on_first : Vec3(-on_first));
-    }
+    add(now_, set, point, force(i), touch);
   }
-  for (const int body : lean_on_awake_)
-    if (asleep[body]) touch(body);
+  for (const int body : lean_on_awake_) touch(body);
   std::vector<int> pressed;
   for (const int body : touched_) {
     is_touched_[body] = 0;

@@ -45,7 +45,9 @@ class SleeperLoads {
     void archive(auto& state) { state(force, moment, pressing); }
   };
   bool differ(int body, const Load& a, const Load& b) const;
-  static void add(Load& load, const BodySet& set, int body, const Vec3& at, const Vec3& force);
+  /// Adds a contact's force [N, on its first body] to the loads of those of its two bodies that are `wanted`.
+  static void add(std::vector<Load>& loads, const BodySet& set, const auto& contact, const Vec3& force,
+                  const auto& wanted);
 
   std::vector<double> sizes_;
   double tolerance_;

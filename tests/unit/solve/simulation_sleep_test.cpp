@@ -145,7 +145,7 @@ TEST(SimulationSleep, BlocksSleepThatAreNotBesideOneThatMoves) {
 }
 
 TEST(SimulationSleep, SleepersThatLoseWhatTheyLeanOnGoAsThoseThatNeverSlept) {
-  // Each leans on the next; the first is held until all sleep, by a slab that a load lifts away.
+  // The second leans on the first, the first on a stop that a load holds and then lifts away: the second may sleep.
   const BlockSystem system =
       test::block_system({test::box_block("ground", Vec3(-9, -5, -1), Vec3(20, 5, 0), BodyKind::fixed),
                           test::box_block("stop", Vec3(-0.3, 0, 0), Vec3(0, 1, 1), BodyKind::rigid),
