@@ -131,8 +131,8 @@ struct SolverSettings {
   ContactModel contact = ContactModel::area;
   double contact_stiffness = 10;  ///< normal penalty in units of E*/h (docs/contact.md), dimensionless
   /// Of the mesh size: augmented Lagrangian rounds in static stages, harder springs in dynamic ones until it is met.
-  /// Empty: springs as they are in static stages, 5e-4 in dynamic ones, where no joint has a normal stiffness of its
-  /// own.
+  /// Empty: springs as they are in static stages; in dynamic ones, where no joint has a normal stiffness of its own,
+  /// StepTolerances::penetration.
   std::optional<double> penetration_tolerance;
   double tolerance = standard_tolerance.value;  ///< residual over the largest force at which a step has converged
   OpenCloseMethod open_close = OpenCloseMethod::newton;

@@ -3563,12 +3563,16 @@
         <translation>Eindringung</translation>
     </message>
     <message>
-        <source>penetration over mesh size that contacts are held to: when absent springs as they are in static stages, 5e-4 in dynamic ones</source>
-        <translation>Eindringung, bezogen auf die Netzweite, an die Kontakte gehalten werden: wenn sie fehlt, Federn, wie sie sind, in statischen Abschnitten, 5e-4 in dynamischen</translation>
+        <source>penetration over mesh size that contacts are held to: when absent springs as they are in static stages, and in dynamic ones such as give by 2.5e-4, or by the tolerance if that is more</source>
+        <translation>Eindringung, bezogen auf die Netzweite, an die Kontakte gehalten werden: wenn sie fehlt, Federn, wie sie sind, in statischen Abschnitten, in dynamischen solche, die um 2,5e-4 nachgeben, oder um die Toleranz, wenn diese größer ist</translation>
     </message>
     <message>
         <source>by the stage</source>
         <translation>nach dem Abschnitt</translation>
+    </message>
+    <message>
+        <source>by the tolerance</source>
+        <translation>nach der Toleranz</translation>
     </message>
     <message>
         <source>Open–close limit</source>
@@ -3583,8 +3587,8 @@
         <translation>Ruht unter</translation>
     </message>
     <message>
-        <source>speed in mesh sizes a second below which a block at rest sleeps in dynamic stages: 1e-9 when absent, 0: none sleeps</source>
-        <translation>Geschwindigkeit in Netzweiten je Sekunde, unter der ein Block in Ruhe in dynamischen Abschnitten nicht gerechnet wird: 1e-9, wenn sie fehlt, 0: keiner ruht</translation>
+        <source>speed in mesh sizes a second below which a block at rest sleeps in dynamic stages: when absent the tolerance, 1e-9 to 1e-5; 0: none sleeps</source>
+        <translation>Geschwindigkeit in Netzweiten je Sekunde, unter der ein Block in Ruhe in dynamischen Abschnitten nicht gerechnet wird: wenn sie fehlt, die Toleranz, 1e-9 bis 1e-5; 0: keiner ruht</translation>
     </message>
     <message>
         <source>Time steps</source>
