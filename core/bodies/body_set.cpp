@@ -3,8 +3,10 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
+#include "base/parallel.hpp"
 #include "bodies/finite_rotation.hpp"
 #include "bodies/rigid_motion.hpp"
 #include "bodies/time_integration.hpp"
@@ -13,6 +15,8 @@
 namespace talus {
 
 namespace {
+
+constexpr int bodies_worth_a_thread = 128;  // that are rigid, with a dozen nodes each
 
 Body make_body(const Block& block, const Material& material) {
   Body body;
@@ -270,6 +274,18 @@ Vec3 BodySet::node_increment(int node, const Increment& d) const {
   const RigidBody& one = rigid[body.rigid];
   return Vec3(d.segment<3>(3 * nodes.dof_block[one.centre])) +
          turn_of(one.theta(d), nodes.position[node] - nodes.position[one.centre]);
+}
+
+void BodySet::positions_after(const Increment& d, std::vector<Vec3>& x) const {
+  x = nodes.position;
+  const auto place = [&](std::span<const int> some) {
+    for (const int b : some)
+      for (int n = bodies[b].first_node; n < bodies[b].first_node + bodies[b].node_count; ++n)
+        x[n] += node_increment(n, d);
+  };
+  const auto place_some = [&](int first, int last) { place(std::span(moving).subspan(first, last - first)); };
+  in_parallel(static_cast<int>(moving.size()), bodies_worth_a_thread, std::ref(place_some));
+  place(driven);
 }
 
 void BodySet::dof_blocks_of(int node, std::vector<int>& dof_blocks) const {

@@ -101,6 +101,8 @@ struct BodySet {
   void join_dof_blocks(DisjointSets& together) const;
   Corners corner_increments(const Element& element, const Increment& d) const;
   Vec3 node_increment(int node, const Increment& d) const;
+  /// `x` = where all nodes are once the step is taken [m], on several cores.
+  void positions_after(const Increment& d, std::vector<Vec3>& x) const;
   /// Degree-of-freedom blocks that move a node: its own, or those of its affine or rigid body; none where it is fixed.
   void dof_blocks_of(int node, std::vector<int>& dof_blocks) const;
 

@@ -6,7 +6,6 @@
 
 #include "base/stopwatch.hpp"
 #include "bodies/impulse.hpp"
-#include "contact/detection/normal_update.hpp"
 #include "solve/awake_bodies.hpp"
 #include "solve/simulation_state.hpp"
 
@@ -54,17 +53,26 @@ std::vector<std::pair<int, int>> couplings_of_contacts(const SimulationState& s)
   return couplings;
 }
 
+/// Where nodes will be in the middle of the step, if bodies go on as they do.
+void foresee_middle(SimulationState& s, double length) {
+  const NodeSet& nodes = s.bodies.nodes;
+  s.foreseen = nodes.position;
+  const auto go_on = [&](const std::vector<int>& bodies, const std::vector<Vec3>& motion, double times) {
+    for (const int b : bodies) {
+      const Body& body = s.bodies.bodies[b];
+      for (int n = body.first_node; n < body.first_node + body.node_count; ++n) s.foreseen[n] += times * motion[n];
+    }
+  };
+  go_on(s.bodies.moving, nodes.velocity, 0.5 * length);
+  go_on(s.bodies.driven, nodes.prescribed, 0.5);
+}
+
 /// Normals of contacts in the middle of the step, if bodies go on as they do. Faces of bodies that deform swing with
 /// their waves: what they do next their velocities do not tell.
 void foresee_normals(SimulationState& s, double length) {
   if (!s.dynamic() || !s.is_on(EffectKind::updated_normals)) return;
   const EffectTimer timer(s.work_of(EffectKind::updated_normals));
-  const NodeSet& nodes = s.bodies.nodes;
-  const auto moved = [&](int node) -> Vec3 {
-    return s.bodies.bodies[nodes.body[node]].fixed ? nodes.prescribed[node] : Vec3(length * nodes.velocity[node]);
-  };
-  const auto start = [&](int node) { return nodes.position[node]; };
-  const auto middle = [&](int node) -> Vec3 { return nodes.position[node] + 0.5 * moved(node); };
+  foresee_middle(s, length);
   const auto deforms = [&](int b) { return !s.bodies.bodies[b].fixed && s.bodies.bodies[b].rigid < 0; };
   const auto sliding = [&](const ContactPoint& point) -> Vec3 {
     if (deforms(point.bodies[0]) || deforms(point.bodies[1])) return Vec3::Zero();
@@ -72,7 +80,9 @@ void foresee_normals(SimulationState& s, double length) {
     return length * velocity_of(s.bodies, std::span(s.contacts.nodes).subspan(point.stencil_begin, count),
                                 std::span(s.contacts.weights).subspan(point.stencil_begin, count), length);
   };
-  const auto middle_normal = [&](int point) { return s.detector.updated_normal(point, start, middle).normal; };
+  const auto middle_normal = [&](int point) {
+    return s.detector.updated_normal(point, s.bodies.nodes.position, s.foreseen).normal;
+  };
   foresee_normals(s.contacts, sliding, middle_normal, s.detector.tolerances());
 }
 

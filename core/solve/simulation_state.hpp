@@ -8,6 +8,7 @@
 #include "base/stopwatch.hpp"
 #include "contact/detection/contact_detector.hpp"
 #include "contact/detection/missed_contacts.hpp"
+#include "contact/detection/normal_update.hpp"
 #include "contact/passage/passage.hpp"
 #include "mesh/surface.hpp"
 #include "model/tolerances.hpp"
@@ -108,6 +109,8 @@ struct SimulationState {
   AccelerationReset acceleration_reset;
   IntegrationReserve reserve;
   FreeFlight free_flight{bodies};
+  std::vector<Vec3> foreseen;  ///< m, where nodes will be later in the step
+  NormalUpdate normal_update;
   MissedContacts missed_contacts{bodies};
   std::optional<PassageCheck> passage;  ///< none where missed contacts are not looked for
   bool goes_through = false;  ///< the trial step took a body through another: it is cut until no body goes that far

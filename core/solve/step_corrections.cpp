@@ -1,6 +1,5 @@
 #include "solve/step_corrections.hpp"
 
-#include "contact/detection/normal_update.hpp"
 #include "solve/simulation_state.hpp"
 
 namespace talus {
@@ -10,10 +9,9 @@ namespace {
 bool update_normals(SimulationState& s) {
   if (!s.is_on(EffectKind::updated_normals)) return false;
   const EffectTimer timer(s.work_of(EffectKind::updated_normals));
-  const auto start = [&](int node) { return s.bodies.nodes.position[node]; };
-  const auto end = [&](int node) { return Vec3(start(node) + s.bodies.node_increment(node, s.increment)); };
-  const auto updated = [&](int point) { return s.detector.updated_normal(point, start, end); };
-  return update_normals(s.contacts, s.links, updated, s.increment, s.penetration(), s.detector.tolerances());
+  s.bodies.positions_after(s.increment, s.foreseen);
+  const auto updated = [&](int point) { return s.detector.updated_normal(point, s.bodies.nodes.position, s.foreseen); };
+  return s.normal_update.update(s.contacts, s.links, updated, s.increment, s.penetration(), s.detector.tolerances());
 }
 
 bool scale_penalty(SimulationState& s) {

@@ -299,14 +299,14 @@ void ContactDetector::detect(std::span<const Vec3> x, double reach, ContactSet& 
   s.coupling.cover(s.found);
 }
 
-ContactDetector::UpdatedNormal ContactDetector::updated_normal(int point, const std::function<Vec3(int)>& start,
-                                                               const std::function<Vec3(int)>& end) const {
+ContactDetector::UpdatedNormal ContactDetector::updated_normal(int point, std::span<const Vec3> start,
+                                                               std::span<const Vec3> end) const {
   const FoundPoint& found = state_->found.points[state_->origins[point]];
   const Vec3 normal = talus::updated_normal(state_->features, found, start, end);
-  const Vec3 apart = state_->found.difference(found, end);
+  const Vec3 apart = state_->found.difference(found, [&](int node) { return end[node]; });
   if (found.is_of_end) return {normal, normal.dot(apart)};
   // Of what lies between its places at the start, what lies along its normal is a gap.
-  const Vec3 beside = state_->found.difference(found, start) - found.gap * found.normal;
+  const Vec3 beside = state_->found.difference(found, [&](int node) { return start[node]; }) - found.gap * found.normal;
   return {normal, normal.dot(apart - beside)};
 }
 

@@ -40,8 +40,7 @@ class ContactDetector {
     double gap;  ///< m, along that normal at the end; the initial interference is in it
   };
   /// Of a point of what detect() gave last, found with nodes at `start` [m], when they will be at `end` [m].
-  UpdatedNormal updated_normal(int point, const std::function<Vec3(int node)>& start,
-                               const std::function<Vec3(int node)>& end) const;
+  UpdatedNormal updated_normal(int point, std::span<const Vec3> start, std::span<const Vec3> end) const;
 
   /// A contact that detect() did not give: as its features stand at the start, none could touch there, or did so in
   /// another place.

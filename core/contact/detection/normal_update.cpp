@@ -1,7 +1,13 @@
 #include "contact/detection/normal_update.hpp"
 
+#include <functional>
+
+#include "base/parallel.hpp"
+
 namespace talus {
 namespace {
+
+constexpr int normals_worth_a_thread = 256;
 
 /// Shear goes on in the new plane with its length kept.
 void turn(ContactPoint& point, const Vec3& normal) {
@@ -20,25 +26,36 @@ bool slides(const ContactPoint& point, double by, double least) {
 
 void foresee_normals(ContactSet& contacts, const std::function<Vec3(const ContactPoint&)>& sliding,
                      const std::function<Vec3(int point)>& middle_normal, const ContactTolerances& tolerances) {
-  for (std::size_t i = 0; i < contacts.points.size(); ++i) {
-    ContactPoint& point = contacts.points[i];
-    const Vec3 u = sliding(point), along = u - point.normal * point.normal.dot(u);
-    if (slides(point, along.norm(), tolerances.foreseen_slide * point.size))
-      turn(point, middle_normal(static_cast<int>(i)));
-  }
+  const auto foresee = [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      ContactPoint& point = contacts.points[i];
+      const Vec3 u = sliding(point), along = u - point.normal * point.normal.dot(u);
+      if (slides(point, along.norm(), tolerances.foreseen_slide * point.size)) turn(point, middle_normal(i));
+    }
+  };
+  in_parallel(static_cast<int>(contacts.points.size()), normals_worth_a_thread, std::ref(foresee));
 }
 
-bool update_normals(ContactSet& contacts, const ContactLinks& links,
-                    const std::function<ContactDetector::UpdatedNormal(int point)>& updated_normal, const Increment& d,
-                    double tolerance, const ContactTolerances& tolerances) {
-  bool any = false;
+bool NormalUpdate::update(ContactSet& contacts, const ContactLinks& links,
+                          const std::function<ContactDetector::UpdatedNormal(int point)>& updated_normal,
+                          const Increment& d, double tolerance, const ContactTolerances& tolerances) {
+  slides_.clear();
   for (int i = 0; i < links.moves().size(); ++i) {
-    ContactPoint& point = contacts.points[i];
-    const double limit = tolerance * point.size;
+    const ContactPoint& point = contacts.points[i];
     const Vec3 displacement = links.moves().increment(i, d);
-    if (!slides(point, displacement.norm(), tolerances.noticeable_slide * limit)) continue;
-    const ContactDetector::UpdatedNormal at_end = updated_normal(i);
-    const double depth = -at_end.gap, known = point.initial_interference - links.gap(i, d);
+    if (slides(point, displacement.norm(), tolerances.noticeable_slide * tolerance * point.size))
+      slides_.push_back({i, displacement, {Vec3::Zero(), 0}});
+  }
+  const auto look = [&](int first, int last) {
+    for (int i = first; i < last; ++i) slides_[i].at_end = updated_normal(slides_[i].point);
+  };
+  in_parallel(static_cast<int>(slides_.size()), normals_worth_a_thread, std::ref(look));
+  bool any = false;
+  for (const auto& [number, displacement, at_end] : slides_) {
+    ContactPoint& point = contacts.points[number];
+    const double limit = tolerance * point.size;
+    const double depth = -at_end.gap;
+    const double known = point.initial_interference - point.gap - point.normal.dot(displacement);
     if (!(depth > limit && depth > known + tolerances.noticeable_deepening * limit)) continue;
     const double gap = at_end.gap - at_end.normal.dot(displacement) + point.initial_interference;
     // What is new begins without force: a normal along which it was in before would push from the start.

@@ -10,9 +10,9 @@ namespace talus {
 namespace {
 
 /// A corner of the cube, 0.1 mm above the slab, slides by 0.1 m along it; held to a thousandth of 1 m.
-class NormalUpdate : public ::testing::Test {
+class NormalUpdates : public ::testing::Test {
  protected:
-  NormalUpdate() : set_(test::rock_project(30, {}), test::cube_on_slab()), links_(set_, contacts_) {
+  NormalUpdates() : set_(test::rock_project(30, {}), test::cube_on_slab()), links_(set_, contacts_) {
     ContactPoint point{};
     point.normal = Vec3::UnitZ();
     point.gap = 3e-4;
@@ -32,7 +32,7 @@ class NormalUpdate : public ::testing::Test {
   /// The slab rotates by this angle about y meanwhile [rad].
   bool follows(double angle) {
     const Vec3 normal(-std::sin(angle), 0, std::cos(angle));
-    return update_normals(
+    return update_.update(
         contacts_, links_,
         [&](int) {
           return ContactDetector::UpdatedNormal{normal, 1e-4 * std::cos(angle) - 0.1 * std::sin(angle)};
@@ -45,9 +45,10 @@ class NormalUpdate : public ::testing::Test {
   ContactSet contacts_;
   ContactLinks links_;
   Increment increment_;
+  NormalUpdate update_;
 };
 
-TEST_F(NormalUpdate, ACornerThatSlidesUpAgainstARisingSlabTakesItsNormalAtTheEnd) {
+TEST_F(NormalUpdates, ACornerThatSlidesUpAgainstARisingSlabTakesItsNormalAtTheEnd) {
   ASSERT_TRUE(follows(0.05));
   EXPECT_NEAR(point().normal.x(), -std::sin(0.05), 1e-15);
   EXPECT_NEAR(links_.gap(0, increment_) - point().initial_interference, 1e-4 * std::cos(0.05) - 0.1 * std::sin(0.05),
@@ -58,7 +59,7 @@ TEST_F(NormalUpdate, ACornerThatSlidesUpAgainstARisingSlabTakesItsNormalAtTheEnd
   EXPECT_FALSE(follows(0.05));  // it knows by now
 }
 
-TEST_F(NormalUpdate, WhatSlidesBeginsWithTheNormalInTheMiddleOfTheStep) {
+TEST_F(NormalUpdates, WhatSlidesBeginsWithTheNormalInTheMiddleOfTheStep) {
   const Vec3 middle(-std::sin(0.02), 0, std::cos(0.02));
   const auto foresee = [&](double slide) {
     foresee_normals(
@@ -73,52 +74,52 @@ TEST_F(NormalUpdate, WhatSlidesBeginsWithTheNormalInTheMiddleOfTheStep) {
   EXPECT_NEAR(point().shear_start.norm(), 5, 1e-14);
 }
 
-TEST_F(NormalUpdate, NormalsThatFallAwayOrRiseByLittleStayAsTheyAre) {
+TEST_F(NormalUpdates, NormalsThatFallAwayOrRiseByLittleStayAsTheyAre) {
   EXPECT_FALSE(follows(-0.05));
   EXPECT_FALSE(follows(0.01));
   EXPECT_EQ(point().normal, Vec3::UnitZ());
 }
 
-TEST_F(NormalUpdate, BondedContactsKeepTheirNormals) {
+TEST_F(NormalUpdates, BondedContactsKeepTheirNormals) {
   point().bonded = true;
   EXPECT_FALSE(follows(0.05));
   EXPECT_EQ(point().normal, Vec3::UnitZ());
 }
 
-TEST_F(NormalUpdate, ContactsThatSlideByLessThanATenthOfTheToleranceKeepTheirNormals) {
+TEST_F(NormalUpdates, ContactsThatSlideByLessThanATenthOfTheToleranceKeepTheirNormals) {
   for (const double size : {1.01e3, 0.99e3}) {  // it slides by 0.1 m; the tolerance is a thousandth of the size
     point().size = size;
     const auto updated = [&](int) { return ContactDetector::UpdatedNormal{Vec3::UnitZ(), -5}; };
-    EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), size < 1e3);
+    EXPECT_EQ(update_.update(contacts_, links_, updated, increment_, 1e-3, {}), size < 1e3);
   }
 }
 
-TEST_F(NormalUpdate, ContactsThatSlideByMoreThanAFacetHaveLeftTheirFeaturesAndKeepTheirNormals) {
+TEST_F(NormalUpdates, ContactsThatSlideByMoreThanAFacetHaveLeftTheirFeaturesAndKeepTheirNormals) {
   for (const double size : {0.11, 0.09}) {
     point().size = size;
     const auto updated = [&](int) { return ContactDetector::UpdatedNormal{Vec3::UnitZ(), -0.05}; };
-    EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), size > 0.1);
+    EXPECT_EQ(update_.update(contacts_, links_, updated, increment_, 1e-3, {}), size > 0.1);
   }
 }
 
 /// Else it would push from the start of the step on with a force that nothing has built up.
-TEST_F(NormalUpdate, WhatIsNewTakesNoNormalAlongWhichItWasInBefore) {
+TEST_F(NormalUpdates, WhatIsNewTakesNoNormalAlongWhichItWasInBefore) {
   for (const double before : {-1.1e-3, -1.3e-3}) {
     point().is_new = true;
     point().normal = Vec3::UnitZ();
     point().gap = 3e-4;
     const Vec3 normal = Vec3(-0.1, 0, 1).normalized();
     const auto updated = [&](int) { return ContactDetector::UpdatedNormal{normal, before + 0.1 * normal.x()}; };
-    EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), before > -1e-3 - 2e-4);
+    EXPECT_EQ(update_.update(contacts_, links_, updated, increment_, 1e-3, {}), before > -1e-3 - 2e-4);
   }
 }
 
-TEST_F(NormalUpdate, AContactThatKnowsHowDeepItIsKeepsItsNormal) {
+TEST_F(NormalUpdates, AContactThatKnowsHowDeepItIsKeepsItsNormal) {
   // As deep by one normal as by the other, to within a thousandth of the tolerance or not.
   for (const double deeper : {0.9e-6, 1.1e-6}) {
     point().gap = point().initial_interference - 2e-3;
     const auto updated = [&](int) { return ContactDetector::UpdatedNormal{Vec3::UnitZ(), -2e-3 - deeper}; };
-    EXPECT_EQ(update_normals(contacts_, links_, updated, increment_, 1e-3, {}), deeper > 1e-6);
+    EXPECT_EQ(update_.update(contacts_, links_, updated, increment_, 1e-3, {}), deeper > 1e-6);
   }
 }
 
@@ -150,7 +151,7 @@ TEST(GapsOfRigidBodies, AreThoseOfTheirPlacesAtTheEndThoughTheyTurnAboutOne) {
   ASSERT_LT(gap, -1e-2);
   EXPECT_GT(std::abs(normal.dot(Vec3(0, 0, 0.1) + links.moves().increment(0, d)) - gap), 1e-3);
   const auto updated = [&](int) { return ContactDetector::UpdatedNormal{normal, gap}; };
-  ASSERT_TRUE(update_normals(contacts, links, updated, d, 1e-3, {}));
+  ASSERT_TRUE(NormalUpdate().update(contacts, links, updated, d, 1e-3, {}));
   EXPECT_NEAR(links.gap(0, d), gap, 1e-14);
 }
 

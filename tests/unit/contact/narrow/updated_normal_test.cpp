@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 #include "base/units.hpp"
 #include "unit/contact/blocks.hpp"
@@ -31,8 +30,7 @@ void expect_told_beforehand(Scene& scene, const Vec3& axis, double degrees, cons
   }
   std::vector<ContactDetector::UpdatedNormal> told;
   for (int i = 0; i < static_cast<int>(before.points.size()); ++i)
-    told.push_back(scene.detector().updated_normal(
-        i, [&](int node) { return start[node]; }, [&](int node) { return end[node]; }));
+    told.push_back(scene.detector().updated_normal(i, start, end));
   scene.x = end;
   int compared = 0;
   for (const ContactPoint& after : scene.detect(wide_reach).points)
@@ -76,10 +74,6 @@ Scene leaning(double degrees) {
   return scene;
 }
 
-std::function<Vec3(int)> at(const Scene& scene) {
-  return [&scene](int node) { return scene.x[node]; };
-}
-
 TEST(UpdatedNormals, VerticesAndEdgesOfABlockHaveTheNormalOfThePlaneTheyLieIn) {
   for (const double degrees : {1.0, 1e-6}) {
     Scene scene = leaning(degrees);
@@ -93,7 +87,7 @@ TEST(UpdatedNormals, VerticesAndEdgesOfABlockHaveTheNormalOfThePlaneTheyLieIn) {
       const bool is_crossing = p.key >> 62 == 2;
       if (!on_rim || (!is_crossing && p.key >> 62 != 1)) continue;
       EXPECT_EQ(p.normal, -Vec3::UnitZ()) << degrees << "°, " << p.position.transpose();
-      EXPECT_LT((scene.detector().updated_normal(i, at(scene), at(further)).normal + Vec3::UnitZ()).norm(), 1e-12)
+      EXPECT_LT((scene.detector().updated_normal(i, scene.x, further.x).normal + Vec3::UnitZ()).norm(), 1e-12)
           << "once the block has rotated further";
       EXPECT_GT(p.area, 0);
       (is_crossing ? crossings : vertices) += 1;
