@@ -267,7 +267,8 @@ struct ImpactTolerances {
   double impulse_accuracy = 1e-9;
   /// Sweeps over all contacts in which impulses are to be found; at standard 108, at draft 34. Larger: time in crowds.
   /// Smaller: less exact rebounds: the kinetic energy of a slope of 317 blocks after 20 steps is 1.3e-4 larger with
-  /// 100, 3.8e-4 with 30. Reaching it is counted in the report.
+  /// 100, 3.8e-4 with 30; of four slopes of some 600 blocks up to 2 % with 108, 5 % with 30. Reaching it is counted in
+  /// the report.
   int sweep_limit = 500;
 };
 
@@ -280,6 +281,18 @@ struct FollowedSpringTolerances {
   /// and a meshed slope of 105 blocks takes 11 iterations a step (18 with 3, 42 with 10, 9 with 0.3). Larger: more
   /// iterations. Smaller: joints yield more than rock.
   double beside_elements = 1;
+  /// Of the penetration that contacts may have. Springs that a blow has made stiffer than rock are softened until they
+  /// give by this once it is over. Chosen. Larger: softer springs, which the next change of the load makes stiff again,
+  /// and blocks that settle take more iterations (docs/notes/crowds.md).
+  /// Smaller: springs stay stiffer than what they bear asks for.
+  double relaxed_compression = 0.1;
+  /// – (fraction). They are softened where they get so much softer or more. Chosen. Larger: springs soften and stiffen
+  /// in turns. Smaller: more iterations in debris.
+  double worthwhile_softening = 0.1;
+  /// Of the penetration that contacts may have. Springs of points with more initial interference stay stiff. Chosen:
+  /// each turn of stiffening and softening leaves some. Larger: blocks deeper in each other; with 1, one of 240 random
+  /// scenes lies 2e-3 h deep. Smaller: more iterations in debris.
+  double relaxed_interference = 0.2;
 };
 
 /// How inertia fades in static stages.

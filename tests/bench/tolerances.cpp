@@ -218,7 +218,10 @@ std::vector<Entry> entries() {
   {
     using G = FollowedSpringTolerances;
     add<G>(all, "solver.followed_spring.", [](Tolerances& t) -> G& { return t.solver.followed_spring; },
-           {{"oscillation", &G::oscillation}});
+           {{"oscillation", &G::oscillation},
+            {"relaxed_compression", &G::relaxed_compression},
+            {"worthwhile_softening", &G::worthwhile_softening},
+            {"relaxed_interference", &G::relaxed_interference}});
   }
   {
     using G = PseudoTransientTolerances;

@@ -141,5 +141,97 @@ TEST_F(FollowedSpringsOf, MeshedBlocksKeepTheirsInStepsThatResolveWaves) {
   EXPECT_EQ(stiffness_between(1, 2), 1e11);
 }
 
+/// A point between two blocks that slide on each other at 1 m/s, which a blow has made stiff. Now its spring gives by
+/// so much of the penetration that it may have; as much again is initial interference.
+class StiffenedByABlow : public FollowedSpringsOf {
+ protected:
+  StiffenedByABlow() {
+    build(BodyKind::rigid);
+    for (int n = bodies_->bodies[1].first_node; n < bodies_->bodies[2].first_node; ++n)
+      bodies_->nodes.velocity[n] = {1, 0, 0};
+    add_points(1, 1, 2);
+    point().penalty_scaling = 10, point().normal_stiffness *= 10, point().shear_stiffness *= 10;
+    contacts_.nodes = {bodies_->bodies[1].first_node, bodies_->bodies[2].first_node};
+    contacts_.weights = {1, -1};
+    point().stencil_end = 2;
+    point().is_new = false;
+    gives_by(1e-4);
+  }
+  ContactPoint& point() { return contacts_.points[0]; }
+  void gives_by(double compression) {
+    point().gap = -compression * penetration;
+    point().initial_interference = compression * penetration;
+    point().shear_start = {0.1 * normal_force(point(), point().gap), 0, 0};
+  }
+  bool softens() {
+    const double before = point().normal_stiffness;
+    limit();
+    return point().normal_stiffness < before;
+  }
+};
+
+TEST_F(StiffenedByABlow, ASpringThatHardlyGivesIsLetGoSoftWithoutEnergy) {
+  gives_by(1e-5);
+  const ContactPoint before = point();
+  ASSERT_TRUE(softens());
+  const double followed = std::pow(2 * M_PI / step, 2) / (1 / small_mass + 1 / large_mass);
+  EXPECT_NEAR(point().normal_stiffness, followed, 1e-3) << "no softer than a step can follow";
+  EXPECT_NEAR(point().penalty_scaling, 10 * followed / before.normal_stiffness, 1e-15);
+  EXPECT_LT(normal_force(point(), point().gap), normal_force(before, before.gap));
+  EXPECT_LT(normal_spring_energy(point(), normal_force(point(), point().gap)),
+            normal_spring_energy(before, normal_force(before, before.gap)));
+  EXPECT_NEAR(shear_spring_energy(point(), point().shear_start), shear_spring_energy(before, before.shear_start),
+              1e-9 * shear_spring_energy(before, before.shear_start));
+  EXPECT_EQ(point().initial_interference, 0);
+  EXPECT_DOUBLE_EQ(point().gap - point().initial_interference, before.gap - before.initial_interference)
+      << "nobody has moved";
+}
+
+TEST_F(StiffenedByABlow, AsMuchEnergyStaysWhereTheInterferenceAllowsIt) {
+  point().initial_interference = 0.1 * penetration;
+  const double before = normal_spring_energy(point(), normal_force(point(), point().gap));
+  ASSERT_TRUE(softens());
+  EXPECT_NEAR(normal_spring_energy(point(), normal_force(point(), point().gap)), before, 1e-9 * before);
+}
+
+TEST_F(StiffenedByABlow, NewPointsBetweenTheSameBodiesAreAsSoft) {
+  add_points(1, 1, 2);
+  ASSERT_TRUE(softens());
+  EXPECT_DOUBLE_EQ(contacts_.points[1].penalty_scaling, point().penalty_scaling);
+}
+
+TEST_F(StiffenedByABlow, AsLongAsItBearsItStaysStiff) {
+  gives_by(0.02);
+  EXPECT_FALSE(softens());
+}
+
+TEST_F(StiffenedByABlow, AsLongAsOneOfItsPairBearsItStaysStiff) {
+  contacts_.points.push_back(point());
+  contacts_.points[1].gap = -0.5 * penetration;
+  EXPECT_FALSE(softens());
+}
+
+TEST_F(StiffenedByABlow, BlocksThatRestDoNotSink) {
+  for (Vec3& velocity : bodies_->nodes.velocity) velocity *= 0.9 * penetration / step;
+  EXPECT_FALSE(softens());
+  for (Vec3& velocity : bodies_->nodes.velocity) velocity *= 1.2;
+  EXPECT_TRUE(softens());
+}
+
+TEST_F(StiffenedByABlow, WhatIsDeepByInterferenceStaysStiff) {
+  point().initial_interference = 0.3 * penetration;
+  EXPECT_FALSE(softens());
+}
+
+TEST_F(StiffenedByABlow, NotOneThatIsNoStifferThanRock) {
+  point().penalty_scaling = 1, point().normal_stiffness /= 10, point().shear_stiffness /= 10;
+  EXPECT_FALSE(softens());
+}
+
+TEST_F(StiffenedByABlow, BondsStayStiff) {
+  point().bonded = true;
+  EXPECT_FALSE(softens());
+}
+
 }  // namespace
 }  // namespace talus
