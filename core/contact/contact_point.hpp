@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,16 @@ struct ContactSet {
   std::vector<int> bonded;   ///< … of those with one
   std::vector<int> sheared;  ///< … of those that can carry shear: with friction, or with cohesion of a bond
   std::vector<int> by_key;   ///< the numbers of all, by ascending keys
+
+  struct Stencil {
+    std::span<const int> nodes;
+    std::span<const double> weights;
+  };
+  Stencil stencil(const ContactPoint& point) const {
+    const auto count = static_cast<std::size_t>(point.stencil_end - point.stencil_begin);
+    return {std::span(nodes).subspan(point.stencil_begin, count),
+            std::span(weights).subspan(point.stencil_begin, count)};
+  }
 
   void clear();
   /// Fills the lists from the points. For what detect() gives this has been done.

@@ -6,6 +6,7 @@
 
 #include "base/stopwatch.hpp"
 #include "bodies/impulse.hpp"
+#include "contact/detection/normal_update.hpp"
 #include "solve/awake_bodies.hpp"
 #include "solve/simulation_state.hpp"
 
@@ -76,9 +77,8 @@ void foresee_normals(SimulationState& s, double length) {
   const auto deforms = [&](int b) { return !s.bodies.bodies[b].fixed && s.bodies.bodies[b].rigid < 0; };
   const auto sliding = [&](const ContactPoint& point) -> Vec3 {
     if (deforms(point.bodies[0]) || deforms(point.bodies[1])) return Vec3::Zero();
-    const auto count = static_cast<std::size_t>(point.stencil_end - point.stencil_begin);
-    return length * velocity_of(s.bodies, std::span(s.contacts.nodes).subspan(point.stencil_begin, count),
-                                std::span(s.contacts.weights).subspan(point.stencil_begin, count), length);
+    const auto [nodes, weights] = s.contacts.stencil(point);
+    return length * velocity_of(s.bodies, nodes, weights, length);
   };
   const auto middle_normal = [&](int point) {
     return s.detector.updated_normal(point, s.bodies.nodes.position, s.foreseen).normal;

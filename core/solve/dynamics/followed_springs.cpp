@@ -45,10 +45,8 @@ bool FollowedSprings::any_moves(std::span<const int> points, double length, doub
                                 const ContactSet& contacts) const {
   return std::ranges::any_of(points, [&](int i) {
     const ContactPoint& point = contacts.points[i];
-    const auto count = static_cast<std::size_t>(point.stencil_end - point.stencil_begin);
-    const Vec3 velocity = velocity_of(bodies_, std::span(contacts.nodes).subspan(point.stencil_begin, count),
-                                      std::span(contacts.weights).subspan(point.stencil_begin, count), length);
-    return length * velocity.norm() > penetration * point.size;
+    const auto [nodes, weights] = contacts.stencil(point);
+    return length * velocity_of(bodies_, nodes, weights, length).norm() > penetration * point.size;
   });
 }
 

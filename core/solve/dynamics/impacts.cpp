@@ -14,20 +14,9 @@ namespace talus {
 
 namespace {
 
-struct Stencil {
-  std::span<const int> nodes;
-  std::span<const double> weights;
-};
-
-Stencil stencil(const ContactSet& contacts, const ContactPoint& point) {
-  const auto count = static_cast<std::size_t>(point.stencil_end - point.stencil_begin);
-  return {std::span(contacts.nodes).subspan(point.stencil_begin, count),
-          std::span(contacts.weights).subspan(point.stencil_begin, count)};
-}
-
 /// At which the bodies part [m/s].
 double speed_of(const BodySet& set, const ContactSet& contacts, const ContactPoint& point, double step) {
-  const auto [nodes, weights] = stencil(contacts, point);
+  const auto [nodes, weights] = contacts.stencil(point);
   return point.normal.dot(velocity_of(set, nodes, weights, step));
 }
 
@@ -227,7 +216,7 @@ void Impacts::add_hits(const ContactSet& contacts, double step, const std::vecto
   for (const Struck& struck : struck_) {
     const int i = struck.point;
     const ContactPoint& point = contacts.points[i];
-    const auto [nodes, weights] = stencil(contacts, point);
+    const auto [nodes, weights] = contacts.stencil(point);
     hits_.push_back({.where = {set_, masses_, nodes, weights, step},
                      .normal = point.normal,
                      .range = struck.range,
