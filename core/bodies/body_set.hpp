@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "bodies/body_way.hpp"
 #include "bodies/rigid_body.hpp"
 #include "bodies/strain.hpp"
 #include "mesh/block.hpp"
@@ -121,6 +122,9 @@ struct BodySet {
   void give_accelerations(const Eigen::VectorXd& accelerations);
   /// Multiplies the accelerations of a body that moves, and its moment, by `factor`.
   void scale_acceleration(int body, double factor);
+  /// The ways of all bodies in some `time` [s] at the speeds that they have, and those of prescribed motion. Bodies
+  /// that are `left_out`, a flag each, and fixed ones stay.
+  void find_ways(double time, std::span<const char> left_out, std::vector<BodyWay>& ways) const;
   /// No node moves faster than this [m/s]. Bodies that are `left_out`, a flag each, do not count.
   double top_speed(std::span<const char> left_out = {}) const;
 

@@ -34,6 +34,7 @@ struct FoundPoint {
   int stencil_begin, stencil_end;
   bool dropped;
   bool is_of_end;  ///< its normal is that which its features have at the end of the step
+  bool is_beside;  ///< a vertex that is not over the face yet, but may come to it along the other side of a valley
 };
 
 /// Points and their stencils. `covered` are the keys of vertices whose contact another vertex at the same place stands

@@ -18,9 +18,8 @@ struct StepTolerances {
   /// Of the smallest h. … unless a node still goes further than this in it: a body that flies by many of its own sizes
   /// a step is stopped by a wall in a small part of it. Chosen. Smaller: as above.
   double shortest_way = 0.01;
-  /// –. Contacts are sought within this many times the displacement that a node can make in the step. Chosen: two
-  /// bodies may approach each other, and forces speed them up. Larger: more points that bear nothing. Smaller: missed
-  /// contacts.
+  /// –. Contacts of two bodies are sought within this many times what they go against each other in the step. Chosen:
+  /// forces speed them up. Larger: more points that bear nothing. Smaller: missed contacts.
   double reach_factor = 2.5;
   /// Of the smallest h. Added to the reach, so that touching faces are found at rest. Chosen. As above.
   double least_reach = 1e-3;

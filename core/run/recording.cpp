@@ -72,7 +72,7 @@ std::string describe(const StepReport& step) {
 
 /// Which program wrote a state: only the same reads it. The second number is to be raised when a list in some
 /// `archive` changes.
-constexpr const char* version = TALUS_VERSION ", state 7";
+constexpr const char* version = TALUS_VERSION ", state 8";
 
 /// Checkpoints take no more than this part of a run's time.
 constexpr double share_of_checkpoints = 0.02;

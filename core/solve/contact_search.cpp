@@ -40,6 +40,16 @@ double displacement_reach(const SimulationState& s, double length) {
   return s.tolerances.step.reach_factor * (displacement + prescribed);
 }
 
+/// How far two bodies are looked at: by how far they go against each other at the speeds that they have, and by how far
+/// gravity may take one away from the other.
+void foresee_ways(SimulationState& s, double length) {
+  const StepTolerances& t = s.tolerances.step;
+  const double fall = 0.5 * s.project.gravity.norm() * length * length;
+  s.reach.least = t.reach_factor * fall + t.least_reach * s.smallest_size;
+  s.reach.multiple = t.reach_factor;
+  s.bodies.find_ways(s.context.dynamic_factor * length, s.company.alone(), s.reach.ways);
+}
+
 /// Pairs of degree-of-freedom blocks that contacts couple or may couple soon.
 std::vector<std::pair<int, int>> couplings_of_contacts(const SimulationState& s) {
   std::vector<std::pair<int, int>> couplings;
@@ -162,7 +172,7 @@ void seek_contacts(SimulationState& s, double length) {
   }
   s.context.reach = reach + s.smallest_size;
   s.context.unlimited = s.dynamic() && s.company.any_alone() ? s.company.alone() : std::span<const char>();
-  s.reach = reach + s.tolerances.step.least_reach * s.smallest_size;
+  foresee_ways(s, length);
   if (!s.company.any() && s.contacts.points.empty()) return connect(s);
   s.detector.detect(s.bodies.nodes.position, s.reach, s.contacts);
   foresee_normals(s, length);
@@ -182,7 +192,7 @@ bool take_in(SimulationState& s, std::span<const ContactDetector::MissedContact>
                   [&](const auto& contact) { return sleeps(contact.bodies[0]) || sleeps(contact.bodies[1]); }))
     return false;
   const std::vector<ContactPoint> corrected = corrected_so_far(s.contacts, missed);
-  s.detector.take_in(missed, s.bodies.nodes.position, s.reach, s.contacts);
+  s.detector.take_in(missed, s.bodies.nodes.position, s.contacts);
   connect(s);
   limit_springs(s, s.context.length);
   keep_corrections(corrected, s.contacts);

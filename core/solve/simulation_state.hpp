@@ -101,7 +101,7 @@ struct SimulationState {
   StepControl control;
   double trial_length = 1e300;  ///< s, what the next fixed step is tried with
   StepContext context;          ///< of the step that is tried
-  double reach = 0;             ///< m, up to which gaps matter in it
+  Reach reach;                  ///< up to which gaps matter in it
   Increment increment;
   OpenClose open_close;
   FirstGuess first_guess;

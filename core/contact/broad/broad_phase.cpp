@@ -75,8 +75,8 @@ PairScale BroadPhase::scale(int body_a, int body_b) const {
   return {smaller, settings_.stiffness / (compliance * smaller)};
 }
 
-double BroadPhase::search_distance(int body_a, int body_b, double reach) const {
-  return std::max(reach, settings_.tolerances.largest_depth * size(body_a, body_b));
+double BroadPhase::search_distance(int body_a, int body_b, const Reach& reach) const {
+  return std::max(reach(body_a, body_b), settings_.tolerances.largest_depth * size(body_a, body_b));
 }
 
 int BroadPhase::new_pair(int body_a, int body_b) {
@@ -201,14 +201,14 @@ void BroadPhase::filter_due(std::span<const Vec3> x, const std::function<double(
   for (const Part& part : std::span(parts_).first(count)) near_.insert(near_.end(), part.near.begin(), part.near.end());
 }
 
-std::span<const FacePair> BroadPhase::find(std::span<const Vec3> x, double reach,
+std::span<const FacePair> BroadPhase::find(std::span<const Vec3> x, const Reach& reach,
                                            const std::function<double(int, int)>& nearer) {
   faces_.forget(odometers_.moved());
   if (neighbours_.follow(x, reach, odometers_, faces_)) list_neighbours();
   due_.clear();
   for (int p : listed_) {
     BodyPair& pair = pairs_[p];
-    const double distance = std::max(reach, pair.depth), now = gone(pair) + distance;
+    const double distance = std::max(reach(pair.a, pair.b), pair.depth), now = gone(pair) + distance;
     if (!(now <= pair.search_at)) search(pair, x, distance);
     if (!(now <= pair.filter_at)) due_.push_back({p, distance});
   }

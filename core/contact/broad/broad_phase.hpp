@@ -9,6 +9,7 @@
 #include "contact/broad/neighbours.hpp"
 #include "contact/contact_settings.hpp"
 #include "contact/contact_work.hpp"
+#include "contact/reach.hpp"
 
 namespace talus {
 
@@ -60,11 +61,11 @@ class BroadPhase {
   /// then by faces. What is found does not depend on earlier calls. Two fixed bodies have none, nor have two of which
   /// one is asleep and the other asleep or fixed. `nearer`: a lesser distance for two bodies of which more is known
   /// [m]; below 0 for those that are left out.
-  std::span<const FacePair> find(std::span<const Vec3> x, double reach,
+  std::span<const FacePair> find(std::span<const Vec3> x, const Reach& reach,
                                  const std::function<double(int body_a, int body_b)>& nearer = {});
 
   /// How far apart the features of two bodies may lie and yet touch: the reach outside, the depth inside.
-  double search_distance(int body_a, int body_b, double reach) const;
+  double search_distance(int body_a, int body_b, const Reach& reach) const;
   PairScale scale(int body_a, int body_b) const;
   /// As of the scale. [m]
   double size(int body_a, int body_b) const { return std::min(sizes_[body_a], sizes_[body_b]); }

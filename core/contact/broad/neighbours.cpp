@@ -8,7 +8,7 @@ namespace {
 constexpr double steps_in_box = 32;       // at its pace a body stays in its box for so many steps …
 constexpr double least_box_margin = 0.1;  // … and at least for this fraction of its mesh size
 constexpr double spared = 0.999;          // of the margin; what is left is for rounding
-constexpr double reach_allowance = 2;     // the reach planned for, of the one that asks for a plan
+constexpr double reach_allowance = 2;     // the reach planned for, of the one that asks for it
 constexpr double reach_forgotten = 16;    // a plan for so many times the reach is too wide
 
 }  // namespace
@@ -23,12 +23,13 @@ void Neighbours::set(int body, const Stance& stance) {
   make_due(body);
 }
 
-void Neighbours::plan_for(double reach) {
-  if (reach <= planned_reach_ && reach_forgotten * reach >= planned_reach_) return;
-  planned_reach_ = reach_allowance * reach;
-  for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
-    if (!bodies_[b].stance.rests) make_due(b);
-  }
+void Neighbours::plan_for(int body, double reach) {
+  Body& b = bodies_[body];
+  const bool too_wide = !b.stance.rests && reach_forgotten * reach < b.planned_reach;
+  if (reach <= b.planned_reach && !too_wide) return;
+  b.planned_reach = reach_allowance * reach;
+  b.leaves_at = -1;
+  make_due(body);
 }
 
 void Neighbours::give_box(int body, std::span<const Vec3> x, const Odometers& odometers, FaceBoxes& faces) {
@@ -37,7 +38,7 @@ void Neighbours::give_box(int body, std::span<const Vec3> x, const Odometers& od
   faces.refit(body, x);
   const double margin = std::max(least_box_margin * b.stance.size, steps_in_box * odometers.pace(body));
   boxes_[body] = faces.box_of(body);
-  boxes_[body].widen(margin);
+  boxes_[body].widen(margin + b.planned_reach);
   b.leaves_at = odometers.travelled(body) + spared * margin;
   reboxed_.push_back(body);
 }
@@ -57,7 +58,7 @@ void Neighbours::find_pairs() {
   for (int b : due_) {
     found_.clear();
     const Stance& own = bodies_[b].stance;
-    tree_.within(boxes_[b], std::max(planned_reach_, own.least_distance), boxes_, stack_, found_);
+    tree_.within(boxes_[b], own.least_distance, boxes_, stack_, found_);
     for (int other : found_) {
       if (other != b && !(own.rests && bodies_[other].stance.rests)) fresh_.push_back(std::minmax(b, other));
     }
@@ -69,9 +70,9 @@ void Neighbours::find_pairs() {
   std::sort(pairs_.begin(), pairs_.end());
 }
 
-bool Neighbours::follow(std::span<const Vec3> x, double reach, const Odometers& odometers, FaceBoxes& faces) {
+bool Neighbours::follow(std::span<const Vec3> x, const Reach& reach, const Odometers& odometers, FaceBoxes& faces) {
   boxes_.resize(bodies_.size());
-  plan_for(reach);
+  for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) plan_for(b, reach.part(b));
   for (int b : odometers.moved()) {
     if (!(odometers.travelled(b) <= bodies_[b].leaves_at)) make_due(b);
   }

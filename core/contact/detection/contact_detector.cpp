@@ -48,8 +48,8 @@ struct ContactDetector::State {
   bool joints_bond() const;
   double bond_reach() const;
   void measure_bodies(std::span<const Vec3> x);
-  StepGeometry look(std::span<const Vec3> x, double reach);
-  void find_points(std::span<const Vec3> x, double reach);
+  StepGeometry look(std::span<const Vec3> x, const Reach& reach);
+  void find_points(std::span<const Vec3> x);
   int given(std::uint64_t key) const;
   double initial_interference(const FoundPoint& found, double normal_stiffness) const;
   void go_on_from(const ContactMemory::TransferredHistory& past, const FoundPoint& found, ContactPoint& point) const;
@@ -57,7 +57,7 @@ struct ContactDetector::State {
   void complete_all(ContactSet& contacts);
   void bond(std::span<ContactPoint> points) const;
   void weaken_broken(std::span<ContactPoint> points) const;
-  void write(double reach, ContactSet& contacts);
+  void write(ContactSet& contacts);
   /// Of points by key, and of `origins`.
   void put_in_order(std::vector<ContactPoint>& points);
   void change_rest(std::span<const int> changed);
@@ -82,6 +82,7 @@ struct ContactDetector::State {
   std::vector<char> moved;          // a body: it took part in a step and neither was fixed nor asleep
   bool all_have_moved = false;      // that are free to
 
+  Reach reach, searched;  // that detect() was told; with what bonds need
   FoundPoints found, ahead;
   std::vector<MissedContact> missed;
   std::vector<int> origins;             // of the points handed out: which one of `found` each was made of
@@ -118,7 +119,7 @@ void ContactDetector::State::measure_bodies(std::span<const Vec3> x) {
 }
 
 /// What the searches look at, at the positions x.
-StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach) {
+StepGeometry ContactDetector::State::look(std::span<const Vec3> x, const Reach& reach) {
   shapes.look(x);
   return {.features = features,
           .broad = broad,
@@ -134,11 +135,13 @@ StepGeometry ContactDetector::State::look(std::span<const Vec3> x, double reach)
           .work = work};
 }
 
-void ContactDetector::State::find_points(std::span<const Vec3> x, double reach) {
+void ContactDetector::State::find_points(std::span<const Vec3> x) {
   if (widths.empty()) measure_bodies(x);
-  const StepGeometry step = look(x, reach);
+  searched = reach;
+  searched.least = std::max(reach.least, bond_reach());
+  const StepGeometry step = look(x, searched);
   const auto distance = [&](int a, int b) { return search.distance(step, a, b); };
-  search.find(step, broad.find(x, reach, std::ref(distance)), found);
+  search.find(step, broad.find(x, searched, std::ref(distance)), found);
 }
 
 /// A contact that is found deep was there before and was missed, where one feature takes over from another. It goes on
@@ -247,14 +250,14 @@ void ContactDetector::State::weaken_broken(std::span<ContactPoint> points) const
   }
 }
 
-void ContactDetector::State::write(double reach, ContactSet& contacts) {
+void ContactDetector::State::write(ContactSet& contacts) {
   contacts.clear();
   complete_all(contacts);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < origins.size(); ++i) {
     FoundPoint& f = found.points[origins[i]];
     ContactPoint& p = contacts.points[i];
-    f.dropped = !p.bonded && p.gap > reach;
+    f.dropped = !p.bonded && !f.is_of_end && p.gap > reach(p.bodies[0], p.bodies[1]);
     if (f.dropped) continue;
     p.stencil_begin = static_cast<int>(contacts.nodes.size());
     contacts.nodes.insert(contacts.nodes.end(), found.nodes.begin() + f.stencil_begin,
@@ -291,11 +294,12 @@ void ContactDetector::State::put_in_order(std::vector<ContactPoint>& points) {
   }
 }
 
-void ContactDetector::detect(std::span<const Vec3> x, double reach, ContactSet& contacts) {
+void ContactDetector::detect(std::span<const Vec3> x, const Reach& reach, ContactSet& contacts) {
   State& s = *state_;
   if (!s.settings.motion_told) s.broad.read_motion(x);
-  s.find_points(x, std::max(reach, s.bond_reach()));
-  s.write(reach, contacts);
+  s.reach = reach;
+  s.find_points(x);
+  s.write(contacts);
   s.coupling.cover(s.found);
 }
 
@@ -318,16 +322,16 @@ int ContactDetector::State::given(std::uint64_t key) const {
 
 std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts(std::span<const Vec3> start,
                                                                                  std::span<const Vec3> end,
-                                                                                 std::span<const double> rotations,
-                                                                                 double reach, double tolerance) {
+                                                                                 const Reach& reach, double tolerance) {
   State& s = *state_;
   s.missed.clear();
   if (s.settings.model == ContactModel::facet_wise) return {};
   if (!s.settings.motion_told) s.broad.read_motion(end);
   const StepGeometry step = s.look(end, reach);
   const auto distance = [&](int a, int b) {
-    const bool rotates = std::max(rotations[a], rotations[b]) >= tolerance * s.broad.size(a, b);
-    return rotates ? s.search.distance(step, a, b) : -1.0;
+    const bool rotates = std::max(reach.ways[a].beside, reach.ways[b].beside) >= tolerance * s.broad.size(a, b);
+    const bool surprises = against_each_other(reach.ways[a], reach.ways[b]) > s.reach(a, b);
+    return rotates || surprises ? s.search.distance(step, a, b) : -1.0;
   };
   s.search.find_ahead(step, s.broad.find(end, reach, std::ref(distance)), tolerance, s.ahead);
   for (const FoundPoint& point : s.ahead.points) {
@@ -348,11 +352,11 @@ std::span<const ContactDetector::MissedContact> ContactDetector::missed_contacts
   return s.missed;
 }
 
-void ContactDetector::take_in(std::span<const MissedContact> missed, std::span<const Vec3> start, double reach,
+void ContactDetector::take_in(std::span<const MissedContact> missed, std::span<const Vec3> start,
                               ContactSet& contacts) {
   State& s = *state_;
   for (const MissedContact& contact : missed) s.found.add_of_end(s.ahead, s.ahead.points[contact.number], start);
-  s.write(std::max(reach, s.bond_reach()), contacts);
+  s.write(contacts);
   s.coupling.cover(s.found);
 }
 

@@ -13,6 +13,7 @@
 #include "contact/contact_settings.hpp"
 #include "contact/contact_work.hpp"
 #include "contact/pair_joints.hpp"
+#include "contact/reach.hpp"
 
 namespace talus {
 
@@ -32,7 +33,7 @@ class ContactDetector {
   /// the two bodies could move, their face–face points that touch are bonded if the joint has cohesion or tension. May
   /// be called again with other positions before accept(): nothing is remembered but by that.
   /// What this costs follows what moves: bodies that are apart are not looked at until they may have come near.
-  void detect(std::span<const Vec3> x, double reach, ContactSet& contacts);
+  void detect(std::span<const Vec3> x, const Reach& reach, ContactSet& contacts);
 
   /// The normal of a contact once its features have turned.
   struct UpdatedNormal {
@@ -54,16 +55,17 @@ class ContactDetector {
     int given;        ///< which of those that detect() gave is that of the same features; −1: none
   };
   /// Contacts deeper than `tolerance` of their mesh size once the nodes have gone from `start` to `end` [m], those that
-  /// detect() gave last among them, of two bodies of which one rotates by as much: `rotations` [m] are how far nodes go
-  /// against the mean of their body. Vertex–vertex contacts are not looked for, nor is anything in the facet-wise
-  /// model. Motion must be told of before, with settings for that, and again if the nodes go back.
+  /// detect() gave last among them, of two bodies of which one rotates by as much, or which went farther against each
+  /// other than detect() was told to reach: `reach` is of the ways that they went. Vertex–vertex contacts are not
+  /// looked for, nor is anything in the facet-wise model. Motion must be told of before, with settings for that, and
+  /// again if the nodes go back.
   std::span<const MissedContact> missed_contacts(std::span<const Vec3> start, std::span<const Vec3> end,
-                                                 std::span<const double> rotations, double reach, double tolerance);
+                                                 const Reach& reach, double tolerance);
 
   /// Takes contacts that missed_contacts() gave last into `contacts`, which are those that detect() gave: with the
-  /// normals that they have at the end, and the gaps along these at `start` [m]. A step that converges with them is as
-  /// exact there as its end. `reach` [m]: as for detect(). What `contacts` learned since detect() is forgotten.
-  void take_in(std::span<const MissedContact> missed, std::span<const Vec3> start, double reach, ContactSet& contacts);
+  /// normals that they have at the end, and the gaps along these at `start` [m], however wide. A step that converges
+  /// with them is as exact there as its end. What `contacts` learned since detect() is forgotten.
+  void take_in(std::span<const MissedContact> missed, std::span<const Vec3> start, ContactSet& contacts);
 
   /// No node of the body moved by more than `displacement` [m] since this was said last, or since the start: for
   /// settings with `motion_told`, once for every body that moved at all before detect() sees its new positions. Fixed

@@ -16,20 +16,33 @@ double depth_of(int number, const ContactLinks& links, const Increment& d) {
 
 }  // namespace
 
-void MissedContacts::measure_rotations(const Increment& d, std::span<const char> alone) {
-  std::fill(rotations_.begin(), rotations_.end(), 0.0);
+void MissedContacts::measure_ways(const Increment& d, std::span<const char> alone) {
+  std::fill(gone_.ways.begin(), gone_.ways.end(), BodyWay{});
+  for (const int b : set_.driven) gone_.ways[b].mean = set_.nodes.prescribed[set_.bodies[b].first_node];
   for (const int b : set_.moving) {
     if (is_alone(b, alone)) continue;
     const Body& body = set_.bodies[b];
     const int nodes_end = body.first_node + body.node_count;
-    Vec3 mean = Vec3::Zero();
+    BodyWay& way = gone_.ways[b];
     for (int n = body.first_node; n < nodes_end; ++n) {
       increments_[n] = set_.node_increment(n, d);
-      mean += increments_[n] / body.node_count;
+      way.mean += increments_[n] / body.node_count;
     }
     for (int n = body.first_node; n < nodes_end; ++n)
-      rotations_[b] = std::max(rotations_[b], (increments_[n] - mean).norm());
+      way.beside = std::max(way.beside, (increments_[n] - way.mean).norm());
   }
+}
+
+/// Whether some body rotates, or may have gone farther against another than was foreseen: that needs two that left
+/// their foreseen ways by more than the least reach together.
+bool MissedContacts::may_have_missed(const Reach& foreseen, double least_rotation) const {
+  if (foreseen.ways.empty()) return true;
+  for (std::size_t b = 0; b < gone_.ways.size(); ++b) {
+    const BodyWay& way = gone_.ways[b];
+    const double astray = (way.mean - foreseen.ways[b].mean).norm() + way.beside;
+    if (way.beside >= least_rotation || 2 * astray > foreseen.least) return true;
+  }
+  return false;
 }
 
 void MissedContacts::place_nodes(std::span<const char> alone) {
@@ -65,16 +78,18 @@ double MissedContacts::known_depth(const ContactDetector::MissedContact& contact
 
 std::span<const ContactDetector::MissedContact> MissedContacts::seek(ContactDetector& detector,
                                                                      const ContactLinks& links, const Increment& d,
-                                                                     double reach, double tolerance,
+                                                                     const Reach& foreseen, double tolerance,
                                                                      double least_rotation,
                                                                      std::span<const char> alone) {
   missed_.clear();
-  measure_rotations(d, alone);
-  if (*std::max_element(rotations_.begin(), rotations_.end()) < least_rotation) return {};
+  measure_ways(d, alone);
+  if (!may_have_missed(foreseen, least_rotation)) return {};
+  gone_.least = foreseen.least;
+  gone_.multiple = foreseen.multiple;
   place_nodes(alone);
   tell(detector);
   for (const ContactDetector::MissedContact& contact :
-       detector.missed_contacts(set_.nodes.position, end_, rotations_, reach, tolerance)) {
+       detector.missed_contacts(set_.nodes.position, end_, gone_, tolerance)) {
     if (contact.given >= 0 && contact.depth <= tolerance + depth_of(contact.given, links, d)) continue;
     const double known = known_depth(contact, links, d);
     // However deep others lie, one that is twice as deep as they may be was missed. What is deeper than the bodies have

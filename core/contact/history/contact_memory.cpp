@@ -18,7 +18,7 @@ void ContactMemory::transfer(std::span<const FoundPoint> points) {
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     History& history = histories_[i];
     while (point != points.end() && point->key < history.key) ++point;
-    const bool is_there = point != points.end() && point->key == history.key;
+    const bool is_there = point != points.end() && point->key == history.key && !point->is_beside;
     if (is_there) own_[point - points.begin()] = static_cast<int>(i);
     history.continues = is_there && !point->dropped;
     all_continue = all_continue && history.continues;
@@ -46,7 +46,7 @@ void ContactMemory::list_successors() {
     if (face_face_families_.empty() || face_face_families_.back() != p.family) face_face_families_.push_back(p.family);
   }
   std::sort(face_face_families_.begin(), face_face_families_.end());
-  by_bodies_.sort(points_, [](const FoundPoint& p) { return !p.dropped; });
+  by_bodies_.sort(points_, [](const FoundPoint& p) { return !p.dropped && !p.is_beside; });
 }
 
 const FoundPoint* ContactMemory::successor_of(const History& history) const {

@@ -201,7 +201,7 @@ void EdgeEdgeSearch::cross(const StepGeometry& step, const NearFeatures::EdgeAtE
   const Crossing& c = *crossing;
   const auto &of_a = c.from_ends_of_a, &of_b = c.from_ends_of_b;
   const int body_a = step.features.facets[c.a.facets[0]].body, body_b = step.features.facets[c.b.facets[0]].body;
-  if (!(c.gap <= step.reach) || (c.gap < 0 && c.gap < -depth)) return;
+  if (!(c.gap <= step.reach(body_a, body_b)) || (c.gap < 0 && c.gap < -depth)) return;
   if (lies_between_faces(step, c.a, c.b, c.normal)) return;
   const std::uint64_t key = edge_key(edge_a, edge_b);
   const double edge_tolerance = step.edge_tolerance(body_a, body_b);

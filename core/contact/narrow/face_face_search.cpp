@@ -247,7 +247,7 @@ void FaceFaceSearch::overlap(const StepGeometry& step, const FacePair& pair, Sep
     return step.came_past_sharp_edge(pair.b, places_[0], fa.body, any, least_deep) ||
            step.came_past_sharp_edge(pair.a, places_[1], fb.body, any, least_deep);
   };
-  if (least_gap > step.reach || least_gap < -step.depth(fa.body, fb.body) ||
+  if (least_gap > step.reach(fa.body, fb.body) || least_gap < -step.depth(fa.body, fb.body) ||
       axis.refutes(step, fa.body, fb.body, least_gap) ||
       (least_gap < -step.noticeable_depth(fa.body, fb.body) && beside())) {
     corners_.resize(first);

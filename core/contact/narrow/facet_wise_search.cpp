@@ -56,7 +56,9 @@ void FacetWiseSearch::touch(const StepGeometry& step, const FacetPair& pair) {
   const Vec3 &na = step.normal(pair.a), &nb = step.normal(pair.b);
   const CommonPlane plane = common_plane(corners(step, pair.a), corners(step, pair.b), nb - na, step.tolerances);
   if (!plane.converged) step.count(step.work.unfinished_planes);
-  if (!(plane.gap <= step.reach) || std::min(plane.normal.dot(nb), -plane.normal.dot(na)) < step.cone_tolerance)
+  const auto& facets = step.features.facets;
+  const double reach = step.reach(facets[pair.a].body, facets[pair.b].body);
+  if (!(plane.gap <= reach) || std::min(plane.normal.dot(nb), -plane.normal.dot(na)) < step.cone_tolerance)
     return;  // apart, or the plane sees one of them on edge or from behind
   const std::size_t first = touches_.size();
   vertices_on(step, pair, true, plane.normal);
@@ -81,8 +83,8 @@ double FacetWiseSearch::common_area(const StepGeometry& step, const FacetPair& p
 
 void FacetWiseSearch::keep(const StepGeometry& step, Touch touch) {
   const auto& facets = step.features.facets;
-  if (!(touch.gap <= step.reach)) return;
-  if (touch.gap < -step.depth(facets[touch.facets.a].body, facets[touch.facets.b].body)) return;
+  const int a = facets[touch.facets.a].body, b = facets[touch.facets.b].body;
+  if (!(touch.gap <= step.reach(a, b)) || touch.gap < -step.depth(a, b)) return;
   touch.order = static_cast<int>(touches_.size());
   touches_.push_back(touch);
 }

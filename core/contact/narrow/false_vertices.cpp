@@ -85,7 +85,7 @@ bool FalseVertices::past_sharp_edge(const StepGeometry& step, const Held& h) con
     if (passes && step.within_edge_tolerance(distance, h.body, own, across)) return true;
     if (!(distance < step.edge_tolerance(h.body, own))) return false;
     return held_.any_of(h.node, [&](const Held& other) {
-      const bool holds = other.body != h.body && (!other.point || other.point->gap <= step.reach);
+      const bool holds = other.body != h.body && (!other.point || other.point->gap <= step.reach(own, other.body));
       return holds && other.normal.dot(across) > step.flush_cosine;
     });
   };

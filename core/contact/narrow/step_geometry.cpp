@@ -47,7 +47,7 @@ double StepGeometry::depth(int body_a, int body_b) const {
   if (!have_moved(body_a, body_b)) return most;
   const double left =
       std::max(tolerances.depth_per_penetration * deepest(body_a, body_b), memory.depth_between(body_a, body_b));
-  return std::min(reach + left, most);
+  return std::min(reach(body_a, body_b) + left, most);
 }
 
 int StepGeometry::common_joint(int facet_a, int facet_b) const {

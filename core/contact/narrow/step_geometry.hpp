@@ -24,7 +24,7 @@ struct StepGeometry {
   std::span<const double> widths;       ///< m, a body: where it is thinnest
   std::span<const double> first_areas;  ///< m², a facet: before any body deformed
   const ContactTolerances& tolerances;
-  double reach;                 ///< m, the gap up to which contacts matter
+  const Reach& reach;           ///< the gap up to which contacts matter
   std::span<const char> moved;  ///< a body: it took part in a step and was not fixed
   const ContactMemory& memory;
   FeatureShapes& shapes;
@@ -68,7 +68,7 @@ struct StepGeometry {
   double depth(int body_a, int body_b) const;
   /// How far apart a corner and an edge in vertex–vertex contact may be. [m]
   double farthest_cores(int body_a, int body_b) const {
-    return reach + 3 * tolerances.deepest_core * edge_tolerance(body_a, body_b);
+    return reach(body_a, body_b) + 3 * tolerances.deepest_core * edge_tolerance(body_a, body_b);
   }
   /// Facets that are farther apart than this, or that lie deeper behind each other, do not touch. [m]
   double search_distance(int body_a, int body_b) const {

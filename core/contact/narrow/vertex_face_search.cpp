@@ -25,26 +25,37 @@ bool beside_the_body(const StepGeometry& step, int face, const Vec3& p) {
   });
 }
 
+/// Whether a vertex past a reentrant edge of a face, `past` [m] beside it in its plane, meets the face there. Behind
+/// the face it does while it is hardly past; before it where it can come down along the side across the edge in this
+/// step.
+bool meets_past_valley(const StepGeometry& step, const Vec3& p, int face, int edge, double past, double gap,
+                       int other) {
+  const int body = step.features.faces[face].body, across = step.features.across(edge, face);
+  if (gap < 0) return past <= reach_past_valley(-step.face_normal(face).dot(step.normal(across)), -gap);
+  const double above_across = step.normal(across).dot(p - step.x[step.features.edges[edge].nodes[0]]);
+  return past <= step.reach(body, other) && above_across >= -step.edge_tolerance(body, other);
+}
+
 /// Where a vertex of the body `other` is on a face, or would be, had its body not sunk over a convex sharp edge of it:
-/// at the edge; and at a reentrant edge that it is hardly past. `gap`: from the face [m].
+/// at the edge; and at a reentrant edge that it is past and meets the face at. `gap`: from the face [m].
 struct HeldPlace {
   Vec3 at;
-  Vec3 across;  ///< normal of the facet across the convex edge; zero where it has not sunk over one
+  Vec3 across;             ///< normal of the facet across the convex edge; zero where it has not sunk over one
+  bool is_beside = false;  ///< as FoundPoint's
 };
 HeldPlace held_place(const StepGeometry& step, int node, int face, int other, double gap) {
   const int body = step.features.faces[face].body;
   const Vec3& p = step.x[node];
   const double near = step.edge_tolerance(body, other);
-  if (gap < 0)
-    for (const int edge : step.features.sides(face)) {
-      const ContactEdge& e = step.features.edges[edge];
-      const FeatureShapes::Edge& shape = step.shapes.edge(edge);
-      if (!e.is_sharp || shape.is_convex) continue;
-      const Vec3& into = shape.into[step.features.facets[e.facets[0]].face == face ? 0 : 1];
-      const double past = -into.dot(p - step.x[e.nodes[0]]);
-      const double between = -step.normal(e.facets[0]).dot(step.normal(e.facets[1]));
-      if (past > 0 && past <= reach_past_valley(between, -gap)) return {p + past * into, Vec3::Zero()};
-    }
+  for (const int edge : step.features.sides(face)) {
+    const ContactEdge& e = step.features.edges[edge];
+    const FeatureShapes::Edge& shape = step.shapes.edge(edge);
+    if (!e.is_sharp || shape.is_convex) continue;
+    const Vec3& into = shape.into[step.features.facets[e.facets[0]].face == face ? 0 : 1];
+    const double past = -into.dot(p - step.x[e.nodes[0]]);
+    if (past > 0 && meets_past_valley(step, p, face, edge, past, gap, other))
+      return {p + past * into, Vec3::Zero(), gap >= 0};
+  }
   if (-gap > near) return {p, Vec3::Zero()};
   for (const int edge : step.features.sides(face)) {
     const ContactEdge& e = step.features.edges[edge];
@@ -104,12 +115,14 @@ void VertexFaceSearch::find(const StepGeometry& step, const NearFeatures& near, 
   });
   std::sort(touches_.begin(), touches_.end(), [](const Touch& p, const Touch& q) {
     if (p.key != q.key) return p.key < q.key;
+    if (p.is_beside != q.is_beside) return q.is_beside;
     return p.inside != q.inside ? p.inside > q.inside : p.facet < q.facet;
   });
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     if (i == 0 || touches_[i].key != touches_[i - 1].key) add(step, touches_[i], found);
   }
-  for (const Touch& t : touches_) taken_.push_back(t.key);
+  for (const Touch& t : touches_)
+    if (!t.is_beside) taken_.push_back(t.key);
   std::sort(taken_.begin(), taken_.end());
 }
 
@@ -124,13 +137,14 @@ void VertexFaceSearch::touch(const StepGeometry& step, const NearFeatures::Verte
   const ContactFace& f = step.features.faces[face];
   const Vec3& n = step.face_normal(face);
   const double gap = n.dot(step.x[node] - step.x[step.features.facets[f.facet].nodes[0]]);
-  if (!(gap <= step.reach)) return;
   const int other = step.features.body_of(node);
+  if (!(gap <= step.reach(f.body, other))) return;
   if (gap < 0 && gap < -depth) return;
   if (!may_touch(step, node, n) || !looks_against(step, node, n)) return;  // most do not
-  Touch t{vertex_key(node, f.smooth_face), node, -1, node_is_first, {}, -step.tolerances.outside_facet};
-  if (std::binary_search(taken_.begin(), taken_.end(), t.key)) return;
+  const std::uint64_t key = vertex_key(node, f.smooth_face);
+  if (std::binary_search(taken_.begin(), taken_.end(), key)) return;
   const HeldPlace held = held_place(step, node, face, other, gap);
+  Touch t{key, node, -1, node_is_first, held.is_beside, {}, -step.tolerances.outside_facet};
   for (const int facet : step.features.facets_of(face)) locate(step, facet, held.at, t);
   if (t.facet < 0) return;
   const auto [first, second] = node_is_first ? std::pair(other, f.body) : std::pair(f.body, other);
@@ -177,6 +191,7 @@ void VertexFaceSearch::add(const StepGeometry& step, const Touch& t, FoundPoints
   p.node = t.node;
   p.joint = own.joint;
   p.normal = t.node_is_first ? n : Vec3(-n);
+  p.is_beside = t.is_beside;
   found.add_vertex(p, f.nodes, t.at, t.node_is_first, step.features, step.x);
 }
 

@@ -22,9 +22,9 @@ class VertexFaceSearch {
   struct Touch {
     std::uint64_t key;
     int node, facet;
-    bool node_is_first;
-    std::array<double, 3> at;  // barycentric coordinates on the facet
-    double inside;             // the smallest of them: of a smooth face's facets the one where it is largest is taken
+    bool node_is_first, is_beside;  // the latter as FoundPoint's
+    std::array<double, 3> at;       // barycentric coordinates on the facet
+    double inside;  // the smallest of them: of a smooth face's facets the one where it is largest is taken
   };
   void touch(const StepGeometry& step, const NearFeatures::VertexAtFace& near, double depth, SeparatingAxis& axis);
   static void locate(const StepGeometry& step, int facet, const Vec3& place, Touch& touch);

@@ -30,9 +30,9 @@ void add_faces(const StepGeometry& step, std::span<const int> facets, std::vecto
 
 }  // namespace
 
-void add_pressures(std::span<const FoundPoint> points, double reach, Pressures& pressures) {
+void add_pressures(std::span<const FoundPoint> points, const Reach& reach, Pressures& pressures) {
   for (const FoundPoint& p : points) {
-    if (p.dropped || p.gap > reach) continue;
+    if (p.dropped || p.gap > reach(p.bodies[0], p.bodies[1])) continue;
     if (p.smooth_faces[0] >= 0) pressures.add(p.smooth_faces[0], {p.bodies[1], p.normal, p.position});
     if (p.smooth_faces[1] >= 0) pressures.add(p.smooth_faces[1], {p.bodies[0], -p.normal, p.position});
   }
@@ -193,7 +193,7 @@ void VertexVertexSearch::add(const StepGeometry& step, const Candidate& m, Separ
   if (!normal) return;
   const Vec3& n = *normal;
   const double gap = n.dot(own_.place - other_.place);
-  if (!(gap <= step.reach) || gap < -depth_) return;
+  if (!(gap <= step.reach(own, other)) || gap < -depth_) return;
   if (m.own_is_first ? axis.refutes(step, own, other, gap) : axis.refutes(step, other, own, gap)) return;
   if (lies_flush(step, own_, other_) || lies_flush(step, other_, own_)) return;
   if (passes(step, m.key)) return;

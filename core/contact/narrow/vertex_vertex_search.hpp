@@ -34,7 +34,7 @@ struct Pressure {
 using Pressures = Grouped<Pressure>;  ///< by smooth face
 
 /// Adds those of points that were not dropped.
-void add_pressures(std::span<const FoundPoint> points, double reach, Pressures& pressures);
+void add_pressures(std::span<const FoundPoint> points, const Reach& reach, Pressures& pressures);
 
 /// Contact where no feature has a normal of its own: of a corner with a corner or with a convex sharp edge, and of
 /// sharp edges along each other, at the ends of what they have in common and where they cross at a small angle. Both

@@ -65,6 +65,17 @@ TEST(SingleBody, VelocitiesOfNodesAreThoseOfTranslationAndSpin) {
     fastest = std::max(fastest, expected.norm());
   }
   EXPECT_GE(set.top_speed(), fastest);
+
+  std::vector<BodyWay> ways;
+  set.find_ways(0.1, {}, ways);
+  double beside = 0;
+  for (int n = 0; n < set.nodes.of_blocks; ++n)
+    beside = std::max(beside, (0.1 * set.nodes.velocity[n] - ways[0].mean).norm());
+  EXPECT_LT((ways[0].mean - 0.1 * velocity).norm(), 0.1) << "of its nodes, not of its centroid";
+  EXPECT_NEAR(ways[0].beside, beside, 1e-15);
+  const std::vector<char> left_out = {1};
+  set.find_ways(0.1, left_out, ways);
+  EXPECT_EQ(ways[0].mean.norm() + ways[0].beside, 0);
 }
 
 TEST(SingleBody, AHeldBodyHasNoUnknownsAndIsLetGoWhereItStood) {

@@ -87,6 +87,24 @@ TEST(Neighbours, AreAllThatMayBeWithinTheSearchDistanceAndNoneAtRest) {
   }
 }
 
+TEST(Neighbours, AreFoundAsFarAsEachBodyReaches) {
+  Swarm swarm;
+  Reach reach(0.01);
+  reach.multiple = 2.5;
+  reach.ways.assign(count, {});
+  reach.ways[7] = {Vec3(1.2, 0, 0), 0.3};
+  ASSERT_TRUE(swarm.neighbours.follow(swarm.scene.x, reach, swarm.odometers, *swarm.facets));
+  int far = 0;
+  for (int b = 0; b < count; ++b) {
+    const int low = std::min(b, 7), high = std::max(b, 7);
+    if (b == 7 || swarm.apart(low, high) > reach(low, high)) continue;
+    EXPECT_TRUE(swarm.listed(low, high)) << b;
+    far += swarm.apart(low, high) > 2;
+  }
+  EXPECT_GT(far, 0) << "those 3.75 m away";
+  EXPECT_LT(swarm.neighbours.pairs().size(), count * 10u) << "what the others reach is their own";
+}
+
 TEST(Neighbours, AreSoughtOnlyWhenABodyLeavesItsBox) {
   Swarm swarm;
   EXPECT_TRUE(swarm.follow(1e-3));

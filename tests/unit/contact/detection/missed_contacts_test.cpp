@@ -31,12 +31,18 @@ class MissedContact : public ::testing::Test {
   }
   Scene scene_;
   std::vector<Vec3> end_;
-  const std::vector<double> rotations_ = {0, 0.1};  // m
+  /// What looks ahead: the slab stays, the cube goes by `mean`, and its nodes by no more than `beside` beside that [m].
+  static Reach ahead(double beside, const Vec3& mean = Vec3::Zero()) {
+    Reach reach(0.5);
+    reach.ways = {{}, {mean, beside}};
+    return reach;
+  }
+  const Reach reach_ = ahead(0.1);
 };
 
 TEST_F(MissedContact, WhatRotatesIntoAnotherIsFoundWithItsDepth) {
   scene_.detect(0.01);
-  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3);
+  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, reach_, 1e-3);
   ASSERT_FALSE(missed.empty());
   double deepest = 0;
   for (const ContactDetector::MissedContact& contact : missed) {
@@ -51,7 +57,7 @@ TEST_F(MissedContact, WhatRotatesIntoAnotherIsFoundWithItsDepth) {
 TEST_F(MissedContact, WhatTheStepKnowsIsSaid) {
   const ContactSet& known = scene_.detect(0.2);
   ASSERT_FALSE(known.points.empty());
-  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3);
+  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, reach_, 1e-3);
   ASSERT_FALSE(missed.empty());
   for (const ContactDetector::MissedContact& contact : missed) {
     ASSERT_GE(contact.given, 0);
@@ -61,13 +67,13 @@ TEST_F(MissedContact, WhatTheStepKnowsIsSaid) {
 
 TEST_F(MissedContact, WhatIsNotSoDeepIsNot) {
   scene_.detect(0.01);
-  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 0.1).empty());
+  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, reach_, 0.1).empty());
 }
 
 TEST_F(MissedContact, WhatIsTakenInIsAsDeepWhereTheStepLeadsAsItIsThere) {
   ASSERT_TRUE(scene_.detect(0.01).points.empty());
-  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3);
-  scene_.detector().take_in(missed, scene_.x, 0.5, scene_.contacts);
+  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, reach_, 1e-3);
+  scene_.detector().take_in(missed, scene_.x, scene_.contacts);
   ASSERT_EQ(scene_.contacts.points.size(), missed.size());
   double deepest = 0, deepest_missed = 0;
   for (const auto& contact : missed) deepest_missed = std::max(deepest_missed, contact.depth * contact.size);
@@ -82,19 +88,36 @@ TEST_F(MissedContact, WhatIsTakenInIsAsDeepWhereTheStepLeadsAsItIsThere) {
     deepest = std::max(deepest, -gap);
   }
   EXPECT_NEAR(deepest, deepest_missed, 1e-12);
-  for (const auto& contact : scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3))
+  for (const auto& contact : scene_.detector().missed_contacts(scene_.x, end_, reach_, 1e-3))
     EXPECT_GE(contact.given, 0);
 }
 
 TEST_F(MissedContact, NobodyLooksForTheOneOfBlocksOfWhichNeitherRotates) {
   scene_.detect(0.01);
-  const std::vector<double> neither(2, 0.9e-3 * scene_.size(1));
-  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, neither, 0.5, 1e-3).empty());
+  const Reach hardly = ahead(0.9e-3 * scene_.size(1));
+  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, hardly, 1e-3).empty());
+}
+
+TEST_F(MissedContact, OfBlocksThatNeitherRotateItIsFoundWhereTheyWentFartherThanTheStepReached) {
+  scene_.detect(0.01);
+  const Reach far = ahead(0, Vec3(0, 0, -0.02));
+  EXPECT_FALSE(scene_.detector().missed_contacts(scene_.x, end_, far, 1e-3).empty());
+  scene_.detect(0.03);
+  EXPECT_TRUE(scene_.detector().missed_contacts(scene_.x, end_, far, 1e-3).empty());
+}
+
+TEST_F(MissedContact, WhatIsTakenInStaysHoweverFarApartItWas) {
+  scene_.detect(1e-4);
+  const auto missed = scene_.detector().missed_contacts(scene_.x, end_, reach_, 1e-3);
+  ASSERT_FALSE(missed.empty());
+  scene_.detector().take_in(missed, scene_.x, scene_.contacts);
+  ASSERT_EQ(scene_.contacts.points.size(), missed.size());
+  for (const ContactPoint& p : scene_.contacts.points) EXPECT_GT(p.gap, 1e-4);
 }
 
 TEST_F(MissedContact, LookingAheadChangesNothingThatIsFoundAtTheStart) {
   const ContactSet before = scene_.detect(0.2);
-  scene_.detector().missed_contacts(scene_.x, end_, rotations_, 0.5, 1e-3);
+  scene_.detector().missed_contacts(scene_.x, end_, reach_, 1e-3);
   const ContactSet& after = scene_.detect(0.2);
   ASSERT_EQ(after.points.size(), before.points.size());
   for (std::size_t i = 0; i < before.points.size(); ++i) {

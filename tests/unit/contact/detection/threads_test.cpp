@@ -68,13 +68,14 @@ Seen look(ContactModel model, int threads) {
   const ThreadLimit limit(threads);
   Scene scene = pile(model);
   Seen seen;
-  const std::vector<double> rotations(scene.bodies().size(), 1.0);
+  Reach ahead = testing::reach;
+  ahead.ways.assign(scene.bodies().size(), {Vec3::Zero(), 1.0});
   constexpr int steps = 8;
   for (int step = 0; step < steps; ++step) {
     const std::vector<Vec3> start = scene.x;
     seen.add(scene.detect(testing::reach));
     tremble(scene, step);
-    for (const auto& missed : scene.detector().missed_contacts(start, scene.x, rotations, testing::reach, 1e-5)) {
+    for (const auto& missed : scene.detector().missed_contacts(start, scene.x, ahead, 1e-5)) {
       seen.add(missed.position);
       seen.missed.push_back(missed.depth);
     }

@@ -122,6 +122,24 @@ TEST(VertexFaceSearch, BothSidesOfAValleyHoldACornerThatSinksIntoItsLine) {
   }
 }
 
+/// A corner on one side of a valley, above its line, is over that side alone, and comes down on the other.
+TEST(VertexFaceSearch, TheOtherSideOfAValleySeesACornerThatMayComeDownToIt) {
+  const Shape foot = mapped(box({-1, 0, -1}, {1, 2, 0}, {2, 1, 1}), [](const Vec3& p) {
+    return Vec3(p.x(), p.y(), p.z() < -0.5 ? -2 : std::max(0.0, 2 * p.x()));
+  });
+  const auto gap_to_floor = [&](double height) {
+    Scene scene;
+    scene.add(foot, true);
+    scene.add(on_a_corner({height / 2, 1.1, height}));
+    double gap = 1;
+    for (const ContactPoint& p : scene.detect(reach).points)
+      if (p.normal.z() < -0.999) gap = p.gap;
+    return gap;
+  };
+  EXPECT_NEAR(gap_to_floor(0.5 * reach), 0.5 * reach, 1e-12);
+  EXPECT_EQ(gap_to_floor(1.1 * reach), 1);
+}
+
 TEST(VertexFaceSearch, StiffnessOfAPointIsThatOfOneMeshCell) {
   Scene scene;
   scene.add(box({0, 0, -1}, {5, 4, 0}, {7, 6, 1}), true);
