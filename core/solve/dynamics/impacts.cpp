@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <tuple>
 
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "contact/contact_law.hpp"
 #include "effects/inertia.hpp"
@@ -112,7 +114,38 @@ void Impacts::gather(const ContactSet& contacts, double step, const std::vector<
     if (!struck.parts_as_it_should) is_wrong_[struck.group] = true;
   }
   std::erase_if(struck_, [&](const Struck& struck) { return !is_wrong_[struck.group]; });
-  std::stable_sort(struck_.begin(), struck_.end(), [](const Struck& p, const Struck& q) { return p.group < q.group; });
+  std::ranges::stable_sort(struck_, {}, &Struck::group);
+  find_layers(contacts);
+}
+
+template <class Use>
+void Impacts::each_group(const Use& use) {
+  for (std::size_t begin = 0, end = 0; begin < struck_.size(); begin = end) {
+    while (end < struck_.size() && struck_[end].group == struck_[begin].group) ++end;
+    use(begin, end - begin);
+  }
+}
+
+void Impacts::find_layers(const ContactSet& contacts) {
+  const auto moved = [&](int body) { return set_.bodies[body].fixed ? -1 : body; };
+  each_group([&](std::size_t begin, std::size_t count) {
+    const auto group = std::span(struck_).subspan(begin, count);
+    pairs_.clear();
+    for (const Struck& struck : group) {
+      const auto& [a, b] = contacts.points[struck.point].bodies;
+      pairs_.push_back({moved(a), moved(b)});
+    }
+    const std::vector<int>& layers = sweep_layers_.of(pairs_, static_cast<int>(set_.bodies.size()));
+    for (std::size_t i = 0; i < count; ++i) group[i].layer = layers[i];
+    std::ranges::stable_sort(group, {}, &Struck::layer);
+  });
+}
+
+void Impacts::list_layers(std::span<const Struck> group) {
+  layer_begins_.assign(1, 0);
+  for (std::size_t i = 1; i < group.size(); ++i)
+    if (group[i].layer != group[i - 1].layer) layer_begins_.push_back(static_cast<int>(i));
+  layer_begins_.push_back(static_cast<int>(group.size()));
 }
 
 double Impacts::Hit::strike(BodySet& set, double push_more, const Vec3& shear_more) {
@@ -148,9 +181,22 @@ void Impacts::find_impulses(std::span<Hit> hits) {
       ++sweep_limits_;
       return;
     }
-    change = 0;
-    for (Hit& hit : hits) change = std::max(change, update(hit));
+    change = sweep_over(hits);
   }
+}
+
+double Impacts::sweep_over(std::span<Hit> hits) {
+  const int layers = static_cast<int>(layer_begins_.size()) - 1;
+  changes_.assign(layers, 0);
+  for (const int parity : {0, 1}) {
+    const auto sweep_some = [&](int first, int last) {
+      for (int layer = 2 * first + parity; layer < 2 * last + parity; layer += 2)
+        for (Hit& hit : hits.subspan(layer_begins_[layer], layer_begins_[layer + 1] - layer_begins_[layer]))
+          changes_[layer] = std::max(changes_[layer], update(hit));
+    };
+    in_parallel((layers + 1 - parity) / 2, 1, std::ref(sweep_some));
+  }
+  return *std::ranges::max_element(changes_);
 }
 
 void Impacts::take_away(std::span<Hit> hits) {
@@ -243,9 +289,9 @@ ImpactEnergy Impacts::apply(const ContactSet& contacts, const StepContext& step,
   if (struck_.empty()) return {};
   add_hits(contacts, step.length, outcomes);
   ImpactEnergy energy;
-  for (std::size_t begin = 0, end = 0; begin < struck_.size(); begin = end) {
-    while (end < struck_.size() && struck_[end].group == struck_[begin].group) ++end;
-    const auto hits = std::span(hits_).subspan(begin, end - begin);
+  each_group([&](std::size_t begin, std::size_t count) {
+    const auto hits = std::span(hits_).subspan(begin, count);
+    list_layers(std::span(struck_).subspan(begin, count));
     const std::vector<int> bodies = bodies_of(hits);
     const double before = Inertia::kinetic_energy(set_, bodies);
     const double by_springs = by_driven(hits);
@@ -255,7 +301,7 @@ ImpactEnergy Impacts::apply(const ContactSet& contacts, const StepContext& step,
     reserve.release(bodies, given());
     energy.taken -= given();
     energy.by_driven += by_driven(hits) - by_springs;
-  }
+  });
   set_.carry_velocities();
   return energy;
 }

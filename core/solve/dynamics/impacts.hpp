@@ -10,6 +10,7 @@
 #include "model/solver_tolerances.hpp"
 #include "solve/dynamics/energy_gain.hpp"
 #include "solve/dynamics/integration_reserve.hpp"
+#include "solve/dynamics/sweep_layers.hpp"
 
 namespace talus {
 
@@ -66,7 +67,8 @@ class Impacts {
     int point;
     Range range, inelastic;  // that of its restitution, and of none
     bool parts_as_it_should;
-    int group;  // the first body of it; while groups are found, one that moves
+    int group;      // the first body of it; while groups are found, one that moves
+    int layer = 0;  // of contacts of the group that are swept over one after the other
   };
   /// A contact that pushed at the end of the step.
   struct Hit {
@@ -99,9 +101,18 @@ class Impacts {
   /// Collects the contacts that pushed, of those groups of bodies which push each other where some do not part as they
   /// should: group by group, so that no blow elsewhere changes what a group comes to.
   void gather(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
+  /// Calls use(first contact, how many) for each group.
+  template <class Use>
+  void each_group(const Use& use);
+  /// Puts the contacts of each group in the order of their layers.
+  void find_layers(const ContactSet& contacts);
   void add_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
-  /// Finds the impulses of the hits of a group, contact by contact.
+  /// Where the layers of a group begin among its contacts.
+  void list_layers(std::span<const Struck> group);
+  /// Finds the impulses of the hits of a group, contact by contact, every second layer at once.
   void find_impulses(std::span<Hit> hits);
+  /// Goes through all of them once; returns by how much an impulse changed at most [N s].
+  double sweep_over(std::span<Hit> hits);
   /// The bodies that hits strike, each once.
   std::vector<int> bodies_of(std::span<const Hit> hits) const;
   /// Work of bodies that are moved by prescription, by springs and impacts [J].
@@ -122,6 +133,10 @@ class Impacts {
   std::vector<Struck> struck_;   // group by group
   DisjointSets groups_;          // bodies
   std::vector<char> is_wrong_;   // a body that is the first of its group
+  SweepLayers sweep_layers_;
+  std::vector<SweepLayers::Pair> pairs_;  // of the contacts of a group
+  std::vector<int> layer_begins_;         // of the group at hand: hits
+  std::vector<double> changes_;           // N s, of each layer in a sweep
   std::vector<Hit> hits_;
   double seconds_ = 0;
   long evaluations_ = 0, restitutions_ = 0, sweep_limits_ = 0;
