@@ -142,15 +142,17 @@ double Attachments::farthest_against(int index, const Increment& d, const Vec3& 
   return sum;
 }
 
-void Attachments::join_dof_blocks(int index, DisjointSets& together) const {
+bool Attachments::bodies_are_together(int index, DisjointSets& sets) const {
   const Point& point = points_[index];
-  int first = -1;
-  const auto join = [&](int dof_block) {
-    if (first < 0) first = dof_block;
-    together.join(first, dof_block);
-  };
-  for (int i = point.term_begin; i < point.term_end; ++i) join(terms_[i].dof_block);
-  for (int i = point.turn_begin; i < point.turn_end; ++i) join(turns_[i].dof_block);
+  for (int i = point.term_begin + 1; i < point.term_end; ++i)
+    if (sets.first_of(terms_[i].dof_block) != sets.first_of(terms_[point.term_begin].dof_block)) return false;
+  return true;
+}
+
+void Attachments::join_bodies(int index, DisjointSets& together) const {
+  const Point& point = points_[index];
+  for (int i = point.term_begin + 1; i < point.term_end; ++i)
+    together.join(terms_[point.term_begin].dof_block, terms_[i].dof_block);
 }
 
 template <class Use>

@@ -71,8 +71,10 @@ class Attachments {
   /// The most negative change of direction·u that there can be when each degree-of-freedom block goes on from D by a
   /// fraction of its own, 0 to 1, of `change`, to first order in the change [m].
   double farthest_against(int point, const Increment& d, const Vec3& direction, const Eigen::VectorXd& change) const;
-  /// The degree-of-freedom blocks that move the point belong together.
-  void join_dof_blocks(int point, DisjointSets& together) const;
+  /// Whether the bodies that move the point belong together; the degree-of-freedom blocks of each do.
+  bool bodies_are_together(int point, DisjointSets& sets) const;
+  /// From now on they do.
+  void join_bodies(int point, DisjointSets& together) const;
   /// force·u₀ [J].
   double work_on_held(int point, const Vec3& force) const { return force.dot(points_[point].held); }
 

@@ -44,10 +44,11 @@ void NormalContact::add_tangent(int i, const Vec3& u, PointTangent& sum) const {
 
 void NormalContact::join_touching(const Increment& d, const Eigen::VectorXd& change, DisjointSets& together) const {
   for (const int i : points()) {
+    if (links_.moves().bodies_are_together(i, together)) continue;  // in a crowd most are, and need not be looked at
     const ContactPoint& point = links_.point(i);
     const double least = links_.gap(i, d) + links_.moves().farthest_against(i, d, point.normal, change);
     const bool may_push = point.bonded || least < tolerances_.search_gap * point.size || normal_force(point, least) > 0;
-    if (may_push) links_.moves().join_dof_blocks(i, together);
+    if (may_push) links_.moves().join_bodies(i, together);
   }
 }
 

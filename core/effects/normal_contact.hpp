@@ -25,8 +25,8 @@ class NormalContact final : public ContactEffect {
   void add_tangent(int point, const Vec3& u, PointTangent& sum) const override;
   /// Until it is told null, points are as these say, one a point of the contact set: then Π is quadratic in D.
   void hold(const std::vector<HeldContact>* held) { held_ = held; }
-  /// Joins the degree-of-freedom blocks of points that may push while each of these goes on from D by a fraction of its
-  /// own, 0 to 1, of `change`.
+  /// Joins the bodies of points that may push while each degree-of-freedom block goes on from D by a fraction of its
+  /// own, 0 to 1, of `change`. Those of each body are together.
   void join_touching(const Increment& d, const Eigen::VectorXd& change, DisjointSets& together) const;
   void accept(const Increment& d) override;
   void archive(StateArchive& state) override { state(stored_); }

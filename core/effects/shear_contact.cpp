@@ -21,7 +21,7 @@ void ShearContact::follow(int i, const Vec3& u) {
 
 void ShearContact::join_with_strength(DisjointSets& together) const {
   for (const int i : points())
-    if (strength_[i] > 0) links_.moves().join_dof_blocks(i, together);
+    if (strength_[i] > 0) links_.moves().join_bodies(i, together);
 }
 
 ContactMode ShearContact::mode(int i, const Increment& d) const {

@@ -46,8 +46,7 @@ class ShearContact final : public ContactEffect {
   void clear_strength() { strength_.assign(links_.contacts().points.size(), 0); }
   /// Takes the strength of every point from the normal forces at D.
   void update_strength(const Increment& d);
-  /// Joins the degree-of-freedom blocks of points with a strength: while strengths are held, one that has opened since
-  /// shears on.
+  /// Joins the bodies of points with a strength: while strengths are held, one that has opened since shears on.
   void join_with_strength(DisjointSets& together) const;
   /// Force on the first body that the spring would bear if the contact could not slide, τ* [N].
   Vec3 spring_force(int point, const Increment& d) const {

@@ -350,8 +350,8 @@ void OpenClose::begin_search(const Increment& d) {
   together_.reset(static_cast<int>(d.size() / 3));
   composition_->bodies->join_dof_blocks(together_);
   part_ = -direction_;
-  for (const NormalContact* normal : composition_->normal) normal->join_touching(d, part_, together_);
   if (composition_->shear) composition_->shear->join_with_strength(together_);
+  for (const NormalContact* normal : composition_->normal) normal->join_touching(d, part_, together_);
   search_.set_parts(together_);
   find_negligible();
   search_.begin(residual_.gradient(), direction_, negligible_);
