@@ -1,5 +1,9 @@
 #include "linear/incomplete_solver.hpp"
 
+#include <functional>
+
+#include "base/parallel.hpp"
+
 namespace talus {
 
 namespace {
@@ -10,12 +14,21 @@ constexpr double more_exact = 0.01;
 
 }  // namespace
 
+bool IncompleteSolver::prepare(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric) {
+  bool factored = false;
+  const auto prepare_some = [&](int first, int last) {
+    if (first == 0) factored = incomplete_.factor(matrix);
+    if (last == 2) rows_.set(matrix, unsymmetric);
+  };
+  in_parallel(2, 1, std::ref(prepare_some));
+  return factored;
+}
+
 bool IncompleteSolver::solve(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric,
                              const Eigen::VectorXd& b, const LinearSettings& settings, LinearWork& work,
                              Eigen::VectorXd& x) {
-  if (matrix.nodes() < many_blocks || !incomplete_.factor(matrix)) return false;
+  if (matrix.nodes() < many_blocks || !prepare(matrix, unsymmetric)) return false;
   const auto precondition = [this](const Eigen::VectorXd& from, Eigen::VectorXd& to) { incomplete_.solve(from, to); };
-  rows_.set(matrix, unsymmetric);
   const auto apply = [this](const Eigen::VectorXd& from, Eigen::VectorXd& to) { rows_.multiply(from, to); };
   const int iterations =
       gmres_.solve(apply, precondition, b, x, more_exact * settings.tolerance, settings.incomplete_limit);

@@ -18,6 +18,9 @@ class IncompleteSolver {
              const Eigen::VectorXd& b, const LinearSettings& settings, LinearWork& work, Eigen::VectorXd& x);
 
  private:
+  /// Factor and rows, both at once; false: there is no factor.
+  bool prepare(const SymmetricBlocks& matrix, std::span<const UnsymmetricBlocks::Pair> unsymmetric);
+
   TangentRows rows_;
   IncompleteCholesky incomplete_;
   Gmres gmres_;
