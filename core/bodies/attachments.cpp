@@ -275,24 +275,35 @@ void Attachments::PairSums::finish_pair() {
   const RigidPair::State& state = pair.at(d_);
   PairSum& sum = list_.emplace_back();
   sum.point = first_;
+  sum.dof_blocks = pair.dof_blocks();
   pair_.find_symmetric(pair, state, sum.symmetric);
   if (with_unsymmetric_) pair_.find_unsymmetric(pair, state, sum.unsymmetric);
   pair_.clear();
   first_ = -1;
 }
 
-void Attachments::add(std::span<const PairSum> pairs, SymmetricBlocks* symmetric,
-                      UnsymmetricBlocks* unsymmetric) const {
+void Attachments::add(std::span<const PairSum> pairs, SymmetricBlocks* symmetric, UnsymmetricBlocks* unsymmetric,
+                      Columns columns) const {
   for (const PairSum& sum : pairs) {
-    const std::array<int, RigidPair::part_count>& dof_blocks = pair_of(points_[sum.point]).dof_blocks();
+    const auto& dof_blocks = sum.dof_blocks;
+    if (std::ranges::none_of(dof_blocks, [&](int dof_block) { return columns.have(dof_block); })) continue;
     const auto add_to = [&](auto& matrix, const PairBlocks& blocks, bool lower_alone) {
       const PairSlots slots(*this, sum.point, matrix.pattern());
       for (int a = 0; a < RigidPair::part_count; ++a)
         for (int b = 0; b < (lower_alone ? a + 1 : RigidPair::part_count); ++b)
-          matrix.add_at(slots.of(a, b), dof_blocks[a], dof_blocks[b], PairSlots::block(blocks, a, b));
+          if (columns.have(std::min(dof_blocks[a], dof_blocks[b])))
+            matrix.add_at(slots.of(a, b), dof_blocks[a], dof_blocks[b], PairSlots::block(blocks, a, b));
     };
     if (symmetric) add_to(*symmetric, sum.symmetric, true);
     if (unsymmetric) add_to(*unsymmetric, sum.unsymmetric, false);
+  }
+}
+
+void Attachments::make_room(std::span<const PairSum> pairs, UnsymmetricBlocks& unsymmetric) const {
+  for (const PairSum& sum : pairs) {
+    const PairSlots slots(*this, sum.point, unsymmetric.pattern());
+    for (int a = 0; a < RigidPair::part_count; ++a)
+      for (int b = 0; b <= a; ++b) unsymmetric.make_room(slots.of(a, b), sum.dof_blocks[a], sum.dof_blocks[b]);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -57,11 +58,22 @@ class Attachments {
   class Tangent;
   /// What the points of a pair of bodies that meet add to the derivative [N/m].
   struct PairSum {
-    int point;  ///< one of them
+    int point;                                          ///< one of them
+    std::array<int, RigidPair::part_count> dof_blocks;  ///< RigidPair::dof_blocks
     PairBlocks symmetric, unsymmetric;
   };
-  /// Null: it is not asked for.
-  void add(std::span<const PairSum> pairs, SymmetricBlocks* symmetric, UnsymmetricBlocks* unsymmetric) const;
+  /// Looks for the places of all points in a pattern, unless it has: before several threads add to such a matrix.
+  void find_slots(const BlockPattern& pattern) const;
+  /// Columns of the lower triangle, with the rows that mirror them.
+  struct Columns {
+    int first, end;
+    bool have(int dof_block) const { return first <= dof_block && dof_block < end; }
+  };
+  /// Adds what of the pairs lies in these columns; null: it is not asked for. Once there is room for them, several
+  /// threads may add to columns of their own.
+  void add(std::span<const PairSum> pairs, SymmetricBlocks* symmetric, UnsymmetricBlocks* unsymmetric,
+           Columns columns = {0, std::numeric_limits<int>::max()}) const;
+  void make_room(std::span<const PairSum> pairs, UnsymmetricBlocks& unsymmetric) const;
   /// Of a point that does not meet; null: it is not asked for.
   void add_tangent(int point, const Increment& d, Arms arms, const PointTangent& at, SymmetricBlocks* symmetric,
                    UnsymmetricBlocks* unsymmetric) const;
@@ -129,7 +141,6 @@ class Attachments {
     Slots slots_;
     std::array<int, RigidPair::part_count> numbers_ = {0, 1, 2, 3};
   };
-  void find_slots(const BlockPattern& pattern) const;
   void add_term(int first, int dof_block, double weight);
   void add_turn(int first, const RigidBody& rigid, int node, double weight);
   static const Vec3& moved_by(const Turn& turn, const Increment& d) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int points_of_a_part = 256;  // a tenth of a millisecond's work
 constexpr int parts_at_once = 32;      // what comes of them stays in the cache until it is added
+constexpr int columns_worth_a_thread = 200;
 
 /// Those of the effects that act at a point.
 struct Acting {
@@ -61,7 +62,7 @@ void ContactPass::each_part(const Find& find, const Add& add) {
       }
     };
     in_parallel(now, 1, std::ref(find_some));
-    for (int i = 0; i < now; ++i) add(parts_[i]);
+    add(std::span<const Part>(parts_).first(now));
   }
 }
 
@@ -104,9 +105,10 @@ void ContactPass::add_gradients(const Increment& d, Arms arms, bool follow, std:
       }
     });
   };
-  each_part(find, [&](const Part& part) {
-    for (std::size_t k = 0; k < effects_.size(); ++k)
-      for (const BlockForce& force : part.forces[k]) sums[k].segment<3>(3 * force.dof_block) += force.force;
+  each_part(find, [&](std::span<const Part> parts) {
+    for (const Part& part : parts)
+      for (std::size_t k = 0; k < effects_.size(); ++k)
+        for (const BlockForce& force : part.forces[k]) sums[k].segment<3>(3 * force.dof_block) += force.force;
   });
 }
 
@@ -131,13 +133,27 @@ void ContactPass::add_tangents(const Increment& d, Arms arms, SymmetricBlocks& s
         part.all_meet = false;
     });
   };
-  each_part(find, [&](const Part& part) {
-    moves.add(part.pairs, &symmetric, unsymmetric);
-    if (part.all_meet) return;
-    each_point(part, [&](int point, const Acting& acting) {
-      if (!moves.meets(point)) moves.add_tangent(point, d, arms, tangent_at(point, acting), &symmetric, unsymmetric);
-    });
+  each_part(find, [&](std::span<const Part> parts) {
+    add_pairs(parts, symmetric, unsymmetric);
+    for (const Part& part : parts) {
+      if (part.all_meet) continue;
+      each_point(part, [&](int point, const Acting& acting) {
+        if (!moves.meets(point)) moves.add_tangent(point, d, arms, tangent_at(point, acting), &symmetric, unsymmetric);
+      });
+    }
   });
+}
+
+void ContactPass::add_pairs(std::span<const Part> parts, SymmetricBlocks& symmetric,
+                            UnsymmetricBlocks* unsymmetric) const {
+  const Attachments& moves = this->moves();
+  moves.find_slots(symmetric.pattern());
+  if (unsymmetric)
+    for (const Part& part : parts) moves.make_room(part.pairs, *unsymmetric);
+  const auto add_to_columns = [&](int first, int end) {
+    for (const Part& part : parts) moves.add(part.pairs, &symmetric, unsymmetric, {first, end});
+  };
+  in_parallel(symmetric.nodes(), columns_worth_a_thread, std::ref(add_to_columns));
 }
 
 }  // namespace talus

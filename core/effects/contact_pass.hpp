@@ -30,9 +30,11 @@ class ContactPass {
   };
   const Attachments& moves() const;
   void divide();
-  /// Calls find(part) for all parts, some at a time and these at once, and then add(part) for each in order.
+  /// Calls find(part) for all parts, some at a time and these at once, and then add(these parts).
   template <class Find, class Add>
   void each_part(const Find& find, const Add& add);
+  /// Adds what pairs of bodies that meet add to the tangent, column by column.
+  void add_pairs(std::span<const Part> parts, SymmetricBlocks& symmetric, UnsymmetricBlocks* unsymmetric) const;
   /// Calls use(point, effects that act at it) for the points of a part in order.
   template <class Use>
   void each_point(const Part& part, const Use& use) const;

@@ -17,12 +17,15 @@ void UnsymmetricBlocks::set_zero() {
   pairs_.clear();
 }
 
+void UnsymmetricBlocks::make_room(int slot, int i, int j) {
+  if (pair_[slot] >= 0) return;
+  pair_[slot] = static_cast<int>(pairs_.size());
+  slots_.push_back(slot);
+  pairs_.push_back({std::max(i, j), std::min(i, j), Mat3::Zero(), Mat3::Zero()});
+}
+
 void UnsymmetricBlocks::add_at(int slot, int i, int j, const Mat3& block) {
-  if (pair_[slot] < 0) {
-    pair_[slot] = static_cast<int>(pairs_.size());
-    slots_.push_back(slot);
-    pairs_.push_back({std::max(i, j), std::min(i, j), Mat3::Zero(), Mat3::Zero()});
-  }
+  make_room(slot, i, j);
   Pair& pair = pairs_[pair_[slot]];
   (i >= j ? pair.below : pair.above) += block;
 }

@@ -25,6 +25,8 @@ class UnsymmetricBlocks {
   void add(int i, int j, const Mat3& block) { add_at(pattern_.slot(i, j), i, j, block); }
   /// The same where the slot of the pair is known.
   void add_at(int slot, int i, int j, const Mat3& block);
+  /// Stores the pair before anything is added: then several threads may add to pairs of their own.
+  void make_room(int slot, int i, int j);
   const BlockPattern& pattern() const { return pattern_; }
 
   /// In the order in which they were first added to.
