@@ -17,23 +17,25 @@ struct InverseMasses::Factor : Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>
 InverseMasses::InverseMasses(const BodySet& set) : set_(set), factors_(set.bodies.size()) {}
 InverseMasses::~InverseMasses() = default;
 
-Eigen::VectorXd InverseMasses::velocities(int index, const Eigen::VectorXd& impulses) {
-  std::unique_ptr<Factor>& factor = factors_[index];
-  if (!factor) {
-    const Body& body = set_.bodies[index];
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
-      const Element& element = set_.elements[e];
-      for (int a = 0; a < 4; ++a)
-        for (int b = 0; b < 4; ++b)
-          entries.emplace_back(element.nodes[a] - body.first_free(), element.nodes[b] - body.first_free(),
-                               element.mass / 20 * (a == b ? 2 : 1));
-    }
-    Eigen::SparseMatrix<double> mass(body.free_count(), body.free_count());
-    mass.setFromTriplets(entries.begin(), entries.end());
-    factor = std::make_unique<Factor>(mass);
+void InverseMasses::make(int index) {
+  if (factors_[index]) return;
+  const Body& body = set_.bodies[index];
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
+    const Element& element = set_.elements[e];
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b)
+        entries.emplace_back(element.nodes[a] - body.first_free(), element.nodes[b] - body.first_free(),
+                             element.mass / 20 * (a == b ? 2 : 1));
   }
-  return factor->solve(impulses);
+  Eigen::SparseMatrix<double> mass(body.free_count(), body.free_count());
+  mass.setFromTriplets(entries.begin(), entries.end());
+  factors_[index] = std::make_unique<Factor>(mass);
+}
+
+Eigen::VectorXd InverseMasses::velocities(int body, const Eigen::VectorXd& impulses) {
+  make(body);
+  return factors_[body]->solve(impulses);
 }
 
 Vec3 velocity_of(const BodySet& set, std::span<const int> nodes, std::span<const double> weights, double step) {

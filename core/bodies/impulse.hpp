@@ -10,8 +10,8 @@
 /// Impulses: how they change velocities in no time.
 namespace talus {
 
-/// Inverse mass matrices of bodies that deform, each for its own nodes or control nodes; made when first asked for.
-/// Mass stays the same whatever bodies do.
+/// Inverse mass matrices of bodies that deform, each for its own nodes or control nodes; made when first needed. Mass
+/// stays the same whatever bodies do.
 class InverseMasses {
  public:
   explicit InverseMasses(const BodySet& set);
@@ -19,6 +19,8 @@ class InverseMasses {
   InverseMasses(const InverseMasses&) = delete;
   InverseMasses& operator=(const InverseMasses&) = delete;
 
+  /// Several threads may then ask for velocities of this body.
+  void make(int body);
   /// Velocities of the nodes of a body [m/s] by impulses on them [N s], both one number a node or control node: all
   /// three directions are alike. The body moves now.
   Eigen::VectorXd velocities(int body, const Eigen::VectorXd& impulses);
@@ -36,6 +38,7 @@ Vec3 velocity_of(const BodySet& set, std::span<const int> nodes, std::span<const
 /// second.
 class StruckPoint {
  public:
+  StruckPoint() = default;
   StruckPoint(const BodySet& set, InverseMasses& masses, std::span<const int> nodes, std::span<const double> weights,
               double step);
 

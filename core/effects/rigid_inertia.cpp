@@ -1,11 +1,25 @@
 #include "effects/rigid_inertia.hpp"
 
+#include <functional>
+
+#include "base/parallel.hpp"
 #include "bodies/finite_rotation.hpp"
 #include "bodies/nodal_motion.hpp"
 
 namespace talus {
 
 namespace {
+
+constexpr int bodies_worth_a_thread = 100;
+
+/// Calls use(body) for these of the set's rigid bodies, several at once.
+template <class Use>
+void each_rigid(const BodySet& set, std::span<const int> bodies, const Use& use) {
+  const auto use_some = [&](int first, int last) {
+    for (int i = first; i < last; ++i) use(set.rigid[bodies[i]]);
+  };
+  in_parallel(static_cast<int>(bodies.size()), bodies_worth_a_thread, std::ref(use_some));
+}
 
 /// What an angular acceleration of one radius weighs in the derivative [1/(m² s²)].
 double turning_scale(const BodySet& set, const RigidBody& body, const StepContext& step) {
@@ -41,13 +55,12 @@ Vec3 end_moment(const BodySet& set, const RigidBody& body, const StepContext& st
 void add_rigid_inertia(const BodySet& set, std::span<const int> bodies, const StepContext& step, const Increment& d,
                        Eigen::VectorXd& sum) {
   const double alpha_m = step.integration.alpha_m;
-  for (const int r : bodies) {
-    const RigidBody& body = set.rigid[r];
+  each_rigid(set, bodies, [&](const RigidBody& body) {
     const Vec3 a0 = start_acceleration(set, step, body.centre), a1 = end_acceleration(set, step, body.centre, d);
     sum.segment<3>(3 * set.nodes.dof_block[body.centre]) += body.mass * ((1 - alpha_m) * a1 + alpha_m * a0);
     sum.segment<3>(3 * body.rotation_dof_block) +=
         ((1 - alpha_m) * end_moment(set, body, step, d) + alpha_m * step.dynamic_factor * body.moment) / body.radius;
-  }
+  });
 }
 
 void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks& sum) {
@@ -63,13 +76,17 @@ void add_rigid_mass(const BodySet& set, const StepContext& step, SymmetricBlocks
 
 void add_rigid_turning(const BodySet& set, std::span<const int> bodies, const StepContext& step, const Increment& d,
                        UnsymmetricBlocks& sum) {
+  const auto turns = [&](const RigidBody& body) { return !body.theta(d).isZero(0); };
   for (const int r : bodies) {
-    const RigidBody& body = set.rigid[r];
-    if (body.theta(d).isZero(0)) continue;
+    const int block = set.rigid[r].rotation_dof_block;
+    if (turns(set.rigid[r])) sum.make_room(sum.pattern().slot(block, block), block, block);
+  }
+  each_rigid(set, bodies, [&](const RigidBody& body) {
+    if (!turns(body)) return;
     const double scale = (1 - step.integration.alpha_m) / (body.radius * body.radius);
     sum.add(body.rotation_dof_block, body.rotation_dof_block,
             scale * moment_slope(set, body, step, d) - turning_scale(set, body, step) * body.inertia_now());
-  }
+  });
 }
 
 void accept_rigid(BodySet& set, const StepContext& step, const Increment& d) {

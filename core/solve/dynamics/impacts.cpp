@@ -16,6 +16,8 @@ namespace talus {
 
 namespace {
 
+constexpr int hits_worth_a_thread = 100;
+
 /// At which the bodies part [m/s].
 double speed_of(const BodySet& set, const ContactSet& contacts, const ContactPoint& point, double step) {
   const auto [nodes, weights] = contacts.stencil(point);
@@ -257,28 +259,36 @@ void Impacts::limit_energy(std::span<Hit> hits, std::span<const int> bodies, dou
   makes_some_by(1);  // that springs make it is not theirs to mend
 }
 
-void Impacts::add_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {
+Impacts::Hit Impacts::hit_of(const Struck& struck, const ContactSet& contacts, double step,
+                             const ContactOutcome& outcome) {
+  const ContactPoint& point = contacts.points[struck.point];
+  const auto [nodes, weights] = contacts.stencil(point);
+  Hit hit{.where = {set_, masses_, nodes, weights, step},
+          .normal = point.normal,
+          .range = struck.range,
+          .elastic = struck.range,
+          .inelastic = struck.inelastic,
+          .bodies = {point.bodies[0], point.bodies[1]},
+          .spring_gain = spring_energy(point, outcome) - spring_energy_at_start(point),
+          .friction = point.friction,
+          .push = outcome.normal_force * step,
+          .shear = outcome.shear_force * step};
+  const Mat3& mobility = hit.where.mobility();
+  hit.along = point.normal.dot(mobility * point.normal);
+  hit.sideways = mobility_across(mobility, point.normal);
+  return hit;
+}
+
+void Impacts::find_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes) {
+  for (const Struck& struck : struck_)
+    for (const int body : contacts.points[struck.point].bodies)
+      if (!set_.bodies[body].fixed && set_.bodies[body].kind != BodyKind::rigid) masses_.make(body);
   hits_.clear();
-  for (const Struck& struck : struck_) {
-    const int i = struck.point;
-    const ContactPoint& point = contacts.points[i];
-    const auto [nodes, weights] = contacts.stencil(point);
-    hits_.push_back({.where = {set_, masses_, nodes, weights, step},
-                     .normal = point.normal,
-                     .range = struck.range,
-                     .elastic = struck.range,
-                     .inelastic = struck.inelastic,
-                     .bodies = {point.bodies[0], point.bodies[1]},
-                     .spring_gain = spring_energy(point, outcomes[i]) - spring_energy_at_start(point),
-                     .friction = point.friction,
-                     .along = 0,
-                     .sideways = 0,
-                     .push = outcomes[i].normal_force * step,
-                     .shear = outcomes[i].shear_force * step});
-    const Mat3& mobility = hits_.back().where.mobility();
-    hits_.back().along = point.normal.dot(mobility * point.normal);
-    hits_.back().sideways = mobility_across(mobility, point.normal);
-  }
+  hits_.resize(struck_.size());
+  const auto find_some = [&](int first, int last) {
+    for (int i = first; i < last; ++i) hits_[i] = hit_of(struck_[i], contacts, step, outcomes[struck_[i].point]);
+  };
+  in_parallel(static_cast<int>(struck_.size()), hits_worth_a_thread, std::ref(find_some));
 }
 
 ImpactEnergy Impacts::apply(const ContactSet& contacts, const StepContext& step,
@@ -287,7 +297,7 @@ ImpactEnergy Impacts::apply(const ContactSet& contacts, const StepContext& step,
   ++evaluations_;
   gather(contacts, step.length, outcomes);
   if (struck_.empty()) return {};
-  add_hits(contacts, step.length, outcomes);
+  find_hits(contacts, step.length, outcomes);
   ImpactEnergy energy;
   each_group([&](std::size_t begin, std::size_t count) {
     const auto hits = std::span(hits_).subspan(begin, count);

@@ -79,11 +79,11 @@ class Impacts {
     std::array<int, 2> bodies;
     double spring_gain;  // J, over the step
     double friction;
-    double along;       // 1/kg, the mobility along the normal …
-    double sideways;    // 1/kg, … and no less than that in any direction across it
-    double push;        // N s, of the springs over the step
-    Vec3 shear;         // N s
-    double pushed = 0;  // N s, by the impact
+    double along = 0;     // 1/kg, the mobility along the normal …
+    double sideways = 0;  // 1/kg, … and no less than that in any direction across it
+    double push;          // N s, of the springs over the step
+    Vec3 shear;           // N s
+    double pushed = 0;    // N s, by the impact
     Vec3 sheared = Vec3::Zero();
     double found_push = 0;  // N s, by the impact, before energy was asked for
     Vec3 found_shear = Vec3::Zero();
@@ -106,7 +106,8 @@ class Impacts {
   void each_group(const Use& use);
   /// Puts the contacts of each group in the order of their layers.
   void find_layers(const ContactSet& contacts);
-  void add_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
+  Hit hit_of(const Struck& struck, const ContactSet& contacts, double step, const ContactOutcome& outcome);
+  void find_hits(const ContactSet& contacts, double step, const std::vector<ContactOutcome>& outcomes);
   /// Where the layers of a group begin among its contacts.
   void list_layers(std::span<const Struck> group);
   /// Finds the impulses of the hits of a group, contact by contact, every second layer at once.
