@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <stdexcept>
 
 #include "base/parallel.hpp"
@@ -21,7 +20,7 @@
 namespace talus {
 namespace {
 
-constexpr int renewed_worth_a_thread = 256;
+constexpr int contacts_worth_a_thread = 256;
 constexpr double rounding_of_energy = 1e-9;  // – of it: forces that go on stay what they are to the bit
 
 }  // namespace
@@ -54,12 +53,12 @@ struct ContactDetector::State {
   double initial_interference(const FoundPoint& found, double normal_stiffness) const;
   void go_on_from(const ContactMemory::TransferredHistory& past, const FoundPoint& found, ContactPoint& point) const;
   ContactPoint complete(int number) const;
-  void complete_all(ContactSet& contacts);
+  void complete_all();
   void bond(std::span<ContactPoint> points) const;
   void weaken_broken(std::span<ContactPoint> points) const;
   void write(ContactSet& contacts);
-  /// Of points by key, and of `origins`.
-  void put_in_order(std::vector<ContactPoint>& points);
+  void put_in_order();
+  void hand_out(ContactSet& contacts);
   void change_rest(std::span<const int> changed);
 
   std::vector<ContactBody> bodies;
@@ -88,9 +87,9 @@ struct ContactDetector::State {
   std::vector<int> origins;             // of the points handed out: which one of `found` each was made of
   std::vector<std::uint64_t> families;  // of the points handed out
   std::vector<int> given_as;            // of a point of `found`: its number among those handed out, or −1
-  std::vector<ContactPoint> by_key;     // the points handed out before they were put in order …
+  std::vector<ContactPoint> by_key;     // points before they are handed out …
   std::vector<int> by_key_origins;      // … with what they were made of
-  std::vector<int> order;               // … and what comes where
+  std::vector<int> order;               // … those that are, in their order
 };
 
 ContactDetector::ContactDetector(std::vector<ContactBody> bodies, std::vector<JointLaw> laws, PairJoints pair_joints,
@@ -215,19 +214,19 @@ ContactPoint ContactDetector::State::complete(int number) const {
   return p;
 }
 
-void ContactDetector::State::complete_all(ContactSet& contacts) {
-  origins.clear();
+void ContactDetector::State::complete_all() {
+  by_key_origins.clear();
   memory.transfer(found.points);
   for (int i = 0; i < static_cast<int>(found.points.size()); ++i)
-    if (!found.points[i].dropped) origins.push_back(i);
-  contacts.points.resize(origins.size());
+    if (!found.points[i].dropped) by_key_origins.push_back(i);
+  by_key.resize(by_key_origins.size());
   const auto complete_some = [&](int first, int last) {
-    for (int i = first; i < last; ++i) contacts.points[i] = complete(origins[i]);
+    for (int i = first; i < last; ++i) by_key[i] = complete(by_key_origins[i]);
   };
-  in_parallel(static_cast<int>(origins.size()), renewed_worth_a_thread, std::ref(complete_some));
-  handover.limit(memory, origins, contacts.points);
-  if (joints_bond() || memory.any_bonded()) bond(contacts.points);
-  if (memory.any_broken()) weaken_broken(contacts.points);
+  in_parallel(static_cast<int>(by_key.size()), contacts_worth_a_thread, std::ref(complete_some));
+  handover.limit(memory, by_key_origins, by_key);
+  if (joints_bond() || memory.any_bonded()) bond(by_key);
+  if (memory.any_broken()) weaken_broken(by_key);
 }
 
 /// Bonds of joints that have just come to be, and the strength of all.
@@ -245,53 +244,63 @@ void ContactDetector::State::bond(std::span<ContactPoint> points) const {
 void ContactDetector::State::weaken_broken(std::span<ContactPoint> points) const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContactPoint& p = points[i];
-    p.broken = !p.bonded && memory.ever_broken(found.points[origins[i]].family);
+    p.broken = !p.bonded && memory.ever_broken(found.points[by_key_origins[i]].family);
     if (p.broken) p.friction = laws[p.joint].residual_friction;
   }
 }
 
 void ContactDetector::State::write(ContactSet& contacts) {
-  contacts.clear();
-  complete_all(contacts);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < origins.size(); ++i) {
-    FoundPoint& f = found.points[origins[i]];
-    ContactPoint& p = contacts.points[i];
-    f.dropped = !p.bonded && !f.is_of_end && p.gap > reach(p.bodies[0], p.bodies[1]);
-    if (f.dropped) continue;
-    p.stencil_begin = static_cast<int>(contacts.nodes.size());
-    contacts.nodes.insert(contacts.nodes.end(), found.nodes.begin() + f.stencil_begin,
-                          found.nodes.begin() + f.stencil_end);
-    contacts.weights.insert(contacts.weights.end(), found.weights.begin() + f.stencil_begin,
-                            found.weights.begin() + f.stencil_end);
-    p.stencil_end = static_cast<int>(contacts.nodes.size());
-    if (kept < i) contacts.points[kept] = p;
-    origins[kept] = origins[i];
-    ++kept;
-  }
-  contacts.points.resize(kept);
-  origins.resize(kept);
-  put_in_order(contacts.points);
+  complete_all();
+  put_in_order();
+  hand_out(contacts);
   contacts.sort_out();
-  work.points += static_cast<long>(kept);
+  work.points += static_cast<long>(contacts.points.size());
 }
 
-void ContactDetector::State::put_in_order(std::vector<ContactPoint>& points) {
-  order.resize(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int p, int q) { return comes_before(points[p], points[q]); });
-  by_key.swap(points);
-  by_key_origins.swap(origins);
-  points.clear();
-  origins.clear();
-  families.clear();
-  given_as.assign(found.points.size(), -1);
-  for (const int i : order) {
-    given_as[by_key_origins[i]] = static_cast<int>(points.size());
-    points.push_back(by_key[i]);
-    origins.push_back(by_key_origins[i]);
-    families.push_back(found.points[by_key_origins[i]].family);
+/// Those within reach, in the order of their bodies.
+void ContactDetector::State::put_in_order() {
+  order.clear();
+  for (int i = 0; i < static_cast<int>(by_key.size()); ++i) {
+    FoundPoint& f = found.points[by_key_origins[i]];
+    const ContactPoint& p = by_key[i];
+    f.dropped = !p.bonded && !f.is_of_end && p.gap > reach(p.bodies[0], p.bodies[1]);
+    if (!f.dropped) order.push_back(i);
   }
+  std::sort(order.begin(), order.end(), [&](int p, int q) { return comes_before(by_key[p], by_key[q]); });
+}
+
+void ContactDetector::State::hand_out(ContactSet& contacts) {
+  const int count = static_cast<int>(order.size());
+  contacts.clear();
+  contacts.points.resize(count);
+  origins.resize(count);
+  families.resize(count);
+  given_as.assign(found.points.size(), -1);
+  int stencils_end = 0;
+  for (int i = 0; i < count; ++i) {
+    origins[i] = by_key_origins[order[i]];
+    given_as[origins[i]] = i;
+    contacts.points[i].stencil_begin = stencils_end;
+    stencils_end += found.points[origins[i]].stencil_end - found.points[origins[i]].stencil_begin;
+  }
+  contacts.nodes.resize(stencils_end);
+  contacts.weights.resize(stencils_end);
+  const auto copy_some = [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const FoundPoint& f = found.points[origins[i]];
+      ContactPoint& p = contacts.points[i];
+      const int begin = p.stencil_begin;
+      p = by_key[order[i]];
+      p.stencil_begin = begin;
+      p.stencil_end = begin + f.stencil_end - f.stencil_begin;
+      std::copy(found.nodes.begin() + f.stencil_begin, found.nodes.begin() + f.stencil_end,
+                contacts.nodes.begin() + begin);
+      std::copy(found.weights.begin() + f.stencil_begin, found.weights.begin() + f.stencil_end,
+                contacts.weights.begin() + begin);
+      families[i] = f.family;
+    }
+  };
+  in_parallel(count, contacts_worth_a_thread, std::ref(copy_some));
 }
 
 void ContactDetector::detect(std::span<const Vec3> x, const Reach& reach, ContactSet& contacts) {
