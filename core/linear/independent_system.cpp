@@ -43,7 +43,6 @@ void IndependentSystem::analyse() {
 
 double IndependentSystem::take_right_side(const Eigen::VectorXd& b) {
   for (int i = 0; i < size(); ++i) right_.segment<3>(3 * i) = b.segment<3>(3 * nodes_[i]);
-  unsymmetric_.clear();
   return right_.norm();
 }
 

@@ -37,10 +37,11 @@ class IndependentSystem {
   /// The next solution is with a whole factor of its matrix.
   void demand_factor() { outdated_ = needs_factor_ = true; }
 
-  /// Takes its part of the global right-hand side and forgets the unsymmetric part. Returns the norm of that part.
+  /// Takes its part of the global right-hand side. Returns the norm of that part.
   double take_right_side(const Eigen::VectorXd& b);
-  /// Adds blocks of the unsymmetric part: two nodes of this system, by their numbers in it.
-  void take_unsymmetric(const UnsymmetricBlocks::Pair& pair) { unsymmetric_.push_back(pair); }
+  /// The unsymmetric part has so many pairs, each of which is taken then: two nodes, by their numbers in this system.
+  void expect_unsymmetric(int pairs) { unsymmetric_.resize(pairs); }
+  void take_unsymmetric(int place, const UnsymmetricBlocks::Pair& pair) { unsymmetric_[place] = pair; }
   /// Writes the solution into the global unknowns; zero in small parts whose right-hand sides are, together in norm, no
   /// larger than `negligible`. Throws NotPositiveDefinite with the global node.
   void solve(const SymmetricBlocks& whole, const LinearSettings& settings, double negligible, Trials& trials,

@@ -41,10 +41,14 @@ class LinearSystem {
   }
 
  private:
+  /// Gives each system its pairs, in their order.
+  void hand_out(std::span<const UnsymmetricBlocks::Pair> pairs);
+
   LinearSettings settings_;
   BlockPattern pattern_;
   std::vector<int> system_of_, number_in_system_;  ///< of each node
   std::vector<IndependentSystem> systems_;         ///< by their first nodes
+  std::vector<int> places_, counts_;               ///< of each pair in its system; of each system: its pairs
   std::vector<double> sizes_;                      ///< norm of each system's right-hand side
   Trials trials_;                                  ///< of incomplete factors
   LinearWork work_;

@@ -30,16 +30,16 @@ class UnsymmetricBlocks {
   const BlockPattern& pattern() const { return pattern_; }
 
   /// In the order in which they were first added to.
-  const std::vector<Pair>& pairs() const { return pairs_; }
+  std::span<const Pair> pairs() const { return std::span(pairs_).first(slots_.size()); }
 
   /// y += U x, with U of these pairs.
   static void add_product(std::span<const Pair> pairs, const Eigen::VectorXd& x, Eigen::VectorXd& y);
 
  private:
   BlockPattern pattern_;
-  std::vector<int> pair_;   ///< of each slot of the pattern, −1: none
-  std::vector<int> slots_;  ///< of each pair
-  std::vector<Pair> pairs_;
+  std::vector<int> pair_;    ///< of each slot of the pattern, −1: none
+  std::vector<int> slots_;   ///< of each pair
+  std::vector<Pair> pairs_;  ///< and zero ones behind them, that are used next
 };
 
 }  // namespace talus
