@@ -189,12 +189,15 @@ void Impacts::find_impulses(std::span<Hit> hits) {
 
 double Impacts::sweep_over(std::span<Hit> hits) {
   const int layers = static_cast<int>(layer_begins_.size()) - 1;
-  changes_.assign(layers, 0);
+  changes_.resize(layers);
   for (const int parity : {0, 1}) {
     const auto sweep_some = [&](int first, int last) {
-      for (int layer = 2 * first + parity; layer < 2 * last + parity; layer += 2)
+      for (int layer = 2 * first + parity; layer < 2 * last + parity; layer += 2) {
+        double change = 0;  // of its own, for others write beside it in the list
         for (Hit& hit : hits.subspan(layer_begins_[layer], layer_begins_[layer + 1] - layer_begins_[layer]))
-          changes_[layer] = std::max(changes_[layer], update(hit));
+          change = std::max(change, update(hit));
+        changes_[layer] = change;
+      }
     };
     in_parallel((layers + 1 - parity) / 2, 1, std::ref(sweep_some));
   }
