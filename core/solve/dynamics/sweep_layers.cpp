@@ -8,7 +8,10 @@ namespace talus {
 namespace {
 
 constexpr std::size_t worth_dividing = 256;  // contacts
-constexpr int contacts_of_a_layer = 64;      // ten microseconds' work
+constexpr int least_contacts = 64;           // of a layer: ten microseconds' work
+// A sweep carries a push through all of a layer, but into one layer beside it: with 16 and more of them, settling
+// slopes of 500 blocks have lost 5 to 8 % of their kinetic energy after 60 steps, for as many sweeps.
+constexpr std::size_t most_layers = 8;
 
 }  // namespace
 
@@ -45,9 +48,10 @@ int SweepLayers::number_from(int first) {
 void SweepLayers::join_thin_layers() {
   counts_.assign(*std::ranges::max_element(layers_) + 1, 0);
   for (const int layer : layers_) ++counts_[layer];
+  const int enough = std::max(least_contacts, static_cast<int>(layers_.size() / most_layers));
   int joined = 0, contacts = 0;
   for (int& count : counts_) {
-    if (contacts >= contacts_of_a_layer) {
+    if (contacts >= enough) {
       ++joined;
       contacts = 0;
     }
