@@ -11,17 +11,21 @@
 namespace talus {
 namespace {
 
-/// Is a point that lies below a face outside the body all the same, past a convex sharp edge of the face? Where that
-/// edge is acute, the point still projects onto the face. Where it is square, a point counts as past it only if it
-/// would miss the face by projection, too.
-bool beside_the_body(const StepGeometry& step, int face, const Vec3& p) {
+/// Is a vertex that lies below a face, at `p`, outside the body all the same, past a convex sharp edge of the face?
+/// Where that edge is acute, it still projects onto the face. Where it is square, it counts as past it only if it would
+/// miss the face by projection, too. Past it by no more than the edge tolerance it is outside only if its body lies
+/// there, too: one that stands beside the face may have sunk below the edge by as much.
+bool beside_the_body(const StepGeometry& step, int node, int face, const Vec3& p) {
+  const double near = step.edge_tolerance(step.features.faces[face].body, step.features.body_of(node));
   const Vec3 centre = step.centre(face);
   const auto sides = step.features.sides(face);
   return std::any_of(sides.begin(), sides.end(), [&](int edge) {
     const ContactEdge& e = step.features.edges[edge];
     if (!e.is_sharp || !step.shapes.edge(edge).is_clearly_convex) return false;
     const Vec3 &n = step.normal(step.features.across(edge, face)), &on_edge = step.x[e.nodes[0]];
-    return n.dot(p - on_edge) > step.tolerances.outside_facet * 3 * n.dot(on_edge - centre);
+    const double past = n.dot(p - on_edge);
+    if (!(past > step.tolerances.outside_facet * 3 * n.dot(on_edge - centre))) return false;
+    return past > near || is_in_cone(step, node, n);
   });
 }
 
@@ -150,7 +154,7 @@ void VertexFaceSearch::touch(const StepGeometry& step, const NearFeatures::Verte
   const auto [first, second] = node_is_first ? std::pair(other, f.body) : std::pair(f.body, other);
   if (axis.refutes(step, first, second, gap)) return;
   const auto least_deep = [&] { return axis.confirms(step, first, second, gap); };
-  if (gap < 0 && beside_the_body(step, face, held.at) && !least_deep()) return;
+  if (gap < 0 && beside_the_body(step, node, face, held.at) && !least_deep()) return;
   // An edge that reaches back over the facet lies on it, though it ends at the sharp edge.
   const auto lies_across = [&](const Vec3& across) {
     return is_in_cone(step, node, across) && !(across.dot(held.across) > step.flush_cosine);

@@ -62,6 +62,23 @@ TEST(VertexFaceSearch, ATipBelowAnAcuteEdgeIsNotBehindTheFaceAboveIt) {
   for (const ContactPoint& p : scene.detect(reach).points) EXPECT_GT(p.gap, 0) << p.normal.transpose();
 }
 
+/// A block that is not convex and leans back from its lower front edge, and a corner that stands behind its front by 2
+/// mm, and lower than it by little: both rest on a floor, and have sunk into it.
+TEST(VertexFaceSearch, ACornerThatSankBelowAnAcuteEdgeStaysOnTheFaceThatItStandsAgainst) {
+  const Shape leaning = mapped(cells({2, 1, 2}, [](int i, int, int k) { return i == 0 || k == 0; }),
+                               [](const Vec3& p) { return Vec3(p.x() + 0.25 * p.z(), p.y(), p.z()); });
+  const auto pushes_back = [&](double below) {
+    Scene scene;
+    scene.add(leaning, true);
+    scene.add(mapped(turned(box({-1, -1, 0}, {0, 0, 1}), -20, Vec3::UnitZ(), {0, 0, 0}),
+                     [&](const Vec3& p) { return Vec3(p.x() + 0.2 * p.z() + 0.002, p.y() + 0.5, p.z() - below); }));
+    return std::ranges::any_of(scene.detect(reach).points,
+                               [](const ContactPoint& p) { return p.gap < -1e-3 && p.normal.x() > 0.9; });
+  };
+  EXPECT_TRUE(pushes_back(-1e-5));
+  EXPECT_TRUE(pushes_back(4e-5));
+}
+
 TEST(VertexFaceSearch, CornerOnAFaceTouchesOnceWhereverTheMeshRuns) {
   for (const Vec3& tip : {Vec3(1.9, 1.7, 0), Vec3(10.0 / 7, 4.0 / 6, 0), Vec3(10.0 / 7, 1.2, 0), Vec3(1.5, 1.5, 0)}) {
     for (double gap : {-0.02, -1e-6, 0.0, 0.009}) {
