@@ -411,12 +411,8 @@ void BodySet::find_ways(double time, std::span<const char> left_out, std::vector
   for (const int b : driven) ways[b].mean = nodes.prescribed[bodies[b].first_node];
   for (const int b : moving) {
     if (!left_out.empty() && left_out[b]) continue;
-    const Body& body = bodies[b];
-    BodyWay& way = ways[b];
-    const int nodes_end = body.first_node + body.node_count;
-    for (int n = body.first_node; n < nodes_end; ++n) way.mean += nodes.velocity[n] * (time / body.node_count);
-    for (int n = body.first_node; n < nodes_end; ++n)
-      way.beside = std::max(way.beside, (nodes.velocity[n] * time - way.mean).norm());
+    const auto motion = [&](int node) -> Vec3 { return time * nodes.velocity[node]; };
+    ways[b] = way_of(bodies[b].first_node, bodies[b].node_count, motion);
   }
 }
 

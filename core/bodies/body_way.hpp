@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "base/vector.hpp"
 
 namespace talus {
@@ -11,6 +13,15 @@ struct BodyWay {
 
   void archive(auto& state) { state(mean, beside); }
 };
+
+/// Of a body whose nodes, so many from `first` on, go motion(node) each [m].
+template <class Motion>
+BodyWay way_of(int first, int nodes, const Motion& motion) {
+  BodyWay way;
+  for (int n = first; n < first + nodes; ++n) way.mean += motion(n) / nodes;
+  for (int n = first; n < first + nodes; ++n) way.beside = std::max(way.beside, (motion(n) - way.mean).norm());
+  return way;
+}
 
 /// No node of one body goes farther against one of the other. [m]
 inline double against_each_other(const BodyWay& a, const BodyWay& b) {

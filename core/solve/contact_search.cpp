@@ -30,13 +30,16 @@ void seek_for_awake(SimulationState& s, double length) {
   limit_springs(s, length);
 }
 
+/// How far gravity takes a body away from what held it in a step [m].
+double fall(const SimulationState& s, double length) { return 0.5 * s.project.gravity.norm() * length * length; }
+
 /// How far gaps matter, by the speed of those who may touch somebody [m].
 double displacement_reach(const SimulationState& s, double length) {
   double prescribed = 0;
   for (const int b : s.bodies.driven)
     prescribed = std::max(prescribed, s.bodies.nodes.prescribed[s.bodies.bodies[b].first_node].norm());
-  const double displacement = s.context.dynamic_factor * s.bodies.top_speed(s.company.alone()) * length +
-                              0.5 * s.project.gravity.norm() * length * length;
+  const double displacement =
+      s.context.dynamic_factor * s.bodies.top_speed(s.company.alone()) * length + fall(s, length);
   return s.tolerances.step.reach_factor * (displacement + prescribed);
 }
 
@@ -44,8 +47,7 @@ double displacement_reach(const SimulationState& s, double length) {
 /// gravity may take one away from the other.
 void foresee_ways(SimulationState& s, double length) {
   const StepTolerances& t = s.tolerances.step;
-  const double fall = 0.5 * s.project.gravity.norm() * length * length;
-  s.reach.least = t.reach_factor * fall + t.least_reach * s.smallest_size;
+  s.reach.least = t.reach_factor * fall(s, length) + t.least_reach * s.smallest_size;
   s.reach.multiple = t.reach_factor;
   s.bodies.find_ways(s.context.dynamic_factor * length, s.company.alone(), s.reach.ways);
 }
@@ -172,8 +174,8 @@ void seek_contacts(SimulationState& s, double length) {
   }
   s.context.reach = reach + s.smallest_size;
   s.context.unlimited = s.dynamic() && s.company.any_alone() ? s.company.alone() : std::span<const char>();
-  foresee_ways(s, length);
   if (!s.company.any() && s.contacts.points.empty()) return connect(s);
+  foresee_ways(s, length);
   s.detector.detect(s.bodies.nodes.position, s.reach, s.contacts);
   foresee_normals(s, length);
   connect(s);

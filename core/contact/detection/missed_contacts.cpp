@@ -23,13 +23,9 @@ void MissedContacts::measure_ways(const Increment& d, std::span<const char> alon
     if (is_alone(b, alone)) continue;
     const Body& body = set_.bodies[b];
     const int nodes_end = body.first_node + body.node_count;
-    BodyWay& way = gone_.ways[b];
-    for (int n = body.first_node; n < nodes_end; ++n) {
-      increments_[n] = set_.node_increment(n, d);
-      way.mean += increments_[n] / body.node_count;
-    }
-    for (int n = body.first_node; n < nodes_end; ++n)
-      way.beside = std::max(way.beside, (increments_[n] - way.mean).norm());
+    for (int n = body.first_node; n < nodes_end; ++n) increments_[n] = set_.node_increment(n, d);
+    const auto motion = [&](int node) -> const Vec3& { return increments_[node]; };
+    gone_.ways[b] = way_of(body.first_node, body.node_count, motion);
   }
 }
 
